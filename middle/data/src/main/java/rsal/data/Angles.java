@@ -1,0 +1,22 @@
+package rsal.data;
+
+/// Arithmetic on angles [rad], right across ±π.
+public final class Angles {
+    private static final double TURN = 2 * Math.PI;
+
+    private Angles() {}
+
+    /// The same direction in [-π, π). NaN and infinities become NaN.
+    public static double wrap(double angle) {
+        if (angle >= -Math.PI && angle < Math.PI) {
+            return angle;
+        }
+        double wrapped = angle - TURN * Math.floor((angle + Math.PI) / TURN);
+        return wrapped >= Math.PI ? wrapped - TURN : wrapped; // rounding may land exactly on π
+    }
+
+    /// The smallest turn from one direction to another, in [-π, π); positive is counter-clockwise.
+    public static double difference(double from, double to) {
+        return wrap(to - from);
+    }
+}

@@ -1,0 +1,31 @@
+package rsal.data;
+
+/// One sweep of a planar laser scanner, counter-clockwise. Beam `i` points to `angleMin + i · angleIncrement`
+/// [rad] in the laser's frame. Ranges [m] after REP 117: −∞ too close to measure, +∞ nothing there, NaN broken.
+///
+/// @param baseFromLaser where the scanner is mounted
+/// @param rangeMin shortest range it measures [m]
+/// @param rangeMax longest range it measures [m]
+/// @param ranges handed over, not shared
+public record LaserScan(
+        Pose2d baseFromLaser,
+        double angleMin,
+        double angleIncrement,
+        double rangeMin,
+        double rangeMax,
+        float[] ranges) {
+
+    public int count() {
+        return ranges.length;
+    }
+
+    /// Direction of a beam in the laser's frame [rad].
+    public double angle(int beam) {
+        return angleMin + beam * angleIncrement;
+    }
+
+    /// True where something was measured; false for nothing there, too close, and broken.
+    public boolean isHit(int beam) {
+        return ranges[beam] >= rangeMin && ranges[beam] <= rangeMax;
+    }
+}

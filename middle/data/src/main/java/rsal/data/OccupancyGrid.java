@@ -1,0 +1,62 @@
+package rsal.data;
+
+/// A map of square cells, row by row from the lower left one (as `nav_msgs/OccupancyGrid`).
+///
+/// @param resolution side of a cell [m]
+/// @param originX where the lower left corner of the lower left cell is, in the map frame [m]
+/// @param originY likewise [m]
+/// @param cells [#FREE], [#OCCUPIED] or [#UNKNOWN], `width · height` of them; handed over, not shared
+public record OccupancyGrid(int width, int height, double resolution, double originX, double originY, byte[] cells) {
+
+    public static final byte FREE = 0;
+    public static final byte OCCUPIED = 100;
+    public static final byte UNKNOWN = -1;
+
+    public OccupancyGrid {
+        if (width <= 0 || height <= 0 || (long) width * height != cells.length) {
+            throw new IllegalArgumentException(
+                    "A grid of %d × %d cells needs as many values, not %d.".formatted(width, height, cells.length));
+        }
+        if (!(resolution > 0 && Double.isFinite(resolution))
+                || !Double.isFinite(originX)
+                || !Double.isFinite(originY)) {
+            throw new IllegalArgumentException(
+                    "A grid's resolution (%s) must be positive and its origin (%s, %s) finite."
+                            .formatted(resolution, originX, originY));
+        }
+    }
+
+    /// Column of a place in the map frame; outside `0 … width-1` when the place is outside.
+    public int column(double x) {
+        return (int) Math.floor((x - originX) / resolution);
+    }
+
+    /// Row of a place in the map frame; outside `0 … height-1` when the place is outside.
+    public int row(double y) {
+        return (int) Math.floor((y - originY) / resolution);
+    }
+
+    /// x of the middle of a column [m].
+    public double x(int column) {
+        return originX + (column + 0.5) * resolution;
+    }
+
+    /// y of the middle of a row [m].
+    public double y(int row) {
+        return originY + (row + 0.5) * resolution;
+    }
+
+    public boolean contains(int column, int row) {
+        return column >= 0 && column < width && row >= 0 && row < height;
+    }
+
+    /// The cell's value; what is outside the map is unknown.
+    public byte at(int column, int row) {
+        return contains(column, row) ? cells[row * width + column] : UNKNOWN;
+    }
+
+    /// Whether a place is known to be free.
+    public boolean isFree(double x, double y) {
+        return at(column(x), row(y)) == FREE;
+    }
+}

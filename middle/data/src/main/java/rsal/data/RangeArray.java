@@ -1,0 +1,21 @@
+package rsal.data;
+
+import java.util.List;
+
+/// One round of single-range sensors (sonars, infrareds), each a cone. Ranges [m] after REP 117 as in
+/// [LaserScan].
+///
+/// @param baseFromSensors where each sensor is mounted, looking along its x axis
+/// @param fieldOfView full opening angle of each cone [rad]
+/// @param ranges as many as sensors; handed over, not shared
+public record RangeArray(
+        List<Pose2d> baseFromSensors, double fieldOfView, double rangeMin, double rangeMax, float[] ranges) {
+
+    public int count() {
+        return ranges.length;
+    }
+
+    public boolean isHit(int sensor) {
+        return ranges[sensor] >= rangeMin && ranges[sensor] <= rangeMax;
+    }
+}

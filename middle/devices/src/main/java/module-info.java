@@ -1,0 +1,16 @@
+/// What agents may ask of robots: devices and their health, robots, behaviors, time, and the contracts that robot
+/// systems and device drivers fulfil. Knows nothing of agents, simulators, networks or algorithms.
+module rsal.devices {
+    requires transitive rsal.data;
+    requires org.snakeyaml.engine;
+    requires java.desktop; // ImageIO reads map images
+    requires static org.jspecify;
+
+    exports rsal.device;
+    exports rsal.robot;
+    exports rsal.settings;
+    exports rsal.time;
+
+    uses rsal.robot.DeviceDriver;
+    uses rsal.robot.RobotSystemProvider;
+}

@@ -1,0 +1,23 @@
+package rsal.device;
+
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
+
+/// Motors and wheels. Frame of its readings: `<robot>/odom`.
+public interface DriveBase extends Sensor<Odometry> {
+    /// Moves like this until the next command. The newest wins; when none comes for the watchdog's time (0.5 s by
+    /// default) the base stops by itself. Speeds beyond what the robot can do are cut to it, keeping the
+    /// curvature.
+    ///
+    /// @throws IllegalArgumentException when a component is not finite
+    void command(Twist2d velocity);
+
+    /// Switches the motors. Disabled motors stand still and ignore commands.
+    void enable(boolean enabled);
+
+    boolean enabled();
+
+    /// Sets where odometry says the robot is. The robot does not move.
+    void resetOdometry(Pose2d odomFromBase);
+}

@@ -1,0 +1,60 @@
+package rsal.device;
+
+import java.time.Duration;
+import java.util.Optional;
+import rsal.data.Path2d;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+
+/// Drives somewhere.
+public interface Navigator extends Device {
+    /// Drives to a place. A new goal cancels the one under way; when it is near the old one the robot does not
+    /// stop in between.
+    ///
+    /// @throws IllegalArgumentException when the pose is not finite
+    GoalHandle<Progress, Result> goTo(Pose2d mapFromGoal, Tolerance tolerance);
+
+    default GoalHandle<Progress, Result> goTo(Pose2d mapFromGoal) {
+        return goTo(mapFromGoal, Tolerance.DEFAULT);
+    }
+
+    /// Stands still and keeps the goal.
+    void pause();
+
+    void resume();
+
+    boolean paused();
+
+    /// The goal under way.
+    Optional<Pose2d> goal();
+
+    /// The way it intends to take from here; empty without a goal.
+    Path2d path();
+
+    /// When a goal counts as reached.
+    ///
+    /// @param angle how far the heading may be off [rad]; π or more when the heading does not matter
+    record Tolerance(double distance, double angle) {
+        public static final Tolerance DEFAULT = new Tolerance(0.4, Math.toRadians(10));
+
+        /// Near enough, whichever way the robot looks.
+        public static Tolerance position(double distance) {
+            return new Tolerance(distance, Math.PI);
+        }
+    }
+
+    /// @param remaining length of way left [m]
+    /// @param waypoint the point it heads for now
+    /// @param driving since when, in run time, it works on this goal
+    record Progress(Pose2d mapFromBase, double remaining, Point2d waypoint, Duration driving) {}
+
+    sealed interface Result {
+        record Reached(Pose2d mapFromBase) implements Result {}
+
+        record Cancelled() implements Result {}
+
+        record NoPath(String why) implements Result {}
+
+        record Stuck(Pose2d mapFromBase, Duration tried) implements Result {}
+    }
+}

@@ -1,0 +1,41 @@
+package rsal.robot;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.random.RandomGenerator;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.device.Device;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.Scheduler;
+
+/// Makes a device from a robot's other devices (AMCL, VFH…), so that an agent cannot tell it from hardware. Found
+/// by [java.util.ServiceLoader] and named by its key in a scenario (`localizer: {type: amcl}`).
+public interface DeviceDriver {
+    /// `amcl`, `navigator`.
+    String key();
+
+    /// What it makes.
+    Class<? extends Device> makes();
+
+    /// Types of devices that the robot must have before this one can be made.
+    List<Class<? extends Device>> needs();
+
+    List<Parameter> parameters();
+
+    /// Makes the device and starts its work on the scheduler.
+    Device create(Context context, Arguments arguments);
+
+    /// @param name of the device to make, as the scenario calls it (`localizer`)
+    /// @param robot with the devices made so far
+    /// @param mapFromBase where the scenario says the robot starts; empty when it must find out
+    /// @param random a stream of this device's own
+    record Context(
+            String name,
+            Robot robot,
+            OccupancyGrid map,
+            Optional<Pose2d> mapFromBase,
+            Scheduler scheduler,
+            RandomGenerator random) {}
+}

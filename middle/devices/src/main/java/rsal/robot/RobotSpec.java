@@ -1,0 +1,11 @@
+package rsal.robot;
+
+import java.util.Optional;
+import rsal.data.Pose2d;
+
+/// A robot that a scenario asks a robot system for.
+///
+/// @param model with the sensors that the scenario wants it to have
+/// @param mapFromBase where it starts; empty lets the robot system say where it is, or choose
+/// @param color for people, `#rrggbb`
+public record RobotSpec(String id, String role, RobotModel model, Optional<Pose2d> mapFromBase, String color) {}

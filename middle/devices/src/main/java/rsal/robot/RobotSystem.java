@@ -1,0 +1,29 @@
+package rsal.robot;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import rsal.device.SimulationControl;
+import rsal.device.Subscription;
+
+/// Where robots come from: a simulated world, a set of Player servers, a ROS 2 domain.
+public interface RobotSystem extends AutoCloseable {
+    /// Starts the system and finds its robots, each with the hardware devices it has.
+    CompletionStage<List<Robot>> discover();
+
+    Subscription onChange(Consumer<? super Change> listener);
+
+    /// The truth of a simulated world; empty where there is only reality.
+    Optional<SimulationControl> simulation();
+
+    /// Stops all robots and lets go of everything. Closing twice does nothing.
+    @Override
+    void close();
+
+    sealed interface Change {
+        record Appeared(Robot robot) implements Change {}
+
+        record Gone(String robot, String reason) implements Change {}
+    }
+}

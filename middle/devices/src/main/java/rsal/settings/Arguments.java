@@ -1,0 +1,95 @@
+package rsal.settings;
+
+import java.time.Duration;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/// Values for a list of parameters, checked, with fallbacks filled in. Asking for what was not declared is a
+/// mistake of the code.
+public final class Arguments {
+    private final Map<String, Object> values;
+
+    private Arguments(Map<String, Object> values) {
+        this.values = Collections.unmodifiableMap(values);
+    }
+
+    /// @throws IllegalArgumentException with a sentence when a value is unknown, wrong or missing
+    public static Arguments of(List<Parameter> parameters, Map<String, ?> given) {
+        var values = new LinkedHashMap<String, Object>();
+        for (String name : given.keySet()) {
+            if (parameters.stream().noneMatch(p -> p.name().equals(name))) {
+                throw new IllegalArgumentException("(%s) is not known here. %s"
+                        .formatted(
+                                name,
+                                Suggestion.among(
+                                        name,
+                                        parameters.stream().map(Parameter::name).toList())));
+            }
+        }
+        for (Parameter parameter : parameters) {
+            Object value = given.get(parameter.name());
+            if (value != null) {
+                values.put(parameter.name(), parameter.accept(value));
+            } else {
+                values.put(
+                        parameter.name(),
+                        parameter
+                                .fallback()
+                                .orElseThrow(() -> new IllegalArgumentException("(%s) is missing: %s, %s."
+                                        .formatted(parameter.name(), parameter.description(), parameter.expected()))));
+            }
+        }
+        return new Arguments(values);
+    }
+
+    public static Arguments defaults(List<Parameter> parameters) {
+        return of(parameters, Map.of());
+    }
+
+    public double number(String name) {
+        return (Double) value(name);
+    }
+
+    public int integer(String name) {
+        return Math.toIntExact((Long) value(name));
+    }
+
+    public String text(String name) {
+        return (String) value(name);
+    }
+
+    public boolean flag(String name) {
+        return (Boolean) value(name);
+    }
+
+    /// A number of seconds.
+    public Duration seconds(String name) {
+        return Duration.ofNanos(Math.round(number(name) * 1e9));
+    }
+
+    /// A number of degrees, in radians.
+    public double radians(String name) {
+        return Math.toRadians(number(name));
+    }
+
+    /// All values by name, in the order of their parameters: Double, Long, String or Boolean.
+    public Map<String, Object> asMap() {
+        return values;
+    }
+
+    private Object value(String name) {
+        Object value = values.get(name);
+        if (value == null) {
+            throw new IllegalStateException(
+                    "(%s) was never declared as a parameter; declared are %s.".formatted(name, values.keySet()));
+        }
+        return value;
+    }
+
+    @Override
+    public String toString() {
+        return values.toString();
+    }
+}

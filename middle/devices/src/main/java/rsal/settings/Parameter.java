@@ -1,0 +1,137 @@
+package rsal.settings;
+
+import java.util.List;
+import java.util.Optional;
+
+/// Something that may be set: an argument of a scenario or an agent, an option of a driver. Declared once, it
+/// serves validation, help, the JSON Schema, command line flags and the page's form.
+///
+/// @param fallback the value when none is given; empty when one must be
+/// @param min least value of a number or integer; −∞ when there is none
+/// @param max greatest value; +∞ when there is none
+/// @param options allowed values of a text; empty when any will do
+/// @param unit `m`, `s`, `deg`; empty when it has none
+/// @param description a sentence for people
+public record Parameter(
+        String name,
+        Kind kind,
+        Optional<Object> fallback,
+        double min,
+        double max,
+        List<String> options,
+        String unit,
+        String description) {
+
+    public enum Kind {
+        NUMBER,
+        INTEGER,
+        TEXT,
+        FLAG
+    }
+
+    public Parameter {
+        options = List.copyOf(options);
+    }
+
+    public static Parameter number(
+            String name, double fallback, double min, double max, String unit, String description) {
+        return new Parameter(name, Kind.NUMBER, Optional.of(fallback), min, max, List.of(), unit, description);
+    }
+
+    public static Parameter integer(String name, long fallback, long min, long max, String unit, String description) {
+        return new Parameter(name, Kind.INTEGER, Optional.of(fallback), min, max, List.of(), unit, description);
+    }
+
+    public static Parameter text(String name, String fallback, String description) {
+        return new Parameter(name, Kind.TEXT, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
+    }
+
+    /// A text that must be given.
+    public static Parameter text(String name, String description) {
+        return new Parameter(name, Kind.TEXT, Optional.empty(), -inf(), inf(), List.of(), "", description);
+    }
+
+    public static Parameter choice(String name, String fallback, List<String> options, String description) {
+        return new Parameter(name, Kind.TEXT, Optional.of(fallback), -inf(), inf(), options, "", description);
+    }
+
+    public static Parameter flag(String name, boolean fallback, String description) {
+        return new Parameter(name, Kind.FLAG, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
+    }
+
+    private static double inf() {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /// The value as this parameter's kind: Double, Long, String or Boolean. Integers pass for numbers.
+    ///
+    /// @throws IllegalArgumentException with a sentence about what is wrong with it
+    public Object accept(Object value) {
+        Object converted = switch (kind) {
+            case NUMBER -> value instanceof Number n ? (Object) n.doubleValue() : value;
+            case INTEGER ->
+                value instanceof Integer || value instanceof Long ? (Object) ((Number) value).longValue() : value;
+            case TEXT, FLAG -> value;
+        };
+        boolean right = switch (kind) {
+            case NUMBER -> converted instanceof Double d && Double.isFinite(d);
+            case INTEGER -> converted instanceof Long;
+            case TEXT -> converted instanceof String;
+            case FLAG -> converted instanceof Boolean;
+        };
+        if (!right) {
+            throw new IllegalArgumentException("(%s) must be %s, not (%s).".formatted(name, expected(), value));
+        }
+        if (converted instanceof Number n && !(n.doubleValue() >= min && n.doubleValue() <= max)) {
+            throw new IllegalArgumentException("(%s) must be %s, not (%s).".formatted(name, expected(), value));
+        }
+        if (converted instanceof String s && !options.isEmpty() && !options.contains(s)) {
+            throw new IllegalArgumentException(
+                    "(%s) must be %s, not (%s). %s".formatted(name, expected(), value, Suggestion.among(s, options)));
+        }
+        return converted;
+    }
+
+    /// Reads a value as typed on a command line or in a form.
+    ///
+    /// @throws IllegalArgumentException with a sentence about what is wrong with it
+    public Object parse(String typed) {
+        Object value = typed;
+        try {
+            switch (kind) {
+                case NUMBER -> value = Double.parseDouble(typed);
+                case INTEGER -> value = Long.parseLong(typed);
+                case FLAG ->
+                    value = typed.equals("true") ? (Object) true : typed.equals("false") ? (Object) false : typed;
+                case TEXT -> {}
+            }
+        } catch (NumberFormatException _) {
+            // stays a text, which accept refuses with the right words
+        }
+        return accept(value);
+    }
+
+    /// "a number from 0.3 to 3 [m]"
+    public String expected() {
+        String what = switch (kind) {
+            case NUMBER -> "a number";
+            case INTEGER -> "a whole number";
+            case TEXT -> options.isEmpty() ? "a text" : "one of " + String.join(", ", options);
+            case FLAG -> "true or false";
+        };
+        if (min > -inf() && max < inf()) {
+            what += " from " + plain(min) + " to " + plain(max);
+        } else if (min > -inf()) {
+            what += " of at least " + plain(min);
+        } else if (max < inf()) {
+            what += " of at most " + plain(max);
+        }
+        return unit.isEmpty() ? what : what + " [" + unit + "]";
+    }
+
+    private static String plain(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e15
+                ? Long.toString((long) value)
+                : Double.toString(value);
+    }
+}

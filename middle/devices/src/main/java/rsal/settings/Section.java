@@ -1,0 +1,224 @@
+package rsal.settings;
+
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import rsal.data.Pose2d;
+
+/// Reads one group of settings strictly: what is asked for is known, what is left over is a mistake. A value that
+/// is wrong or missing is noted in the problems and replaced by a harmless one, so that reading goes on and the
+/// rest is checked, too.
+public final class Section {
+    private final String name;
+    private final Value.Mapping mapping;
+    private final Problems problems;
+    private final Set<String> asked = new LinkedHashSet<>();
+
+    /// @param name how messages call the group, `robots.prey`; empty at the top of a file
+    public Section(String name, Value.Mapping mapping, Problems problems) {
+        this.name = name;
+        this.mapping = mapping;
+        this.problems = problems;
+    }
+
+    public Location location() {
+        return mapping.location();
+    }
+
+    public Value.Mapping mapping() {
+        return mapping;
+    }
+
+    public Problems problems() {
+        return problems;
+    }
+
+    /// Names of all settings given, known or not.
+    public Set<String> names() {
+        return mapping.entries().keySet();
+    }
+
+    public boolean has(String key) {
+        asked.add(key);
+        return mapping.entries().containsKey(key);
+    }
+
+    public Optional<Value> find(String key) {
+        asked.add(key);
+        return mapping.find(key);
+    }
+
+    /// Where a setting's value is, or the group when it isn't given.
+    public Location locationOf(String key) {
+        return mapping.find(key).map(Value::location).orElse(mapping.location());
+    }
+
+    public String text(String key) {
+        return required(key, "a text").flatMap(v -> asText(key, v)).orElse("");
+    }
+
+    public String text(String key, String fallback) {
+        return find(key).flatMap(v -> asText(key, v)).orElse(fallback);
+    }
+
+    public double number(String key) {
+        return required(key, "a number").flatMap(v -> asNumber(key, v)).orElse(0.0);
+    }
+
+    public double number(String key, double fallback) {
+        return find(key).flatMap(v -> asNumber(key, v)).orElse(fallback);
+    }
+
+    /// A value for a parameter: as it is, checked; the parameter's fallback when it isn't given.
+    public Optional<Object> value(Parameter parameter) {
+        return find(parameter.name())
+                .map(value -> {
+                    try {
+                        return Optional.of(parameter.accept(plain(value)));
+                    } catch (IllegalArgumentException e) {
+                        problem(value.location(), path(String.valueOf(e.getMessage()), parameter.name()), "");
+                        return parameter.fallback();
+                    }
+                })
+                .orElseGet(() -> {
+                    if (parameter.fallback().isEmpty()) {
+                        problem(
+                                location(),
+                                "(%s) is missing: %s.".formatted(path(parameter.name()), parameter.expected()),
+                                parameter.description());
+                    }
+                    return parameter.fallback();
+                });
+    }
+
+    /// All values for a list of parameters. Only to be used when [Problems#isEmpty] at the end.
+    public Map<String, Object> values(List<Parameter> parameters) {
+        var values = new LinkedHashMap<String, Object>();
+        for (Parameter parameter : parameters) {
+            value(parameter).ifPresent(value -> values.put(parameter.name(), value));
+        }
+        return values;
+    }
+
+    public Optional<List<Value>> list(String key) {
+        return find(key).flatMap(value -> {
+            if (value instanceof Value.Sequence sequence) {
+                return Optional.of(sequence.items());
+            }
+            expected(key, "a list", value);
+            return Optional.empty();
+        });
+    }
+
+    /// Numbers in brackets, `[x, y, deg]`.
+    public Optional<double[]> numbers(String key, int count) {
+        return find(key).flatMap(value -> numbers(key, value, count));
+    }
+
+    public Optional<double[]> numbers(String key, Value value, int count) {
+        if (value instanceof Value.Sequence sequence
+                && sequence.items().size() == count
+                && sequence.items().stream().allMatch(i -> i instanceof Value.Scalar s && isFinite(s.value()))) {
+            return Optional.of(sequence.items().stream()
+                    .mapToDouble(i -> ((Number) ((Value.Scalar) i).value()).doubleValue())
+                    .toArray());
+        }
+        expected(key, "a list of %d numbers".formatted(count), value);
+        return Optional.empty();
+    }
+
+    /// `[x, y, deg]` in m, m, degrees.
+    public Optional<Pose2d> pose(String key) {
+        return numbers(key, 3).map(n -> Pose2d.ofDegrees(n[0], n[1], n[2]));
+    }
+
+    /// A group within this one; an empty one when it isn't given.
+    public Section section(String key) {
+        return new Section(
+                path(key), find(key).flatMap(v -> asMapping(key, v)).orElse(Value.Mapping.empty(location())), problems);
+    }
+
+    public boolean isMapping(String key) {
+        return mapping.find(key).filter(Value.Mapping.class::isInstance).isPresent();
+    }
+
+    /// Notes a problem about the value of a setting.
+    public void problem(String key, String message, String remedy) {
+        problems.add(locationOf(key), message, remedy);
+    }
+
+    public void problem(Location location, String message, String remedy) {
+        problems.add(location, message, remedy);
+    }
+
+    /// Notes that a value is of the wrong kind.
+    public void expected(String key, String what, Value read) {
+        problem(read.location(), "(%s) must be %s, not %s.".formatted(path(key), what, read.describe()), "");
+    }
+
+    /// Everything known has been asked for: what is left over is a mistake.
+    public void done() {
+        for (String key : mapping.entries().keySet()) {
+            if (!asked.contains(key)) {
+                Location place = mapping.keys().getOrDefault(key, mapping.location());
+                problem(
+                        place,
+                        "(%s) is not known%s.".formatted(key, name.isEmpty() ? " here" : " in (" + name + ")"),
+                        Suggestion.among(key, asked));
+            }
+        }
+    }
+
+    /// `robots.prey.pose`: how messages call a setting.
+    public String path(String key) {
+        return name.isEmpty() ? key : name + "." + key;
+    }
+
+    private String path(String message, String parameter) {
+        return message.replaceFirst(
+                "\\(" + java.util.regex.Pattern.quote(parameter) + "\\)", "(" + path(parameter) + ")");
+    }
+
+    private Optional<Value> required(String key, String what) {
+        Optional<Value> value = find(key);
+        if (value.isEmpty()) {
+            problem(location(), "(%s) is missing: %s.".formatted(path(key), what), "");
+        }
+        return value;
+    }
+
+    private Optional<String> asText(String key, Value value) {
+        if (value instanceof Value.Scalar scalar && scalar.value() instanceof String text && !text.isEmpty()) {
+            return Optional.of(text);
+        }
+        expected(key, "a text", value);
+        return Optional.empty();
+    }
+
+    private Optional<Double> asNumber(String key, Value value) {
+        if (value instanceof Value.Scalar scalar && isFinite(scalar.value())) {
+            return Optional.of(((Number) scalar.value()).doubleValue());
+        }
+        expected(key, "a number", value);
+        return Optional.empty();
+    }
+
+    private Optional<Value.Mapping> asMapping(String key, Value value) {
+        if (value instanceof Value.Mapping found) {
+            return Optional.of(found);
+        }
+        expected(key, "a group of settings", value);
+        return Optional.empty();
+    }
+
+    private static boolean isFinite(Object value) {
+        return value instanceof Number n && Double.isFinite(n.doubleValue());
+    }
+
+    private static Object plain(Value value) {
+        return value instanceof Value.Scalar scalar ? scalar.value() : value.describe();
+    }
+}

@@ -1,0 +1,53 @@
+package rsal.settings;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.Locale;
+import java.util.Optional;
+
+/// Guesses what a person meant.
+public final class Suggestion {
+    private Suggestion() {}
+
+    /// "Maybe (catchDistance)?" when a known word is close to what was read, else the list of the known words.
+    public static String among(String read, Collection<String> known) {
+        return closest(read, known)
+                .map(word -> "Maybe (%s) was meant?".formatted(word))
+                .orElseGet(() ->
+                        known.isEmpty() ? "Nothing is known here." : "Known are: " + String.join(", ", known) + ".");
+    }
+
+    /// The known word that takes the fewest changes, if that is at most a third of its letters.
+    public static Optional<String> closest(String read, Collection<String> known) {
+        String lower = read.toLowerCase(Locale.ROOT);
+        if (lower.length() > 100) {
+            return Optional.empty();
+        }
+        return known.stream()
+                .map(word -> new Candidate(word, distance(lower, word.toLowerCase(Locale.ROOT))))
+                .filter(c -> c.distance <= Math.max(1, c.word.length() / 3))
+                .min(Comparator.comparingInt(Candidate::distance))
+                .map(Candidate::word);
+    }
+
+    private record Candidate(String word, int distance) {}
+
+    /// Optimal string alignment: insertions, deletions, replacements, and swaps of neighbours count 1 each.
+    private static int distance(String a, String b) {
+        int[][] d = new int[a.length() + 1][b.length() + 1];
+        for (int i = 0; i <= a.length(); i++) {
+            for (int j = 0; j <= b.length(); j++) {
+                if (i == 0 || j == 0) {
+                    d[i][j] = i + j;
+                    continue;
+                }
+                int change = a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1;
+                d[i][j] = Math.min(Math.min(d[i - 1][j] + 1, d[i][j - 1] + 1), d[i - 1][j - 1] + change);
+                if (i > 1 && j > 1 && a.charAt(i - 1) == b.charAt(j - 2) && a.charAt(i - 2) == b.charAt(j - 1)) {
+                    d[i][j] = Math.min(d[i][j], d[i - 2][j - 2] + 1);
+                }
+            }
+        }
+        return d[a.length()][b.length()];
+    }
+}

@@ -1,0 +1,179 @@
+package rsal.settings;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.api.LoadSettings;
+import org.snakeyaml.engine.v2.composer.Composer;
+import org.snakeyaml.engine.v2.exceptions.Mark;
+import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
+import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
+import org.snakeyaml.engine.v2.nodes.MappingNode;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.NodeTuple;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.SequenceNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+import org.snakeyaml.engine.v2.parser.ParserImpl;
+import org.snakeyaml.engine.v2.scanner.StreamReader;
+import org.snakeyaml.engine.v2.schema.CoreSchema;
+
+/// Reads YAML 1.2 (core schema) that nobody vouches for: no tags, no doubled keys, bounded size, depth and number
+/// of values, so that aliases can't blow it up.
+public final class Yaml {
+    private static final int MAX_CHARACTERS = 1 << 20;
+    private static final int MAX_DEPTH = 32;
+    private static final int MAX_VALUES = 20_000;
+
+    private final String file;
+    private int values;
+
+    private Yaml(String file) {
+        this.file = file;
+    }
+
+    /// @param file what to call it in messages
+    /// @throws InvalidSettings when it isn't YAML, isn't a group of settings at the top, or is too much
+    public static Value.Mapping read(String file, String text) {
+        if (text.length() > MAX_CHARACTERS) {
+            throw new InvalidSettings(
+                    Location.of(file),
+                    "The file has %d characters; at most %d are read.".formatted(text.length(), MAX_CHARACTERS),
+                    "Maybe this isn't a settings file?");
+        }
+        var settings = LoadSettings.builder()
+                .setLabel(file)
+                .setSchema(new CoreSchema())
+                .setCodePointLimit(MAX_CHARACTERS)
+                .setAllowRecursiveKeys(false)
+                .build();
+        Optional<Node> root;
+        try {
+            root = new Composer(settings, new ParserImpl(settings, new StreamReader(settings, text))).getSingleNode();
+        } catch (MarkedYamlEngineException e) {
+            Location place = e.getProblemMark()
+                    .or(e::getContextMark)
+                    .map(mark -> location(file, mark))
+                    .orElse(Location.of(file));
+            throw new InvalidSettings(
+                    place,
+                    "This is not YAML: %s.".formatted(e.getProblem()),
+                    "Maybe a quote, a bracket or the indentation is off.");
+        } catch (YamlEngineException e) {
+            throw new InvalidSettings(
+                    Location.of(file),
+                    "This is not YAML: %s.".formatted(firstLine(e.getMessage())),
+                    "Maybe it is another kind of file.");
+        }
+        var yaml = new Yaml(file);
+        if (root.isEmpty()) {
+            throw new InvalidSettings(Location.of(file), "The file is empty.", "");
+        }
+        if (yaml.convert(root.get(), 0) instanceof Value.Mapping mapping) {
+            return mapping;
+        }
+        throw new InvalidSettings(
+                location(file, root.get().getStartMark().orElse(null)),
+                "The file must hold settings (name: value) at its top.",
+                "Maybe this isn't a settings file?");
+    }
+
+    private Value convert(Node node, int depth) {
+        Location place = location(file, node.getStartMark().orElse(null));
+        if (++values > MAX_VALUES) {
+            throw new InvalidSettings(
+                    place,
+                    "The file holds more than %d values.".formatted(MAX_VALUES),
+                    "Maybe its aliases (*name) multiply.");
+        }
+        if (depth > MAX_DEPTH) {
+            throw new InvalidSettings(
+                    place,
+                    "Settings are nested deeper than %d.".formatted(MAX_DEPTH),
+                    "Maybe an alias (*name) holds itself.");
+        }
+        return switch (node) {
+            case ScalarNode scalar -> new Value.Scalar(place, scalar(scalar, place));
+            case SequenceNode sequence -> {
+                refuseTag(sequence, Tag.SEQ, place);
+                var items = new ArrayList<Value>();
+                for (Node item : sequence.getValue()) {
+                    items.add(convert(item, depth + 1));
+                }
+                yield new Value.Sequence(place, items);
+            }
+            case MappingNode mapping -> {
+                refuseTag(mapping, Tag.MAP, place);
+                var entries = new LinkedHashMap<String, Value>();
+                var keys = new LinkedHashMap<String, Location>();
+                for (NodeTuple tuple : mapping.getValue()) {
+                    Location keyPlace =
+                            location(file, tuple.getKeyNode().getStartMark().orElse(null));
+                    if (!(tuple.getKeyNode() instanceof ScalarNode key)) {
+                        throw new InvalidSettings(keyPlace, "A setting's name must be a word.", "");
+                    }
+                    if (entries.putIfAbsent(key.getValue(), convert(tuple.getValueNode(), depth + 1)) != null) {
+                        throw new InvalidSettings(
+                                keyPlace, "(%s) is set twice.".formatted(key.getValue()), "Keep one of the two.");
+                    }
+                    keys.put(key.getValue(), keyPlace);
+                }
+                yield new Value.Mapping(place, entries, keys);
+            }
+            default -> throw new InvalidSettings(place, "This kind of YAML is not read here.", "");
+        };
+    }
+
+    private static Object scalar(ScalarNode node, Location place) {
+        String text = node.getValue();
+        Tag tag = node.getTag();
+        if (tag.equals(Tag.STR)) {
+            return text;
+        }
+        if (tag.equals(Tag.NULL)) {
+            return "";
+        }
+        if (tag.equals(Tag.BOOL)) {
+            return Boolean.parseBoolean(text);
+        }
+        if (tag.equals(Tag.INT)) {
+            try {
+                return Long.decode(text.startsWith("0o") ? "0" + text.substring(2) : text);
+            } catch (NumberFormatException _) {
+                throw new InvalidSettings(place, "(%s) is too large a number.".formatted(text), "");
+            }
+        }
+        if (tag.equals(Tag.FLOAT)) {
+            return number(text);
+        }
+        throw new InvalidSettings(
+                place, "Tags (%s) are not read here.".formatted(tag.getValue()), "Leave the tag out.");
+    }
+
+    private static double number(String text) {
+        String word = text.replace("+", "").toLowerCase(java.util.Locale.ROOT);
+        return switch (word) {
+            case ".inf" -> Double.POSITIVE_INFINITY;
+            case "-.inf" -> Double.NEGATIVE_INFINITY;
+            case ".nan" -> Double.NaN;
+            default -> Double.parseDouble(text);
+        };
+    }
+
+    private static void refuseTag(Node node, Tag expected, Location place) {
+        if (!node.getTag().equals(expected)) {
+            throw new InvalidSettings(
+                    place,
+                    "Tags (%s) are not read here.".formatted(node.getTag().getValue()),
+                    "Leave the tag out.");
+        }
+    }
+
+    private static Location location(String file, @org.jspecify.annotations.Nullable Mark mark) {
+        return mark == null ? Location.of(file) : new Location(file, mark.getLine() + 1, mark.getColumn() + 1);
+    }
+
+    private static String firstLine(@org.jspecify.annotations.Nullable String text) {
+        return text == null ? "unreadable" : text.lines().findFirst().orElse("unreadable");
+    }
+}

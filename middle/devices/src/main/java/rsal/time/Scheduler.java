@@ -1,0 +1,41 @@
+package rsal.time;
+
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.function.Supplier;
+
+/// What time it is, and which code runs when. Tasks of one scheduler never overlap: all callbacks, behaviors and
+/// agents of a run live on its one thread and need no locks.
+///
+/// All methods but [#execute] and [#instant] may only be called on the scheduler's thread or before it runs.
+public interface Scheduler extends InstantSource, Executor {
+    /// Runs the task once on the scheduler's thread as soon as it may. The only way in from other threads.
+    @Override
+    void execute(Runnable task);
+
+    /// Runs a task once, `delay` from now, in a phase of that instant.
+    Task after(Duration delay, Phase phase, Runnable task);
+
+    default Task after(Duration delay, Runnable task) {
+        return after(delay, Phase.THINK, task);
+    }
+
+    /// Runs a task again and again, first one `period` from now. Real time skips beats it missed; it never
+    /// bursts.
+    Task every(Duration period, Phase phase, Runnable task);
+
+    default Task every(Duration period, Runnable task) {
+        return every(period, Phase.THINK, task);
+    }
+
+    /// The stage's own ending, or a [TimeoutException] when it has none within the limit.
+    <T> CompletionStage<T> within(Duration limit, CompletionStage<T> stage);
+
+    /// Heavy work of one robot. It runs on another thread, beside the work that other robots hand in during the
+    /// same phase, and may touch only what nobody else touches meanwhile. In simulated time it is done before the
+    /// phase ends, and the stages complete on the scheduler's thread in the order in which the work was handed
+    /// in; in real time each completes there when it is done.
+    <T> CompletionStage<T> compute(Supplier<T> work);
+}
