@@ -1,0 +1,12 @@
+/// Agents: what they are given, how they talk, who is there, and the host that runs plain Java ones. Knows robots
+/// only as devices of the middle layer; knows nothing of where they come from.
+module rsal.agents {
+    requires transitive rsal.devices;
+    requires static org.jspecify;
+
+    exports rsal.agent;
+    exports rsal.agent.message;
+
+    uses rsal.agent.AgentHostProvider;
+    uses rsal.agent.AgentType;
+}

@@ -1,0 +1,49 @@
+package rsal.agent;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.random.RandomGenerator;
+import rsal.device.SimulationControl;
+import rsal.device.Subscription;
+import rsal.robot.Robot;
+import rsal.time.Scheduler;
+
+/// What an agent is given at its start. May be used only on the agent's lane, but for `scheduler().execute`,
+/// which is the only thread-safe way in. When the agent ends, so do all its subscriptions, tasks and notes.
+public interface AgentContext {
+    /// Unique in a run.
+    String name();
+
+    /// What the scenario calls agents of its kind (`follow`).
+    String role();
+
+    /// The robot it acts for; empty for those without a body.
+    Optional<Robot> robot();
+
+    /// Time and timers. Tasks run on the agent's lane; one that throws ends the agent.
+    Scheduler scheduler();
+
+    /// A stream of this agent's own, from the run's seed and the agent's name.
+    RandomGenerator random();
+
+    /// Tells all who listen, but for itself, in the order in which they subscribed, at this instant, after what
+    /// is running now.
+    <M> void publish(Topic<M> topic, M message);
+
+    <M> Subscription subscribe(Topic<M> topic, Consumer<? super Message<M>> listener);
+
+    /// Who else is there.
+    Directory directory();
+
+    /// This agent's own notes.
+    Blackboard blackboard();
+
+    /// The truth of the simulated world, for agents that stage or display; empty where all is real.
+    Optional<SimulationControl> simulation();
+
+    /// Says in a few words what it is doing, for people (`hunting prey-1`).
+    void state(String words);
+
+    /// Shows something it believes, for people; replaces what it showed under this name.
+    void show(String name, String belief);
+}

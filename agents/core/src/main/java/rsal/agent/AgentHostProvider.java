@@ -1,0 +1,20 @@
+package rsal.agent;
+
+import java.util.List;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.Scheduler;
+
+/// A multi-agent system that can run agents, found by [java.util.ServiceLoader] and named by its key in a
+/// scenario (`mas: {use: plain}`).
+public interface AgentHostProvider {
+    /// `plain`, `jason`, `jadex`, `jade`.
+    String key();
+
+    /// Whether it can follow simulated time. When not, scenarios on a simulated clock refuse it at start.
+    boolean followsSchedulerTime();
+
+    List<Parameter> parameters();
+
+    AgentHost create(Arguments settings, Scheduler scheduler);
+}

@@ -1,0 +1,22 @@
+package rsal.agent;
+
+import java.util.List;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// A kind of agent, found by [java.util.ServiceLoader] and named by its key in a scenario.
+public interface AgentType {
+    /// `follow`, or the name of a class for agents outside this project.
+    String key();
+
+    /// A sentence about what it does.
+    String description();
+
+    List<Parameter> parameters();
+
+    /// Types of devices without which it can't work; none for agents without a robot.
+    List<Class<? extends rsal.device.Device>> needs();
+
+    /// @param arguments for [#parameters]
+    Agent create(Arguments arguments);
+}

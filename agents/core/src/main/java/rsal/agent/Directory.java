@@ -1,0 +1,35 @@
+package rsal.agent;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rsal.device.Subscription;
+
+/// Who is there.
+public interface Directory {
+    /// All running agents, in the order in which they started.
+    List<Entry> agents();
+
+    default Optional<Entry> find(String name) {
+        return agents().stream().filter(e -> e.name().equals(name)).findFirst();
+    }
+
+    /// Agents of a role, in the order in which they started.
+    default List<Entry> ofRole(String role) {
+        return agents().stream().filter(e -> e.role().equals(role)).toList();
+    }
+
+    Subscription onChange(Consumer<? super Change> listener);
+
+    /// @param type key of its [AgentType]
+    /// @param robot id of its robot; empty when it has none
+    /// @param robotRole role of its robot; empty when it has none
+    record Entry(String name, String role, String type, String robot, String robotRole) {}
+
+    sealed interface Change {
+        record Came(Entry agent) implements Change {}
+
+        /// @param reason empty when it ended as it should
+        record Went(Entry agent, String reason) implements Change {}
+    }
+}

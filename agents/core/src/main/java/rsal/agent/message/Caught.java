@@ -1,0 +1,12 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+
+/// A prey has given up. It is said by the prey, once.
+///
+/// @param prey id of its robot
+/// @param hunter id of the robot that came too near
+/// @param distance between the two, as the prey believes [m]
+public record Caught(String prey, String hunter, double distance) {
+    public static final Topic<Caught> TOPIC = new Topic<>("caught", Caught.class);
+}

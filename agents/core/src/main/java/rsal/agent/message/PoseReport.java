@@ -1,0 +1,13 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+import rsal.data.Pose2d;
+
+/// Where a robot believes to be.
+///
+/// @param robot its id
+/// @param role its role, as the scenario calls it
+/// @param mapFromBase its pose in the map frame
+public record PoseReport(String robot, String role, Pose2d mapFromBase) {
+    public static final Topic<PoseReport> TOPIC = new Topic<>("pose", PoseReport.class);
+}

@@ -1,0 +1,8 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+
+/// Free words, for people and for agents that know how to read them.
+public record Text(String words) {
+    public static final Topic<Text> TOPIC = new Topic<>("text", Text.class);
+}
