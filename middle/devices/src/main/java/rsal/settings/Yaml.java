@@ -21,7 +21,9 @@ import org.snakeyaml.engine.v2.schema.CoreSchema;
 /// Reads YAML 1.2 (core schema) that nobody vouches for: no tags, no doubled keys, bounded size, depth and number
 /// of values, so that aliases can't blow it up.
 public final class Yaml {
-    private static final int MAX_CHARACTERS = 1 << 20;
+    /// More is refused.
+    public static final int MAX_CHARACTERS = 1 << 20;
+
     private static final int MAX_DEPTH = 32;
     private static final int MAX_VALUES = 20_000;
 

@@ -1,0 +1,250 @@
+package rsal.robot;
+
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rsal.data.Footprint;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.robot.RobotModel.Drive;
+import rsal.robot.RobotModel.OdometryNoise;
+import rsal.robot.RobotModel.Part;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Problems;
+import rsal.settings.Section;
+import rsal.settings.Suggestion;
+import rsal.settings.Value;
+
+/// Reads what robots are like from files: models, and the parts that can be mounted on them. Those that come with
+/// the program go by name (`pioneer2dx`, `urg04lx`), a person's own by file (`my-robot.yaml`).
+public final class RobotModels {
+    /// Chosen for a device, it takes the model's own part away.
+    public static final String NO_PART = "none";
+
+    private static final double MOST = 1000;
+    private static final int MAX_SAMPLES = 10_000;
+    private static final int MAX_SENSORS = 1_000;
+    private static final FileSource MODELS = FileSource.resources(RobotModels.class, "/rsal/robot/models/");
+    private static final FileSource PARTS = FileSource.resources(RobotModels.class, "/rsal/robot/parts/");
+
+    private final FileSource files;
+
+    /// @param files where a person's own models and parts are
+    public RobotModels(FileSource files) {
+        this.files = files;
+    }
+
+    /// Names of the models that come with the program.
+    public static List<String> builtIn() {
+        return List.of("pioneer2dx", "pioneer3at");
+    }
+
+    /// Names of the parts that come with the program.
+    public static List<String> builtInParts() {
+        return List.of("urg04lx", "utm30lx", "front8", "front8rear8", "front8rear8dx");
+    }
+
+    /// A model with the parts that it has by itself.
+    ///
+    /// @param askedAt where the name was written, for messages
+    /// @throws InvalidSettings when there is no such model or its file is wrong
+    public RobotModel read(String name, Location askedAt) {
+        return read(name, askedAt, Map.of());
+    }
+
+    /// A model with parts of one's choice.
+    ///
+    /// @param choices parts by device name (`laser: urg04lx`), over the model's own; [#NO_PART] leaves one out
+    /// @throws InvalidSettings when there is no such model or part, the model has no place for one, or a file is
+    /// wrong
+    public RobotModel read(String name, Location askedAt, Map<String, Choice> choices) {
+        var problems = new Problems();
+        Value.Mapping file = find("robot model", name, builtIn(), MODELS, askedAt);
+        var section = new Section("", file, problems);
+        String title = section.text("title");
+        Footprint footprint = body(section.section("body"));
+        Drive drive = drive(section.section("drive"));
+        Map<String, Pose2d> mounts = mounts(section.section("mounts"));
+        Map<String, Choice> chosen = own(section.section("sensors"));
+        section.done();
+        problems.throwIfAny();
+        chosen.putAll(choices);
+        var sensors = new LinkedHashMap<String, Part>();
+        chosen.forEach((device, choice) -> {
+            Pose2d mount = mounts.get(device);
+            if (choice.part().equals(NO_PART)) {
+                return;
+            }
+            if (mount == null) {
+                problems.add(
+                        choice.writtenAt(),
+                        "Robot model (%s) has no place for a device (%s).".formatted(name, device),
+                        Suggestion.among(device, mounts.keySet()));
+                return;
+            }
+            try {
+                sensors.put(device, part(choice.part(), mount, choice.writtenAt()));
+            } catch (InvalidSettings e) {
+                e.problems().forEach(problems::add);
+            }
+        });
+        problems.throwIfAny();
+        return new RobotModel(name, title, footprint, drive, sensors);
+    }
+
+    /// @param part name or file of a part
+    /// @param writtenAt where that was written, for messages
+    public record Choice(String part, Location writtenAt) {}
+
+    private Value.Mapping find(String what, String name, List<String> known, FileSource own, Location askedAt) {
+        if (known.contains(name)) {
+            return own.yaml(name + ".yaml", askedAt);
+        }
+        if (name.endsWith(".yaml") || name.endsWith(".yml")) {
+            return files.yaml(name, askedAt);
+        }
+        throw new InvalidSettings(askedAt, "There is no %s (%s).".formatted(what, name), Suggestion.among(name, known));
+    }
+
+    private static Footprint body(Section body) {
+        double length = positive(body, "length");
+        double width = positive(body, "width");
+        double[] center = body.numbers("center", 2).orElse(new double[2]);
+        if (Math.abs(center[0]) > MOST || Math.abs(center[1]) > MOST) {
+            body.problem("center", "(body.center) must be at most %s away.".formatted(MOST), "");
+            center = new double[2];
+        }
+        body.done();
+        return Footprint.box(length, width, new Point2d(center[0], center[1]));
+    }
+
+    private static Drive drive(Section drive) {
+        double maxSpeed = positive(drive, "maxSpeed");
+        double maxTurnRate = positive(drive, "maxTurnRate");
+        double maxAcceleration = positive(drive, "maxAcceleration");
+        double maxTurnAcceleration = positive(drive, "maxTurnAcceleration");
+        OdometryNoise noise = odometryNoise(drive.section("odometryNoise"));
+        drive.done();
+        return new Drive(
+                maxSpeed, Math.toRadians(maxTurnRate), maxAcceleration, Math.toRadians(maxTurnAcceleration), noise);
+    }
+
+    private static OdometryNoise odometryNoise(Section noise) {
+        double distancePerMeter = notNegative(noise, "distancePerMeter");
+        double headingPerMeter = notNegative(noise, "headingPerMeter");
+        double headingPerDegree = notNegative(noise, "headingPerDegree");
+        noise.done();
+        return new OdometryNoise(
+                distancePerMeter, Math.toRadians(headingPerMeter), Math.sqrt(Math.toRadians(1)) * headingPerDegree);
+    }
+
+    private static Map<String, Pose2d> mounts(Section section) {
+        var mounts = new LinkedHashMap<String, Pose2d>();
+        for (String device : section.names()) {
+            section.pose(device).ifPresent(pose -> mounts.put(device, pose));
+        }
+        return mounts;
+    }
+
+    private static Map<String, Choice> own(Section section) {
+        var own = new LinkedHashMap<String, Choice>();
+        for (String device : section.names()) {
+            own.put(device, new Choice(section.text(device), section.locationOf(device)));
+        }
+        return own;
+    }
+
+    private Part part(String name, Pose2d mount, Location askedAt) {
+        var problems = new Problems();
+        var section = new Section("", find("part", name, builtInParts(), PARTS, askedAt), problems);
+        String type = section.text("type");
+        double fieldOfView = positive(section, "fieldOfView");
+        double[] range = section.numbers("range", 2).orElse(new double[] {0, 1});
+        if (!(range[0] >= 0 && range[1] > range[0])) {
+            section.problem("range", "(range) must be [least, most], not [%s, %s].".formatted(range[0], range[1]), "");
+        }
+        double noise = notNegative(section, "noise");
+        Duration period = Duration.ofNanos(Math.round(positive(section, "period") * 1e9));
+        if (fieldOfView > 360) {
+            section.problem("fieldOfView", "(fieldOfView) must be at most 360, not (%s).".formatted(fieldOfView), "");
+        }
+        Optional<Part> part = switch (type) {
+            case "laser" -> {
+                int samples = samples(section);
+                double angle = Math.toRadians(fieldOfView);
+                yield Optional.of(new Part.Laser(
+                        name, mount, -angle / 2, angle / (samples - 1), samples, range[0], range[1], noise, period));
+            }
+            case "sonars" ->
+                Optional.of(new Part.Sonars(
+                        name, sensors(section, mount), Math.toRadians(fieldOfView), range[0], range[1], noise, period));
+            default -> {
+                section.problem(
+                        "type",
+                        "There is no type of part (%s).".formatted(type),
+                        Suggestion.among(type, List.of("laser", "sonars")));
+                yield Optional.empty();
+            }
+        };
+        if (part.isPresent()) {
+            section.done();
+        }
+        problems.throwIfAny();
+        return part.orElseThrow();
+    }
+
+    private static int samples(Section section) {
+        double samples = section.number("samples");
+        if (!(samples >= 2 && samples <= MAX_SAMPLES && samples == Math.rint(samples))) {
+            section.problem(
+                    "samples",
+                    "(samples) must be a whole number from 2 to %d, not (%s).".formatted(MAX_SAMPLES, samples),
+                    "");
+            return 2;
+        }
+        return (int) samples;
+    }
+
+    private static List<Pose2d> sensors(Section section, Pose2d baseFromRing) {
+        List<Value> items = section.list("sensors").orElse(List.of());
+        if (items.isEmpty() || items.size() > MAX_SENSORS) {
+            section.problem(
+                    "sensors",
+                    "(sensors) must list 1 to %d poses [x, y, heading], not %d.".formatted(MAX_SENSORS, items.size()),
+                    "");
+        }
+        return items.stream()
+                .flatMap(item -> section.numbers("sensors", item, 3).stream())
+                .map(n -> baseFromRing.compose(Pose2d.ofDegrees(n[0], n[1], n[2])))
+                .toList();
+    }
+
+    private static double positive(Section section, String key) {
+        return checked(section, key, 1e-3);
+    }
+
+    private static double notNegative(Section section, String key) {
+        return checked(section, key, 0);
+    }
+
+    /// The number, or 1 when it can't be used. No length, speed or time of a robot is beyond a thousand.
+    private static double checked(Section section, String key, double least) {
+        if (!section.has(key)) {
+            section.number(key); // notes that it is missing
+            return 1;
+        }
+        double value = section.number(key, 1);
+        if (value >= least && value <= MOST) {
+            return value;
+        }
+        section.problem(
+                key,
+                "(%s) must be a number from %s to %s, not (%s).".formatted(section.path(key), least, MOST, value),
+                "");
+        return 1;
+    }
+}

@@ -1,0 +1,105 @@
+package rsal.settings;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+
+/// Where files that settings name are looked for: a person's folder, or what comes with the program. Nothing
+/// outside is ever read, and nothing without bound.
+public interface FileSource {
+    /// @param path relative to the source, `/` between names
+    /// @param most bytes to read; more is refused
+    /// @param askedAt where the path was written, for messages
+    /// @throws InvalidSettings when there is no such file, it lies outside, is too large or can't be read
+    byte[] read(String path, int most, Location askedAt);
+
+    /// A text in UTF-8.
+    default String text(String path, int most, Location askedAt) {
+        try {
+            return StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(ByteBuffer.wrap(read(path, most, askedAt)))
+                    .toString();
+        } catch (CharacterCodingException _) {
+            throw new InvalidSettings(Location.of(path), "This is not text in UTF-8.", "Maybe it is another file.");
+        }
+    }
+
+    /// A file of settings.
+    default Value.Mapping yaml(String path, Location askedAt) {
+        return Yaml.read(path, text(path, Yaml.MAX_CHARACTERS, askedAt));
+    }
+
+    /// A folder on disk. Links are followed as long as they stay in it.
+    static FileSource folder(Path folder) {
+        return (path, most, askedAt) -> {
+            Path file;
+            try {
+                Path root = folder.toRealPath();
+                Path asked = root.resolve(path).normalize();
+                if (!asked.startsWith(root)) {
+                    throw outside(path, folder, askedAt);
+                }
+                file = asked.toRealPath();
+                if (!file.startsWith(root)) {
+                    throw outside(path, folder, askedAt);
+                }
+            } catch (IOException | InvalidPathException _) {
+                throw missing(path, "It is looked for in (%s).".formatted(folder), askedAt);
+            }
+            if (!Files.isRegularFile(file)) {
+                throw new InvalidSettings(askedAt, "(%s) is not a file.".formatted(path), "");
+            }
+            try (InputStream in = Files.newInputStream(file)) {
+                return bounded(in, path, most, askedAt);
+            } catch (IOException e) {
+                throw new InvalidSettings(askedAt, "File (%s) can't be read: %s.".formatted(path, e.getMessage()), "");
+            }
+        };
+    }
+
+    /// Resources beside a class of the module that holds them.
+    ///
+    /// @param folder absolute in the class path, `/rsal/maps/`
+    static FileSource resources(Class<?> owner, String folder) {
+        return (path, most, askedAt) -> {
+            if (path.contains("..")) {
+                throw missing(path, "", askedAt);
+            }
+            try (InputStream in = owner.getResourceAsStream(folder + path)) {
+                if (in == null) {
+                    throw missing(path, "", askedAt);
+                }
+                return bounded(in, path, most, askedAt);
+            } catch (IOException e) {
+                throw new InvalidSettings(
+                        askedAt, "Resource (%s) can't be read: %s.".formatted(path, e.getMessage()), "");
+            }
+        };
+    }
+
+    private static byte[] bounded(InputStream in, String path, int most, Location askedAt) throws IOException {
+        byte[] bytes = in.readNBytes(most);
+        if (in.read() >= 0) {
+            throw new InvalidSettings(
+                    askedAt,
+                    "File (%s) has more than %d bytes.".formatted(path, most),
+                    "Maybe it is another kind of file.");
+        }
+        return bytes;
+    }
+
+    private static InvalidSettings missing(String path, String remedy, Location askedAt) {
+        return new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), remedy);
+    }
+
+    private static InvalidSettings outside(String path, Path folder, Location askedAt) {
+        return new InvalidSettings(
+                askedAt, "(%s) lies outside of (%s).".formatted(path, folder), "Put the file into that folder.");
+    }
+}

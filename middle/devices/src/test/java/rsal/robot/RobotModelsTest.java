@@ -1,0 +1,187 @@
+package rsal.robot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Pose2d;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModels.Choice;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+
+class RobotModelsTest {
+    private static final Location HERE = new Location("hunt.yaml", 7, 12);
+
+    @TempDir
+    private Path folder;
+
+    private RobotModels models;
+
+    @BeforeEach
+    void setUp() {
+        models = new RobotModels(FileSource.folder(folder));
+    }
+
+    @ParameterizedTest
+    @MethodSource("rsal.robot.RobotModels#builtIn")
+    void everyModelThatComesAlongCanBeRead(String name) {
+        RobotModel model = models.read(name, HERE);
+        assertThat(model.name()).isEqualTo(name);
+        assertThat(model.footprint().inscribedRadius()).isBetween(0.1, 0.5);
+        assertThat(model.sensors()).containsKey("sonar");
+    }
+
+    @ParameterizedTest
+    @MethodSource("rsal.robot.RobotModels#builtInParts")
+    void everyPartThatComesAlongFitsAPioneer(String part) {
+        String device = part.startsWith("u") ? "laser" : "sonar";
+        RobotModel model = models.read("pioneer3at", HERE, Map.of(device, new Choice(part, HERE)));
+        assertThat(model.sensors().get(device).name()).isEqualTo(part);
+    }
+
+    @Test
+    void aPioneer2dxIsAsLongAndWideAsTheRealOne() {
+        RobotModel model = models.read("pioneer2dx", HERE);
+        assertThat(model.title()).isEqualTo("Pioneer 2-DX");
+        assertThat(model.footprint().inscribedRadius()).isCloseTo(0.18, within(1e-9)); // axis to front
+        assertThat(model.footprint().circumscribedRadius()).isCloseTo(Math.hypot(0.26, 0.19), within(1e-9));
+        assertThat(model.drive().maxTurnRate()).isCloseTo(Math.toRadians(300), within(1e-9));
+        assertThat(model.sensors()).containsOnlyKeys("sonar");
+    }
+
+    @Test
+    void aChosenLaserIsMountedWhereTheModelHasAPlaceForIt() {
+        RobotModel model = models.read("pioneer2dx", HERE, Map.of("laser", new Choice("urg04lx", HERE)));
+        assertThat(model.sensors()).containsOnlyKeys("sonar", "laser");
+        assertThat(model.sensors().get("laser")).isInstanceOfSatisfying(Part.Laser.class, laser -> {
+            assertThat(laser.baseFromLaser()).isEqualTo(new Pose2d(0.13, 0, 0));
+            assertThat(laser.samples()).isEqualTo(682);
+            assertThat(laser.angleMin()).isCloseTo(Math.toRadians(-120), within(1e-9));
+            assertThat(laser.angleMin() + 681 * laser.angleIncrement()).isCloseTo(Math.toRadians(120), within(1e-9));
+            assertThat(laser.rangeMax()).isEqualTo(5.6);
+            assertThat(laser.period()).isEqualTo(Duration.ofMillis(100));
+        });
+    }
+
+    @Test
+    void sonarsSitOnTheBodyAndLookOutwards() {
+        for (String name : RobotModels.builtIn()) {
+            var sonars = (Part.Sonars) models.read(name, HERE).sensors().get("sonar");
+            double reach = models.read(name, HERE).footprint().circumscribedRadius();
+            for (Pose2d sonar : sonars.baseFromSensors()) {
+                assertThat(Math.hypot(sonar.x(), sonar.y()))
+                        .as("%s %s", name, sonar)
+                        .isBetween(0.1, reach);
+                assertThat(sonar.y() * Math.sin(sonar.theta()))
+                        .as("%s %s", name, sonar)
+                        .isPositive();
+            }
+        }
+    }
+
+    @Test
+    void aPartCanBeLeftOut() {
+        RobotModel model = models.read("pioneer3at", HERE, Map.of("laser", new Choice(RobotModels.NO_PART, HERE)));
+        assertThat(model.sensors()).containsOnlyKeys("sonar");
+    }
+
+    @Test
+    void anUnknownModelIsRefusedWithAGuess() {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> models.read("pioner2dx", HERE))
+                .withMessageContaining("hunt.yaml:7:12")
+                .withMessageContaining("There is no robot model (pioner2dx).")
+                .withMessageContaining("Maybe (pioneer2dx) was meant?");
+    }
+
+    @Test
+    void anUnknownPartAndAnUnknownDeviceAreRefusedTogether() {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> models.read(
+                        "pioneer2dx",
+                        HERE,
+                        Map.of("laser", new Choice("urg04xl", HERE), "lasor", new Choice("x", HERE))))
+                .satisfies(e -> assertThat(e.problems()).hasSize(2))
+                .withMessageContaining("Maybe (urg04lx) was meant?")
+                .withMessageContaining("Robot model (pioneer2dx) has no place for a device (lasor).")
+                .withMessageContaining("Maybe (laser) was meant?");
+    }
+
+    @Test
+    void aPersonsOwnModelAndPartAreReadFromTheirFolder() throws IOException {
+        write("cart.yaml", CART);
+        write("eye.yaml", """
+                type: laser
+                fieldOfView: 90
+                samples: 3
+                range: [0, 8]
+                noise: 0
+                period: 0.05
+                """);
+        RobotModel cart = models.read("cart.yaml", HERE);
+        assertThat(cart.title()).isEqualTo("Cart");
+        assertThat(cart.sensors().get("eye"))
+                .isEqualTo(new Part.Laser(
+                        "eye.yaml",
+                        new Pose2d(0.1, 0, 0),
+                        Math.toRadians(-45),
+                        Math.toRadians(45),
+                        3,
+                        0,
+                        8,
+                        0,
+                        Duration.ofMillis(50)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "width: 0.2}|width: -1}",
+                "width: 0.2}|width: .inf}",
+                "width: 0.2}|width: 0.2, center: [1e300, 0]}",
+                "length: 0.3|lenght: 0.3",
+                "length: 0.3|length: long",
+                "maxSpeed: 1|maxSpeed: 0",
+                "maxSpeed: 1|maxSpeed: .nan",
+                "eye: [0.1, 0, 0]|eye: [0.1, 0]",
+                "eye: eye.yaml|eye: ../eye.yaml",
+                "eye: eye.yaml|eye: [1]",
+                "title: Cart|titel: Cart"
+            })
+    void aWrongModelFileIsRefused(String change) throws IOException {
+        String[] fromTo = change.split("\\|", 2);
+        assertThat(CART).contains(fromTo[0]);
+        write("cart.yaml", CART.replace(fromTo[0], fromTo[1]));
+        assertThatExceptionOfType(InvalidSettings.class).isThrownBy(() -> models.read("cart.yaml", HERE));
+    }
+
+    private static final String CART = """
+            title: Cart
+            body: {length: 0.3, width: 0.2}
+            drive:
+              maxSpeed: 1
+              maxTurnRate: 90
+              maxAcceleration: 1
+              maxTurnAcceleration: 90
+              odometryNoise: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0}
+            mounts: {eye: [0.1, 0, 0]}
+            sensors: {eye: eye.yaml}
+            """;
+
+    private void write(String name, String text) throws IOException {
+        Files.writeString(folder.resolve(name), text);
+    }
+}

@@ -1,0 +1,82 @@
+package rsal.settings;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class FileSourceTest {
+    private static final Location HERE = new Location("hunt.yaml", 3, 8);
+
+    @TempDir
+    private Path temp;
+
+    private FileSource source;
+
+    @BeforeEach
+    void setUp() throws IOException {
+        Path inside = Files.createDirectories(temp.resolve("inside/maps")).getParent();
+        Files.writeString(inside.resolve("a.txt"), "inside");
+        Files.writeString(temp.resolve("secret.txt"), "outside");
+        Files.createDirectory(temp.resolve("inside2"));
+        Files.writeString(temp.resolve("inside2/b.txt"), "beside");
+        Files.createSymbolicLink(inside.resolve("way-out"), temp.resolve("secret.txt"));
+        Files.createSymbolicLink(inside.resolve("way-back"), inside.resolve("a.txt"));
+        source = FileSource.folder(inside);
+    }
+
+    @Test
+    void readsFilesOfItsFolder() {
+        assertThat(source.text("a.txt", 100, HERE)).isEqualTo("inside");
+        assertThat(source.text("maps/../a.txt", 100, HERE)).isEqualTo("inside");
+        assertThat(source.text("way-back", 100, HERE)).isEqualTo("inside");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "../secret.txt",
+                "maps/../../secret.txt",
+                "../inside2/b.txt",
+                "way-out",
+                "/etc/passwd",
+                "nothing.txt",
+                "maps",
+                "",
+                "a\0b"
+            })
+    void readsNothingElse(String path) {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> source.read(path, 100, HERE))
+                .withMessageStartingWith("hunt.yaml:3:8: ");
+    }
+
+    @Test
+    void readsNoMoreThanIsAllowed() {
+        assertThat(source.read("a.txt", 6, HERE)).hasSize(6);
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> source.read("a.txt", 5, HERE))
+                .withMessageContaining("more than 5 bytes");
+    }
+
+    @Test
+    void refusesTextThatIsNone() throws IOException {
+        Files.write(temp.resolve("inside/binary"), new byte[] {(byte) 0xff, (byte) 0xfe});
+        assertThatExceptionOfType(InvalidSettings.class).isThrownBy(() -> source.text("binary", 100, HERE));
+    }
+
+    @Test
+    void resourcesCannotBeLeftEither() {
+        FileSource resources = FileSource.resources(FileSource.class, "/rsal/robot/models/");
+        assertThat(resources.text("pioneer2dx.yaml", 10_000, HERE)).contains("Pioneer 2-DX");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> resources.read("../parts/front8.yaml", 10_000, HERE));
+    }
+}
