@@ -7,6 +7,7 @@ module rsal.devices {
     requires static org.jspecify;
 
     exports rsal.device;
+    exports rsal.map;
     exports rsal.robot;
     exports rsal.settings;
     exports rsal.time;

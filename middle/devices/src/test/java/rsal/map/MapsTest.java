@@ -1,0 +1,235 @@
+package rsal.map;
+
+import static java.nio.charset.StandardCharsets.US_ASCII;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static rsal.data.OccupancyGrid.FREE;
+import static rsal.data.OccupancyGrid.OCCUPIED;
+import static rsal.data.OccupancyGrid.UNKNOWN;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Random;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.OccupancyGrid;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+
+class MapsTest {
+    private static final Location HERE = new Location("hunt.yaml", 3, 8);
+    private static final String LAB = """
+            image: lab.pgm
+            resolution: 0.5
+            origin: [-1, -2, 0]
+            negate: 0
+            occupied_thresh: 0.65
+            free_thresh: 0.196
+            """;
+    /// Black, gray, white above white, white, black.
+    private static final String PGM = """
+            P2
+            # drawn by hand
+            3 2
+            255
+            0 128 255
+            255 255 0
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private Maps maps;
+
+    @BeforeEach
+    void setUp() throws IOException {
+        maps = new Maps(FileSource.folder(folder));
+        write("lab.yaml", LAB);
+        write("lab.pgm", PGM);
+    }
+
+    @Test
+    void readsAMapWithTheLowestRowFirst() {
+        OccupancyGrid grid = maps.read("lab.yaml", HERE);
+        assertThat(grid.width()).isEqualTo(3);
+        assertThat(grid.height()).isEqualTo(2);
+        assertThat(grid.resolution()).isEqualTo(0.5);
+        assertThat(grid.originX()).isEqualTo(-1);
+        assertThat(grid.originY()).isEqualTo(-2);
+        assertThat(grid.cells()).containsExactly(FREE, FREE, OCCUPIED, OCCUPIED, UNKNOWN, FREE);
+    }
+
+    @Test
+    void readsRawPgmWithOneAndTwoBytes() throws IOException {
+        write("lab.pgm", "P5 3 2 255\n", 0, 128, 255, 255, 255, 0);
+        assertThat(maps.read("lab.yaml", HERE).cells()).containsExactly(FREE, FREE, OCCUPIED, OCCUPIED, UNKNOWN, FREE);
+        write("lab.pgm", "P5 2 1 1000\n", 0, 0, 3, 232);
+        assertThat(maps.read("lab.yaml", HERE).cells()).containsExactly(OCCUPIED, FREE);
+    }
+
+    @Test
+    void readsPng() throws IOException {
+        write("lab.yaml", LAB.replace("lab.pgm", "lab.png"));
+        Files.write(
+                folder.resolve("lab.png"), png(0xff000000, 0xff808080, 0xffffffff, 0xffffffff, 0x80ffffff, 0xff000000));
+        assertThat(maps.read("lab.yaml", HERE).cells()).containsExactly(FREE, FREE, OCCUPIED, OCCUPIED, UNKNOWN, FREE);
+        write("lab.yaml", LAB.replace("lab.pgm", "lab.png") + "mode: scale\n");
+        assertThat(maps.read("lab.yaml", HERE).cells())
+                .containsExactly(FREE, UNKNOWN, OCCUPIED, OCCUPIED, UNKNOWN, FREE);
+    }
+
+    @Test
+    void negateSwapsBlackAndWhite() throws IOException {
+        write("lab.yaml", LAB.replace("negate: 0", "negate: 1"));
+        assertThat(maps.read("lab.yaml", HERE).cells())
+                .containsExactly(OCCUPIED, OCCUPIED, FREE, FREE, UNKNOWN, OCCUPIED);
+    }
+
+    @Test
+    void theImageIsLookedForBesideTheYaml() throws IOException {
+        Files.createDirectory(folder.resolve("maps"));
+        write("maps/lab.yaml", LAB);
+        write("maps/lab.pgm", "P2 1 1 1 0");
+        assertThat(maps.read("maps/lab.yaml", HERE).cells()).containsExactly(OCCUPIED);
+    }
+
+    @Test
+    void everyMapThatComesAlongCanBeRead() {
+        assertThat(Maps.builtIn())
+                .allSatisfy(name -> assertThat(maps.read(name, HERE).cells()).contains(FREE, OCCUPIED));
+    }
+
+    @Test
+    void anUnknownMapIsRefusedWhereItIsNamed() {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> maps.read("offise", HERE))
+                .withMessageContaining("hunt.yaml:3:8: There is no map (offise).");
+    }
+
+    @Test
+    void aMissingImageIsReportedWhereTheYamlNamesIt() throws IOException {
+        write("lab.yaml", LAB.replace("lab.pgm", "lob.pgm"));
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> maps.read("lab.yaml", HERE))
+                .withMessageContaining("lab.yaml:1:8: There is no file (lob.pgm).");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "resolution: 0.5|resolution: 0",
+                "resolution: 0.5|resolution: -0.05",
+                "resolution: 0.5|resolution: 1e-300",
+                "resolution: 0.5|resolutoin: 0.5",
+                "[-1, -2, 0]|[-1, -2, 0.3]",
+                "[-1, -2, 0]|[-1, -2]",
+                "[-1, -2, 0]|[1e300, -2, 0]",
+                "origin: [-1, -2, 0]|negate2: 0",
+                "negate: 0|negate: 2",
+                "negate: 0|mode: raw",
+                "0.65|0.1",
+                "0.65|1.5",
+                "lab.pgm|../lab.pgm",
+                "lab.pgm|/etc/passwd",
+                "lab.pgm|lab.yaml",
+                "lab.pgm|[1]"
+            })
+    void aWrongMapFileIsRefused(String change) throws IOException {
+        String[] fromTo = change.split("\\|", 2);
+        assertThat(LAB).contains(fromTo[0]);
+        write("lab.yaml", LAB.replace(fromTo[0], fromTo[1]));
+        assertThatExceptionOfType(InvalidSettings.class).isThrownBy(() -> maps.read("lab.yaml", HERE));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "",
+                "P",
+                "P2",
+                "P5 3 2 255",
+                "P5 3 2 255 ab",
+                "P2 3 2 255 0 1 2 3 4",
+                "P2 3 2 255 0 1 2 3 4 x",
+                "P2 0 2 255",
+                "P2 -3 2 255",
+                "P2 3 2 0 0 0 0 0 0 0",
+                "P2 3 2 70000 0 0 0 0 0 0",
+                "P2 1 1 5 6",
+                "P2 99999999 99999999 255 0",
+                "P2 99999999999999999999 1 255 0",
+                "P5 8193 8192 255 ",
+                "P2 # never ends",
+                "P6 1 1 255 abc"
+            })
+    void aBrokenPgmIsRefused(String pgm) throws IOException {
+        write("lab.pgm", pgm);
+        assertThatExceptionOfType(InvalidSettings.class).isThrownBy(() -> maps.read("lab.yaml", HERE));
+    }
+
+    @Test
+    void aPngCutShortOrDamagedIsRefusedOrReadButNeverHurts() throws IOException {
+        write("lab.yaml", LAB.replace("lab.pgm", "lab.png"));
+        byte[] whole = png(0xff000000, 0xff808080, 0xffffffff, 0xffffffff, 0x80ffffff, 0xff000000);
+        for (int length = 0; length < whole.length / 2; length++) {
+            Files.write(folder.resolve("lab.png"), Arrays.copyOf(whole, length));
+            assertThatExceptionOfType(InvalidSettings.class)
+                    .as("cut to %d bytes", length)
+                    .isThrownBy(() -> maps.read("lab.yaml", HERE));
+        }
+        var random = new Random(5);
+        for (int round = 0; round < 300; round++) {
+            byte[] damaged = whole.clone();
+            for (int i = 0; i < 1 + random.nextInt(4); i++) {
+                damaged[random.nextInt(damaged.length)] = (byte) random.nextInt();
+            }
+            Files.write(folder.resolve("lab.png"), damaged);
+            try {
+                maps.read("lab.yaml", HERE);
+            } catch (InvalidSettings e) {
+                assertThat(e).as("round %d", round).hasMessageContaining("image");
+            }
+        }
+    }
+
+    @Test
+    void aPngThatClaimsToBeHugeIsRefusedBeforeItIsUnpacked() throws IOException {
+        write("lab.yaml", LAB.replace("lab.pgm", "lab.png"));
+        byte[] png = png(0, 0, 0, 0, 0, 0);
+        png[16] = 0x7f; // the first byte of the width
+        Files.write(folder.resolve("lab.png"), png);
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> maps.read("lab.yaml", HERE))
+                .withMessageContaining("lab.png");
+    }
+
+    private static byte[] png(int... argb) throws IOException {
+        var image = new BufferedImage(3, 2, BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(0, 0, 3, 2, argb, 0, 3);
+        var out = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", out);
+        return out.toByteArray();
+    }
+
+    private void write(String name, String text) throws IOException {
+        Files.writeString(folder.resolve(name), text);
+    }
+
+    private void write(String name, String header, int... bytes) throws IOException {
+        var out = new ByteArrayOutputStream();
+        out.write(header.getBytes(US_ASCII));
+        for (int b : bytes) {
+            out.write(b);
+        }
+        Files.write(folder.resolve(name), out.toByteArray());
+    }
+}
