@@ -9,4 +9,7 @@ module rsal.agents {
 
     uses rsal.agent.AgentHostProvider;
     uses rsal.agent.AgentType;
+
+    provides rsal.agent.AgentHostProvider with
+            rsal.agent.plain.PlainHostProvider;
 }

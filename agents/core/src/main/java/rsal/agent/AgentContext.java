@@ -3,6 +3,8 @@ package rsal.agent;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
+import rsal.data.Stamped;
+import rsal.device.Sensor;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.Robot;
@@ -20,7 +22,8 @@ public interface AgentContext {
     /// The robot it acts for; empty for those without a body.
     Optional<Robot> robot();
 
-    /// Time and timers. Tasks run on the agent's lane; one that throws ends the agent.
+    /// Time and timers. Tasks run on the agent's lane; one that throws ends the agent. Hand it to what comes later
+    /// from elsewhere, too: `goal.result().thenAcceptAsync(this::onArrival, self.scheduler())`.
     Scheduler scheduler();
 
     /// A stream of this agent's own, from the run's seed and the agent's name.
@@ -30,7 +33,11 @@ public interface AgentContext {
     /// is running now.
     <M> void publish(Topic<M> topic, M message);
 
+    /// Tells of each message, on the agent's lane. A listener that throws ends the agent.
     <M> Subscription subscribe(Topic<M> topic, Consumer<? super Message<M>> listener);
+
+    /// Tells of each reading of a device, on the agent's lane. A listener that throws ends the agent.
+    <T> Subscription subscribe(Sensor<T> sensor, Consumer<? super Stamped<T>> listener);
 
     /// Who else is there.
     Directory directory();
@@ -46,4 +53,8 @@ public interface AgentContext {
 
     /// Shows something it believes, for people; replaces what it showed under this name.
     void show(String name, String belief);
+
+    /// Does something when the agent ends, however it ends: for letting go of what would go on without it. The
+    /// last thing asked for is done first.
+    void atEnd(Runnable lettingGo);
 }

@@ -1,0 +1,334 @@
+package rsal.agent;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SplittableRandom;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import java.util.random.RandomGenerator;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.device.DriveBase;
+import rsal.device.Sensor;
+import rsal.device.SimulationControl;
+import rsal.device.Subscription;
+import rsal.robot.Robot;
+import rsal.time.Phase;
+import rsal.time.Scheduler;
+import rsal.time.Task;
+
+/// One agent's life and the fence around it: all code of the agent runs inside [#act], so that what it throws
+/// ends this agent alone, and its end takes with it whatever it listens to, has scheduled and holds.
+final class Member implements AgentContext {
+    /// How many messages and tasks an agent may set off within [#WINDOW]. A run with two agents that answer each
+    /// other for ever would never see the next instant.
+    static final int LIMIT = 10_000;
+
+    private static final Duration WINDOW = Duration.ofMillis(100);
+    private static final Logger LOG = System.getLogger(Agent.class.getName());
+
+    private final Society society;
+    private final AgentSpec spec;
+    private final Directory.Entry entry;
+    private final Scheduler hostLane;
+    private final Scheduler lane = new Lane();
+    private final Directory directory = new Others();
+    private final RandomGenerator random;
+    private final Blackboard blackboard;
+    private final Map<String, String> beliefs = new LinkedHashMap<>();
+    private final Set<Subscription> held = new LinkedHashSet<>();
+    private @Nullable Agent agent;
+    private Society.Status status = Society.Status.RUNNING;
+    private String state = "";
+    private long sent;
+    private Instant windowEnd = Instant.MIN;
+    private int setOff;
+
+    Member(Society society, AgentSpec spec, Scheduler hostLane) {
+        this.society = society;
+        this.spec = spec;
+        this.hostLane = hostLane;
+        this.random = new SplittableRandom(spec.seed());
+        this.blackboard = new Blackboard(hostLane);
+        this.entry = new Directory.Entry(
+                spec.name(),
+                spec.role(),
+                spec.type().key(),
+                spec.robot().map(Robot::id).orElse(""),
+                spec.robot().map(Robot::role).orElse(""));
+    }
+
+    Directory.Entry entry() {
+        return entry;
+    }
+
+    Society.Status status() {
+        return status;
+    }
+
+    Society.View view() {
+        return new Society.View(entry, status, state, beliefs, sent);
+    }
+
+    void start() {
+        lane.execute(() -> {
+            agent = spec.type().create(spec.arguments());
+            agent.start(this);
+        });
+    }
+
+    void stop() {
+        if (agent != null) {
+            act(agent, Agent::stop);
+        }
+        if (status == Society.Status.RUNNING) {
+            end(Society.Status.ENDED, "");
+        }
+    }
+
+    /// Runs code of the agent if it still lives.
+    private <T> void act(T value, Consumer<? super T> code) {
+        if (status != Society.Status.RUNNING) {
+            return;
+        }
+        try {
+            code.accept(value);
+        } catch (RuntimeException | StackOverflowError | AssertionError e) {
+            fail(e);
+        }
+    }
+
+    private void fail(Throwable cause) {
+        if (status == Society.Status.RUNNING) {
+            LOG.log(Level.ERROR, () -> "Agent (%s) failed and is ended.".formatted(name()), cause);
+            state = cause.getMessage() == null ? cause.toString() : cause.getMessage();
+            end(Society.Status.FAILED, state);
+        }
+    }
+
+    private void end(Society.Status how, String reason) {
+        status = how;
+        List.copyOf(held).reversed().forEach(this::letGo);
+        if (how == Society.Status.FAILED) {
+            robot().flatMap(robot -> robot.find(DriveBase.class))
+                    .ifPresent(base -> letGo(() -> base.command(Twist2d.STOP)));
+        }
+        society.went(this, reason);
+    }
+
+    private void letGo(Subscription subscription) {
+        try {
+            subscription.cancel();
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, () -> "Agent (%s) could not let go of something.".formatted(name()), e);
+        }
+    }
+
+    private void countWhatItSetsOff() {
+        Instant now = hostLane.instant();
+        if (!now.isBefore(windowEnd)) {
+            windowEnd = now.plus(WINDOW);
+            setOff = 0;
+        }
+        if (++setOff > LIMIT) {
+            throw new IllegalStateException(
+                    "Agent (%s) set off more than (%d) messages and tasks within %d ms, which would stop the run."
+                            .formatted(name(), LIMIT, WINDOW.toMillis()));
+        }
+    }
+
+    @Override
+    public String name() {
+        return spec.name();
+    }
+
+    @Override
+    public String role() {
+        return spec.role();
+    }
+
+    @Override
+    public Optional<Robot> robot() {
+        return spec.robot();
+    }
+
+    @Override
+    public Scheduler scheduler() {
+        return lane;
+    }
+
+    @Override
+    public RandomGenerator random() {
+        return random;
+    }
+
+    @Override
+    public <M> void publish(Topic<M> topic, M message) {
+        if (status == Society.Status.RUNNING) {
+            countWhatItSetsOff();
+            sent++;
+            society.publish(name(), topic, message);
+        }
+    }
+
+    @Override
+    public <M> Subscription subscribe(Topic<M> topic, Consumer<? super Message<M>> listener) {
+        return new Ear<Message<M>>(listener) {
+            @Override
+            public void accept(Message<M> message) {
+                if (!message.sender().equals(name())) {
+                    super.accept(message);
+                }
+            }
+        }.listenTo(society.listenersOf(topic)::add);
+    }
+
+    @Override
+    public <T> Subscription subscribe(Sensor<T> sensor, Consumer<? super Stamped<T>> listener) {
+        return new Ear<Stamped<T>>(listener).listenTo(sensor::subscribe);
+    }
+
+    @Override
+    public Directory directory() {
+        return directory;
+    }
+
+    @Override
+    public Blackboard blackboard() {
+        return blackboard;
+    }
+
+    @Override
+    public Optional<SimulationControl> simulation() {
+        return society.simulation();
+    }
+
+    @Override
+    public void state(String words) {
+        if (status == Society.Status.RUNNING && !words.equals(state)) {
+            state = words;
+            society.changed(this);
+        }
+    }
+
+    @Override
+    public void show(String name, String belief) {
+        beliefs.put(name, belief);
+    }
+
+    @Override
+    public void atEnd(Runnable lettingGo) {
+        hold(lettingGo::run);
+    }
+
+    private void hold(Subscription subscription) {
+        if (status == Society.Status.RUNNING) {
+            held.add(subscription);
+        } else {
+            letGo(subscription);
+        }
+    }
+
+    /// Something the agent wants to be told: it is, on its lane, until it does not want to any more or ends.
+    private class Ear<T> implements Consumer<T>, Subscription {
+        private final Consumer<? super T> listener;
+        private Subscription source = () -> {};
+        private boolean open = true;
+
+        Ear(Consumer<? super T> listener) {
+            this.listener = listener;
+        }
+
+        Subscription listenTo(Function<Consumer<T>, Subscription> add) {
+            source = add.apply(this);
+            hold(this);
+            return this;
+        }
+
+        @Override
+        public void accept(T value) {
+            hostLane.execute(() -> {
+                if (open) {
+                    act(value, listener);
+                }
+            });
+        }
+
+        @Override
+        public void cancel() {
+            open = false;
+            held.remove(this);
+            source.cancel();
+        }
+    }
+
+    /// The host's lane, inside the fence.
+    private final class Lane implements Scheduler {
+        private void turn(Runnable task) {
+            act(task, code -> {
+                countWhatItSetsOff();
+                code.run();
+            });
+        }
+
+        @Override
+        public Instant instant() {
+            return hostLane.instant();
+        }
+
+        @Override
+        public void execute(Runnable task) {
+            hostLane.execute(() -> turn(task));
+        }
+
+        @Override
+        public Task after(Duration delay, Phase phase, Runnable task) {
+            return hostLane.after(delay, phase, () -> turn(task));
+        }
+
+        @Override
+        public Task every(Duration period, Phase phase, Runnable task) {
+            Task beats = hostLane.every(period, phase, () -> turn(task));
+            Subscription untilEnd = beats::cancel;
+            hold(untilEnd);
+            return () -> {
+                held.remove(untilEnd);
+                beats.cancel();
+            };
+        }
+
+        @Override
+        public <T> CompletionStage<T> within(Duration limit, CompletionStage<T> stage) {
+            return hostLane.within(limit, stage);
+        }
+
+        @Override
+        public <T> CompletionStage<T> compute(Supplier<T> work) {
+            return hostLane.compute(work);
+        }
+    }
+
+    /// The directory, telling of changes inside the fence.
+    private final class Others implements Directory {
+        @Override
+        public List<Entry> agents() {
+            return society.directory().agents();
+        }
+
+        @Override
+        public Subscription onChange(Consumer<? super Change> listener) {
+            return new Ear<Change>(listener).listenTo(society.directory()::onChange);
+        }
+    }
+}

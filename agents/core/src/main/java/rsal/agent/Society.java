@@ -1,0 +1,195 @@
+package rsal.agent;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rsal.device.Listeners;
+import rsal.device.SimulationControl;
+import rsal.device.Subscription;
+import rsal.time.Scheduler;
+
+/// The agents of one run: starts and stops them, carries what they say, knows who is there. The same on all
+/// hosts.
+///
+/// What is said is heard at the same instant, after what is running now, by all who listen by then but the one
+/// who said it, in the order in which they subscribed. An agent that throws ends alone: its robot is told to
+/// stop, and the others learn why it went.
+///
+/// All calls on the run's thread.
+public final class Society implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(Society.class.getName());
+
+    private final Scheduler scheduler;
+    private final AgentHost host;
+    private final Optional<SimulationControl> simulation;
+    private final Map<String, Member> members = new LinkedHashMap<>();
+    private final Map<String, Channel<?>> channels = new HashMap<>();
+    private final Listeners<Message<?>> traffic = listeners();
+    private final Listeners<View> changes = listeners();
+    private final Roster roster = new Roster();
+
+    public Society(Scheduler scheduler, AgentHost host, Optional<SimulationControl> simulation) {
+        this.scheduler = scheduler;
+        this.host = host;
+        this.simulation = simulation;
+    }
+
+    /// Starts an agent. It is in the directory at once and begins after what is running now.
+    ///
+    /// @throws IllegalArgumentException when one of that name runs already
+    public void start(AgentSpec spec) {
+        Member before = members.get(spec.name());
+        if (before != null && before.status() == Status.RUNNING) {
+            throw new IllegalArgumentException("An agent (%s) runs already; names are unique.".formatted(spec.name()));
+        }
+        var member = new Member(this, spec, host.lane(spec.name()));
+        members.remove(spec.name()); // one that starts again comes last
+        members.put(spec.name(), member);
+        roster.came(member.entry());
+        changed(member);
+        member.start();
+    }
+
+    /// Stops an agent. One that does not run is left as it is.
+    ///
+    /// @throws IllegalArgumentException when there never was one of that name
+    public void stop(String name) {
+        Member member = members.get(name);
+        if (member == null) {
+            throw new IllegalArgumentException(
+                    "There is no agent (%s); there are %s.".formatted(name, members.keySet()));
+        }
+        member.stop();
+    }
+
+    public Directory directory() {
+        return roster;
+    }
+
+    /// Says something in a person's name.
+    ///
+    /// @throws IllegalArgumentException when the message is not of the topic's type, or the topic's name is taken
+    /// by messages of another type
+    public <M> void publish(String sender, Topic<M> topic, M message) {
+        if (!topic.type().isInstance(message)) {
+            throw new IllegalArgumentException("Topic (%s) carries %s, not (%s)."
+                    .formatted(topic.name(), topic.type().getSimpleName(), message));
+        }
+        Listeners<Message<M>> listeners = listenersOf(topic);
+        var said = new Message<>(topic, sender, scheduler.instant(), message);
+        traffic.tell(said);
+        scheduler.execute(() -> listeners.tell(said));
+    }
+
+    /// Hears everything that is said, before those it is said to.
+    public Subscription onMessage(Consumer<? super Message<?>> listener) {
+        return traffic.add(listener);
+    }
+
+    /// Hears how an agent is now whenever its status or state has changed, its start included.
+    public Subscription onChange(Consumer<? super View> listener) {
+        return changes.add(listener);
+    }
+
+    /// All agents ever started, in the order in which they started, with what they show of themselves.
+    public List<View> views() {
+        return members.values().stream().map(Member::view).toList();
+    }
+
+    /// Stops all agents, the newest first, then the host.
+    @Override
+    public void close() {
+        for (Member member : List.copyOf(members.values()).reversed()) {
+            member.stop();
+        }
+        host.close();
+    }
+
+    Optional<SimulationControl> simulation() {
+        return simulation;
+    }
+
+    <M> Listeners<Message<M>> listenersOf(Topic<M> topic) {
+        Channel<?> channel = channels.computeIfAbsent(topic.name(), _ -> new Channel<>(topic, listeners()));
+        if (!channel.topic.equals(topic)) {
+            throw new IllegalArgumentException("Topic (%s) carries %s, not %s. Maybe give yours another name."
+                    .formatted(
+                            topic.name(),
+                            channel.topic.type().getName(),
+                            topic.type().getName()));
+        }
+        @SuppressWarnings("unchecked") // made for an equal topic
+        var same = (Channel<M>) channel;
+        return same.listeners;
+    }
+
+    void changed(Member member) {
+        if (!changes.isEmpty()) {
+            changes.tell(member.view());
+        }
+    }
+
+    /// @param reason empty when it ended as it should
+    void went(Member member, String reason) {
+        host.end(member.name());
+        roster.went(member.entry(), reason);
+        changed(member);
+    }
+
+    private static <T> Listeners<T> listeners() {
+        return new Listeners<>(e -> LOG.log(Level.ERROR, "A listener failed and is not told any more.", e));
+    }
+
+    /// An agent as people see it.
+    ///
+    /// @param state what it says it is doing; the failure's message when it failed
+    /// @param beliefs what it shows, by name, in the order in which it first showed them
+    /// @param sent how many messages it has published
+    public record View(Directory.Entry agent, Status status, String state, Map<String, String> beliefs, long sent) {
+        public View {
+            beliefs = Collections.unmodifiableMap(new LinkedHashMap<>(beliefs));
+        }
+    }
+
+    public enum Status {
+        RUNNING,
+        ENDED,
+        FAILED
+    }
+
+    private record Channel<M>(Topic<M> topic, Listeners<Message<M>> listeners) {}
+
+    private static final class Roster implements Directory {
+        private final Listeners<Change> listeners = listeners();
+        private List<Entry> agents = List.of();
+
+        @Override
+        public List<Entry> agents() {
+            return agents;
+        }
+
+        @Override
+        public Subscription onChange(Consumer<? super Change> listener) {
+            return listeners.add(listener);
+        }
+
+        void came(Entry agent) {
+            var more = new ArrayList<>(agents);
+            more.add(agent);
+            agents = Collections.unmodifiableList(more);
+            listeners.tell(new Change.Came(agent));
+        }
+
+        void went(Entry agent, String reason) {
+            agents = agents.stream().filter(other -> !other.equals(agent)).toList();
+            listeners.tell(new Change.Went(agent, reason));
+        }
+    }
+}

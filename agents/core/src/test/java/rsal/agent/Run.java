@@ -1,0 +1,76 @@
+package rsal.agent;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rsal.agent.plain.PlainHostProvider;
+import rsal.device.Device;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.LockstepScheduler;
+
+/// A society on the plain host in simulated time, with agents written as lambdas.
+final class Run {
+    static final Topic<String> WORDS = new Topic<>("words", String.class);
+
+    final LockstepScheduler scheduler = new LockstepScheduler();
+    final Society society = new Society(
+            scheduler, new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler), Optional.empty());
+
+    void start(String name, Agent agent) {
+        society.start(spec(name, agent, Optional.empty()));
+    }
+
+    void start(String name, Agent agent, Robot robot) {
+        society.start(spec(name, agent, Optional.of(robot)));
+    }
+
+    /// An agent that hears words and hands them on with the name of the one who said them: `bob: hi`.
+    void startListener(String name, Consumer<String> heard) {
+        start(name, self -> self.subscribe(WORDS, m -> heard.accept(m.sender() + ": " + m.content())));
+    }
+
+    void advance(double seconds) {
+        scheduler.advance(Duration.ofMillis(Math.round(seconds * 1000)));
+    }
+
+    Society.View view(String name) {
+        return society.views().stream()
+                .filter(view -> view.agent().name().equals(name))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static AgentSpec spec(String name, Agent agent, Optional<Robot> robot) {
+        return new AgentSpec(name, "tested", new Type(agent), Arguments.defaults(List.of()), robot, name.hashCode());
+    }
+
+    private record Type(Agent agent) implements AgentType {
+        @Override
+        public String key() {
+            return "lambda";
+        }
+
+        @Override
+        public String description() {
+            return "Does what a test wants.";
+        }
+
+        @Override
+        public List<Parameter> parameters() {
+            return List.of();
+        }
+
+        @Override
+        public List<Class<? extends Device>> needs() {
+            return List.of();
+        }
+
+        @Override
+        public Agent create(Arguments arguments) {
+            return agent;
+        }
+    }
+}

@@ -1,0 +1,381 @@
+package rsal.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static rsal.agent.Run.WORDS;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import rsal.agent.Directory.Change;
+import rsal.agent.Society.Status;
+
+class SocietyTest {
+    private final Run run = new Run();
+    private final List<String> log = new ArrayList<>();
+
+    @Test
+    void allHearInTheOrderInWhichTheySubscribedButTheOneWhoSpoke() {
+        run.startListener("zoe", words -> log.add("zoe heard " + words));
+        run.start("bob", self -> {
+            self.subscribe(WORDS, _ -> log.add("bob heard himself"));
+            self.scheduler().after(Duration.ofSeconds(1), () -> self.publish(WORDS, "hi"));
+        });
+        run.startListener("amy", words -> log.add("amy heard " + words));
+        run.advance(2);
+        assertThat(log).containsExactly("zoe heard bob: hi", "amy heard bob: hi");
+    }
+
+    @Test
+    void whatIsSaidIsHeardAtTheSameInstantAfterWhatIsRunning() {
+        run.start(
+                "amy",
+                self -> self.subscribe(WORDS, m -> {
+                    log.add("heard at " + run.scheduler.elapsed());
+                    assertThat(m.time()).isEqualTo(self.scheduler().instant());
+                }));
+        run.start(
+                "bob",
+                self -> self.scheduler().after(Duration.ofSeconds(1), () -> {
+                    self.publish(WORDS, "hi");
+                    log.add("said");
+                }));
+        run.advance(2);
+        assertThat(log).containsExactly("said", "heard at PT1S");
+        assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
+    }
+
+    @Test
+    void answersComeAfterWhatWasSaidBefore() {
+        run.start(
+                "echo",
+                self -> self.subscribe(WORDS, m -> {
+                    if (!m.content().startsWith("re:")) {
+                        self.publish(WORDS, "re:" + m.content());
+                    }
+                }));
+        run.startListener("amy", log::add);
+        run.start(
+                "bob",
+                self -> self.scheduler().after(Duration.ofSeconds(1), () -> {
+                    self.publish(WORDS, "1");
+                    self.publish(WORDS, "2");
+                }));
+        run.advance(2);
+        assertThat(log).containsExactly("bob: 1", "bob: 2", "echo: re:1", "echo: re:2");
+    }
+
+    @Test
+    void agentsStartedTogetherHearEachOthersFirstWords() {
+        run.start("amy", self -> {
+            self.publish(WORDS, "hello");
+            self.subscribe(WORDS, m -> log.add("amy heard " + m.sender()));
+        });
+        run.start("bob", self -> {
+            self.publish(WORDS, "hello");
+            self.subscribe(WORDS, m -> log.add("bob heard " + m.sender()));
+        });
+        run.advance(0);
+        assertThat(log).containsExactly("bob heard amy", "amy heard bob");
+    }
+
+    @Test
+    void agentThatThrowsEndsAloneAndTheOthersLearnWhy() {
+        run.startListener("amy", log::add);
+        run.start(
+                "watcher",
+                self -> self.directory().onChange(change -> {
+                    if (change instanceof Change.Went(Directory.Entry agent, String reason)) {
+                        log.add(agent.name() + " went: " + reason);
+                    }
+                }));
+        run.start("bob", self -> {
+            self.scheduler().every(Duration.ofSeconds(1), () -> log.add("bob ticks"));
+            self.scheduler().after(Duration.ofMillis(1500), () -> {
+                throw new IllegalStateException("a slip of bob's");
+            });
+        });
+        run.advance(3);
+        run.society.publish("operator", WORDS, "still there?");
+        run.advance(1);
+        assertThat(log).containsExactly("bob ticks", "bob went: a slip of bob's", "operator: still there?");
+        assertThat(run.view("bob").status()).isEqualTo(Status.FAILED);
+        assertThat(run.view("bob").state()).isEqualTo("a slip of bob's");
+        assertThat(run.society.directory().agents())
+                .extracting(Directory.Entry::name)
+                .containsExactly("amy", "watcher");
+    }
+
+    @Test
+    void agentMayThrowAnywhere() {
+        run.start("in-start", _ -> {
+            throw new IllegalStateException("in start");
+        });
+        run.start(
+                "in-listener",
+                self -> self.subscribe(WORDS, _ -> {
+                    throw new IllegalStateException("in listener");
+                }));
+        run.start(
+                "in-task",
+                self -> self.scheduler().execute(() -> {
+                    throw new IllegalStateException("in task");
+                }));
+        run.start("endless", self -> self.scheduler().execute(this::endless));
+        run.start("in-stop", new Agent() {
+            @Override
+            public void start(AgentContext self) {}
+
+            @Override
+            public void stop() {
+                throw new IllegalStateException("in stop");
+            }
+        });
+        run.society.publish("operator", WORDS, "hi");
+        run.advance(1);
+        run.society.stop("in-stop");
+        assertThat(run.society.views()).extracting(Society.View::status).containsOnly(Status.FAILED);
+        assertThat(run.society.views())
+                .extracting(Society.View::state)
+                .containsExactly("in start", "in listener", "in task", "java.lang.StackOverflowError", "in stop");
+    }
+
+    @SuppressWarnings("InfiniteRecursion") // on purpose
+    private void endless() {
+        endless();
+    }
+
+    @Test
+    void nothingOfAnEndedAgentGoesOn() {
+        run.start("amy", self -> {
+            self.subscribe(WORDS, _ -> log.add("heard"));
+            self.directory().onChange(_ -> log.add("changed"));
+            self.scheduler().every(Duration.ofSeconds(1), () -> log.add("beat"));
+            self.scheduler().after(Duration.ofSeconds(2), () -> log.add("late"));
+            self.atEnd(() -> log.add("let go of the first"));
+            self.atEnd(() -> {
+                log.add("let go of the second");
+                self.publish(WORDS, "too late");
+            });
+        });
+        run.startListener("bob", log::add);
+        run.advance(0);
+        run.society.publish("operator", WORDS, "this is due when she ends");
+        log.clear();
+        run.society.stop("amy");
+        run.advance(5);
+        assertThat(log)
+                .containsExactly("let go of the second", "let go of the first", "operator: this is due when she ends");
+    }
+
+    @Test
+    void lastWordsAreHeard() {
+        run.startListener("amy", log::add);
+        run.start("bob", new Agent() {
+            private AgentContext self;
+
+            @Override
+            public void start(AgentContext self) {
+                this.self = self;
+            }
+
+            @Override
+            public void stop() {
+                self.publish(WORDS, "bye");
+            }
+        });
+        run.advance(1);
+        run.society.stop("bob");
+        run.advance(1);
+        assertThat(log).containsExactly("bob: bye");
+    }
+
+    @Test
+    void cancelledSubscriptionHearsNotEvenWhatIsDue() {
+        run.start("amy", self -> {
+            var words = self.subscribe(WORDS, _ -> log.add("heard"));
+            self.scheduler().after(Duration.ofSeconds(1), words::cancel);
+        });
+        run.start("bob", self -> self.scheduler().after(Duration.ofSeconds(1), () -> self.publish(WORDS, "hi")));
+        run.start("eve", self -> self.scheduler().after(Duration.ofMillis(500), () -> self.publish(WORDS, "hi")));
+        run.advance(2);
+        assertThat(log).containsExactly("heard");
+    }
+
+    @Test
+    void twoThatAnswerEachOtherForEverAreEndedByName() {
+        for (String name : List.of("ping", "pong")) {
+            run.start(name, self -> self.subscribe(WORDS, _ -> self.publish(WORDS, "again")));
+        }
+        run.startListener("amy", _ -> {});
+        run.society.publish("operator", WORDS, "go");
+        run.advance(1);
+        assertThat(run.view("ping").status()).isEqualTo(Status.FAILED);
+        assertThat(run.view("ping").state()).contains("(ping)").contains(String.valueOf(Member.LIMIT));
+        assertThat(run.view("ping").sent()).isBetween(Member.LIMIT / 2L, (long) Member.LIMIT);
+        assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
+    }
+
+    @Test
+    void oneThatSchedulesItselfForEverAtOneInstantIsEnded() {
+        run.start("busy", new Agent() {
+            @Override
+            public void start(AgentContext self) {
+                self.scheduler().execute(() -> start(self));
+            }
+        });
+        run.start("busy-too", new Agent() {
+            @Override
+            public void start(AgentContext self) {
+                self.scheduler().after(Duration.ZERO, () -> start(self));
+            }
+        });
+        run.advance(1);
+        assertThat(run.society.views()).extracting(Society.View::status).containsOnly(Status.FAILED);
+    }
+
+    @Test
+    void oneThatTalksMuchForLongIsLeftInPeace() {
+        run.start(
+                "poet",
+                self -> self.scheduler().every(Duration.ofMillis(100), () -> {
+                    for (int i = 0; i < Member.LIMIT - 1; i++) {
+                        self.publish(WORDS, "a line");
+                    }
+                }));
+        run.advance(2);
+        assertThat(run.view("poet").status()).isEqualTo(Status.RUNNING);
+        assertThat(run.view("poet").sent()).isEqualTo(20L * (Member.LIMIT - 1));
+    }
+
+    @Test
+    void namesAreUniqueAmongThoseWhoRun() {
+        run.startListener("amy", _ -> {});
+        assertThatThrownBy(() -> run.startListener("amy", _ -> {}))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("(amy)");
+        run.society.stop("amy");
+        run.startListener("amy", log::add);
+        run.advance(0);
+        run.society.publish("operator", WORDS, "hi");
+        run.advance(0);
+        assertThat(log).containsExactly("operator: hi");
+        assertThat(run.society.views()).hasSize(1);
+    }
+
+    @Test
+    void stoppingAnUnknownAgentSaysWhoIsThere() {
+        run.startListener("amy", _ -> {});
+        assertThatThrownBy(() -> run.society.stop("any"))
+                .hasMessageContaining("(any)")
+                .hasMessageContaining("amy");
+    }
+
+    @Test
+    @SuppressWarnings({"unchecked", "rawtypes"}) // on purpose
+    void messagesOfAnotherTypeAreRefused() {
+        run.startListener("eve", log::add);
+        run.start("amy", self -> self.publish((Topic) WORDS, 42));
+        run.start("bob", self -> self.subscribe(new Topic<>("words", Integer.class), _ -> {}));
+        run.advance(1);
+        assertThat(run.view("amy").state()).contains("(words)", "String", "(42)");
+        assertThat(run.view("bob").status()).isEqualTo(Status.FAILED);
+        assertThat(run.view("bob").state()).contains("(words)", "Integer", "String");
+        assertThat(log).isEmpty();
+    }
+
+    @Test
+    void peopleSeeAllThatIsSaidAndEveryChange() {
+        run.society.onMessage(m -> log.add(m.sender() + ": " + m.content()));
+        run.society.onChange(view -> log.add(view.agent().name() + " " + view.status() + " " + view.state()));
+        run.start("amy", self -> {
+            self.state("looking");
+            self.state("looking");
+            self.publish(WORDS, "hi");
+            self.show("sees", "nothing");
+            self.show("sees", "a wall");
+        });
+        run.advance(0);
+        assertThat(run.view("amy").beliefs()).containsOnly(java.util.Map.entry("sees", "a wall"));
+        run.society.stop("amy");
+        assertThat(log).containsExactly("amy RUNNING ", "amy RUNNING looking", "amy: hi", "amy ENDED looking");
+    }
+
+    @Test
+    void directoryKnowsWhoIsThereAndHasWhatRole() {
+        run.startListener("amy", _ -> {});
+        run.startListener("bob", _ -> {});
+        assertThat(run.society.directory().ofRole("tested"))
+                .extracting(Directory.Entry::name)
+                .containsExactly("amy", "bob");
+        run.society.stop("amy");
+        assertThat(run.society.directory().find("amy")).isEmpty();
+        assertThat(run.society.directory().find("bob")).isPresent();
+    }
+
+    @Test
+    void closingStopsAll() {
+        for (String name : List.of("amy", "bob")) {
+            run.start(name, self -> self.atEnd(() -> log.add(name)));
+        }
+        run.advance(1);
+        run.society.close();
+        run.society.close();
+        assertThat(log).containsExactly("bob", "amy");
+        assertThat(run.society.views()).extracting(Society.View::status).containsOnly(Status.ENDED);
+    }
+
+    @Test
+    void thousandAgentsAllHearEachOther() {
+        var heard = new int[1000];
+        for (int i = 0; i < heard.length; i++) {
+            int me = i;
+            run.start("agent-" + i, self -> {
+                self.subscribe(WORDS, _ -> heard[me]++);
+                self.publish(WORDS, "hello");
+            });
+        }
+        run.advance(0);
+        assertThat(heard).containsOnly(999);
+    }
+
+    @Test
+    void sameSeedsGiveTheSameTalk() {
+        assertThat(talk()).isEqualTo(talk()).hasSizeGreaterThan(100);
+    }
+
+    private static List<String> talk() {
+        var run = new Run();
+        var said = new ArrayList<String>();
+        run.society.onMessage(m -> said.add(m.time() + " " + m.sender() + " " + m.content()));
+        IntStream.range(0, 10)
+                .forEach(i -> run.start("agent-" + i, self -> {
+                    Runnable speak = () ->
+                            self.publish(WORDS, Double.toString(self.random().nextDouble()));
+                    self.scheduler().every(Duration.ofMillis(100 + self.random().nextInt(900)), speak);
+                    self.subscribe(WORDS, m -> {
+                        if (self.random().nextInt(20) == 0) {
+                            self.publish(WORDS, m.sender());
+                        }
+                    });
+                }));
+        run.advance(20);
+        return said;
+    }
+
+    @Test
+    void contextIsWhatTheSpecSays() {
+        run.start("amy", self -> {
+            assertThat(self.name()).isEqualTo("amy");
+            assertThat(self.role()).isEqualTo("tested");
+            assertThat(self.robot()).isEmpty();
+            assertThat(self.simulation()).isEqualTo(Optional.empty());
+            self.state("all right");
+        });
+        run.advance(0);
+        assertThat(run.view("amy").state()).isEqualTo("all right");
+    }
+}
