@@ -1,0 +1,61 @@
+package rsal.sim;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Part;
+
+/// What the simulation can do, and what it would need to be different in a model that it cannot.
+final class Ability {
+    private static final int MOST_RAYS = 100_000; // of a sensor
+
+    private Ability() {}
+
+    /// One sentence for each thing that is out of its range; none when the model can be simulated.
+    static List<String> problems(RobotModel model) {
+        var problems = new ArrayList<String>();
+        RobotModel.Drive drive = model.drive();
+        positive(problems, "Its drive's top speed [m/s]", drive.maxSpeed());
+        positive(problems, "Its drive's top turn rate [rad/s]", drive.maxTurnRate());
+        positive(problems, "Its drive's acceleration [m/s²]", drive.maxAcceleration());
+        positive(problems, "Its drive's turn acceleration [rad/s²]", drive.maxTurnAcceleration());
+        for (Part part : model.sensors().values()) {
+            String its = "Its (%s)'s ".formatted(part.name());
+            switch (part) {
+                case Part.Laser laser -> {
+                    positive(problems, its + "period [s]", seconds(laser.period()));
+                    positive(problems, its + "range [m]", laser.rangeMax());
+                    positive(problems, its + "angle between beams [rad]", laser.angleIncrement());
+                    count(problems, its + "number of beams", laser.samples());
+                }
+                case Part.Sonars sonars -> {
+                    positive(problems, its + "period [s]", seconds(sonars.period()));
+                    positive(problems, its + "range [m]", sonars.rangeMax());
+                    positive(problems, its + "field of view [rad]", sonars.fieldOfView());
+                    count(
+                            problems,
+                            its + "number of sonars",
+                            sonars.baseFromSensors().size());
+                }
+            }
+        }
+        return problems;
+    }
+
+    private static double seconds(Duration duration) {
+        return duration.toNanos() * 1e-9;
+    }
+
+    private static void positive(List<String> problems, String what, double value) {
+        if (!(value > 0 && Double.isFinite(value))) {
+            problems.add("%s must be positive and finite to be simulated, not (%s).".formatted(what, value));
+        }
+    }
+
+    private static void count(List<String> problems, String what, int value) {
+        if (value < 1 || value > MOST_RAYS) {
+            problems.add("%s must be from 1 to %d to be simulated, not (%d).".formatted(what, MOST_RAYS, value));
+        }
+    }
+}

@@ -1,0 +1,105 @@
+package rsal.sim;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.device.Health;
+import rsal.device.SensorCore;
+
+/// A simulated differential drive. When the robot runs into something, its wheels stop with it: odometry counts
+/// only the way made, the speeds are zero, and it says that it is stalled until a step in which the robot moves as
+/// it should or is not asked to move.
+final class SimDrive extends SensorCore<Odometry> implements DriveBase {
+    private final InstantSource clock;
+    private final Duration watchdog;
+    private final Wheels wheels;
+    private final Odometer odometer;
+    private Twist2d command = Twist2d.STOP;
+    private Instant commanded = Instant.MIN;
+    private boolean enabled = true;
+    private boolean stalled;
+
+    SimDrive(DeviceInfo info, InstantSource clock, Duration watchdog, Wheels wheels, Odometer odometer) {
+        super(info);
+        this.clock = clock;
+        this.watchdog = watchdog;
+        this.wheels = wheels;
+        this.odometer = odometer;
+    }
+
+    @Override
+    public void command(Twist2d velocity) {
+        if (!velocity.isFinite()) {
+            throw new IllegalArgumentException(
+                    "A velocity must be finite, but (%s) was given (%s).".formatted(info().id(), velocity));
+        }
+        if (enabled) {
+            command = velocity;
+            commanded = clock.instant();
+        }
+    }
+
+    @Override
+    public void enable(boolean enabled) {
+        this.enabled = enabled;
+        if (!enabled) {
+            command = Twist2d.STOP;
+        }
+    }
+
+    @Override
+    public boolean enabled() {
+        return enabled;
+    }
+
+    @Override
+    public void resetOdometry(Pose2d odomFromBase) {
+        odometer.reset(odomFromBase);
+    }
+
+    /// Turns the wheels for a step.
+    Wheels turnWheels(double dt) {
+        boolean driedUp = !clock.instant().isBefore(commanded.plus(watchdog));
+        if (driedUp) {
+            command = Twist2d.STOP;
+        }
+        if (!enabled) {
+            wheels.block();
+        }
+        wheels.turn(command, dt);
+        return wheels;
+    }
+
+    /// What came of it.
+    ///
+    /// @param part of the way that the robot made before it touched something; 1 for all
+    void moved(double part) {
+        odometer.moved(wheels.distance() * part, wheels.turn() * part);
+        stalled = part < 1;
+        if (stalled) {
+            wheels.block();
+        }
+    }
+
+    /// Somebody put the robot elsewhere.
+    void standStill() {
+        wheels.block();
+        command = Twist2d.STOP;
+        stalled = false;
+    }
+
+    void report(Instant now) {
+        deliver(new Stamped<>(
+                now, info().robot() + "/odom", new Odometry(odometer.odomFromBase(), wheels.velocity(), stalled)));
+    }
+
+    void close(Health.Lost why) {
+        health(why);
+    }
+}

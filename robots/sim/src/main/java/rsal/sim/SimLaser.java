@@ -1,0 +1,42 @@
+package rsal.sim;
+
+import rsal.data.LaserScan;
+import rsal.device.DeviceInfo;
+import rsal.device.LaserScanner;
+import rsal.robot.RobotModel.Part.Laser;
+import rsal.sim.world.Body;
+import rsal.sim.world.Fan;
+import rsal.sim.world.World;
+
+/// A simulated laser scanner. All beams of a sweep are taken at once, at the height of everything.
+final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
+    private final Laser laser;
+    private final Fan beams;
+
+    SimLaser(DeviceInfo info, Laser laser, Noise noise) {
+        super(info, info.id(), laser.period(), noise);
+        this.laser = laser;
+        this.beams = new Fan(laser.angleMin(), laser.angleIncrement(), laser.samples());
+    }
+
+    @Override
+    int rays() {
+        return beams.count();
+    }
+
+    @Override
+    LaserScan measure(World world, Body robot) {
+        double[] ways = beams.cast(world, robot, robot.seenPose().compose(laser.baseFromLaser()), laser.rangeMax());
+        float[] ranges = new float[ways.length];
+        for (int i = 0; i < ranges.length; i++) {
+            ranges[i] = shown(ways[i], laser.rangeMin(), laser.rangeMax());
+        }
+        return new LaserScan(
+                laser.baseFromLaser(),
+                laser.angleMin(),
+                laser.angleIncrement(),
+                laser.rangeMin(),
+                laser.rangeMax(),
+                ranges);
+    }
+}

@@ -1,0 +1,105 @@
+package rsal.sim;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import rsal.device.DeviceInfo;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotSpec;
+import rsal.robot.RobotSystem;
+import rsal.robot.RobotSystemProvider;
+import rsal.robot.RobotSystemProvider.InvalidRobots.Problem;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.sim.world.Body;
+import rsal.time.Scheduler;
+
+/// Makes simulated worlds. All that they do follows from their configuration and seed.
+public final class SimProvider implements RobotSystemProvider {
+    static final String KEY = "sim";
+
+    private static final Parameter STEP = Parameter.number(
+            "step", 0.1, 0.01, 0.2, "s", "Time between two states of the world; sensors look no more often.");
+    private static final Parameter WATCHDOG =
+            Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
+    private static final Parameter ODOMETRY_NOISE = Parameter.number(
+            "odometryNoise", 1, 0, 10, "", "How much odometry drifts: 1 as the model says, 0 not at all.");
+    private static final Parameter SENSOR_NOISE =
+            Parameter.number("sensorNoise", 1, 0, 10, "", "How noisy ranges are: 1 as the model says, 0 not at all.");
+
+    @Override
+    public String key() {
+        return KEY;
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return true;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(STEP, WATCHDOG, ODOMETRY_NOISE, SENSOR_NOISE);
+    }
+
+    @Override
+    public RobotSystem create(Config config, Scheduler scheduler) {
+        var specs = new ArrayList<>(config.robots());
+        specs.sort(Comparator.comparing(RobotSpec::id));
+        refuse(problems(specs));
+        var seeds = new Seeds(config.seed());
+        var lineup = new Lineup(config.world(), specs, seeds);
+        refuse(lineup.problems());
+        var robots = specs.stream()
+                .map(spec -> robot(spec, lineup.body(spec.id()), config.settings(), scheduler, seeds))
+                .toList();
+        return new SimSystem(scheduler, config.settings().seconds(STEP.name()), lineup.world(), robots);
+    }
+
+    private static void refuse(List<Problem> problems) {
+        if (!problems.isEmpty()) {
+            throw new InvalidRobots(problems);
+        }
+    }
+
+    private static List<Problem> problems(List<RobotSpec> specs) {
+        var problems = new ArrayList<Problem>();
+        var ids = new LinkedHashSet<String>();
+        for (RobotSpec spec : specs) {
+            if (!ids.add(spec.id())) {
+                problems.add(new Problem(spec.id(), "id", "Two robots have this id; ids must differ."));
+            }
+            for (String message : Ability.problems(spec.model())) {
+                problems.add(new Problem(spec.id(), "model", message));
+            }
+        }
+        return problems;
+    }
+
+    private static SimRobot robot(RobotSpec spec, Body body, Arguments settings, Scheduler scheduler, Seeds seeds) {
+        var drive = new SimDrive(
+                new DeviceInfo(spec.id(), "base", KEY),
+                scheduler,
+                settings.seconds(WATCHDOG.name()),
+                new Wheels(spec.model().drive()),
+                new Odometer(
+                        spec.model().drive().odometryNoise(),
+                        settings.number(ODOMETRY_NOISE.name()),
+                        seeds.stream(spec.id() + "/base")));
+        var sensors = new ArrayList<RangeSensor<?>>();
+        spec.model().sensors().forEach((name, part) -> {
+            var info = new DeviceInfo(spec.id(), name, KEY);
+            var random = seeds.stream(info.id());
+            double scale = settings.number(SENSOR_NOISE.name());
+            sensors.add(
+                    switch (part) {
+                        case Part.Laser laser ->
+                            new SimLaser(info, laser, new RangeSensor.Noise(scale * laser.noise(), random));
+                        case Part.Sonars sonars ->
+                            new SimSonar(info, sonars, new RangeSensor.Noise(scale * sonars.noise(), random));
+                    });
+        });
+        return new SimRobot(spec, body, drive, List.copyOf(sensors));
+    }
+}

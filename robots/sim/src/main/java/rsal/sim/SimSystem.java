@@ -1,0 +1,140 @@
+package rsal.sim;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import rsal.device.Health;
+import rsal.device.SimulationControl;
+import rsal.device.Subscription;
+import rsal.robot.Robot;
+import rsal.robot.RobotSystem;
+import rsal.sim.world.World;
+import rsal.time.Phase;
+import rsal.time.Scheduler;
+import rsal.time.Task;
+
+/// The simulated world, step by step, each in a fixed order: the newest commands take effect and the robots move,
+/// one after the other by id; then their sensors look at where all are now; then their devices tell, again by id.
+///
+/// Sensors look in parallel where that pays. They see a still picture of the world and draw from random streams of
+/// their own, so that the readings do not depend on it.
+final class SimSystem implements RobotSystem {
+    private static final int WORTH_A_TASK = 1000; // rays
+
+    private final Scheduler scheduler;
+    private final Duration step;
+    private final World world;
+    private final List<SimRobot> robots;
+    private final Touches touches = new Touches();
+    private final SimControl control;
+    private @Nullable Task stepping;
+    private int looking;
+    private boolean closed;
+
+    /// @param robots in id order
+    SimSystem(Scheduler scheduler, Duration step, World world, List<SimRobot> robots) {
+        this.scheduler = scheduler;
+        this.step = step;
+        this.world = world;
+        this.robots = List.copyOf(robots);
+        var byId = new LinkedHashMap<String, SimRobot>();
+        robots.forEach(robot -> byId.put(robot.id(), robot));
+        this.control = new SimControl(world, byId, touches);
+    }
+
+    @Override
+    public CompletionStage<List<Robot>> discover() {
+        if (closed) {
+            return CompletableFuture.failedStage(new IllegalStateException("This simulation is closed."));
+        }
+        if (stepping == null) {
+            stepping = scheduler.every(step, Phase.WORLD, this::step);
+        }
+        return CompletableFuture.completedStage(
+                robots.stream().map(SimRobot::robot).toList());
+    }
+
+    /// Simulated robots neither come nor go.
+    @Override
+    public Subscription onChange(Consumer<? super Change> listener) {
+        return () -> {};
+    }
+
+    @Override
+    public Optional<SimulationControl> simulation() {
+        return Optional.of(control);
+    }
+
+    private void step() {
+        Instant now = scheduler.instant();
+        double dt = step.toNanos() * 1e-9;
+        for (SimRobot robot : robots) {
+            if (!robot.move(world, dt)) {
+                touches.ranInto(robot.body(), world.obstacle(), now);
+            }
+        }
+        touches.update(world);
+        if (looking == 0) { // real time may be too fast for them
+            world.look();
+            look(now);
+        }
+    }
+
+    private void look(Instant now) {
+        var together = new ArrayList<SimRobot>();
+        int rays = 0;
+        for (SimRobot robot : robots) {
+            together.add(robot);
+            rays += robot.raysDue(now);
+            if (rays >= WORTH_A_TASK) {
+                look(List.copyOf(together), now);
+                together.clear();
+                rays = 0;
+            }
+        }
+        look(List.copyOf(together), now);
+    }
+
+    private void look(List<SimRobot> some, Instant now) {
+        looking++;
+        scheduler
+                .compute(() -> {
+                    some.forEach(robot -> robot.look(world, now));
+                    return some;
+                })
+                .thenAccept(_ -> some.forEach(robot -> report(robot, now)))
+                .whenComplete((_, error) -> {
+                    looking--;
+                    if (error != null) {
+                        scheduler.execute(() -> {
+                            throw new IllegalStateException("Simulated sensors failed.", error);
+                        });
+                    }
+                });
+    }
+
+    private void report(SimRobot robot, Instant now) {
+        if (!closed) {
+            robot.report(now);
+        }
+    }
+
+    @Override
+    public void close() {
+        if (!closed) {
+            closed = true;
+            if (stepping != null) {
+                stepping.cancel();
+            }
+            var why = new Health.Lost("The simulation was closed.");
+            robots.forEach(robot -> robot.close(why));
+        }
+    }
+}

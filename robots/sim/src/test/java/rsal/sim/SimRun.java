@@ -1,0 +1,80 @@
+package rsal.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.device.DriveBase;
+import rsal.device.SimulationControl;
+import rsal.robot.Robot;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotSpec;
+import rsal.robot.RobotSystem;
+import rsal.robot.RobotSystemProvider.Config;
+import rsal.settings.Arguments;
+import rsal.time.LockstepScheduler;
+
+/// A simulation under test, and the clock that drives it.
+final class SimRun {
+    final LockstepScheduler scheduler;
+    final RobotSystem system;
+    final List<Robot> robots;
+    final SimulationControl simulation;
+
+    private SimRun(OccupancyGrid map, Map<String, ?> settings, long seed, Executor workers, List<RobotSpec> specs) {
+        scheduler = new LockstepScheduler(Instant.EPOCH, workers);
+        var provider = new SimProvider();
+        var arguments = Arguments.of(provider.parameters(), settings);
+        system = provider.create(new Config(arguments, map, specs, seed), scheduler);
+        robots = ended(system.discover());
+        simulation = system.simulation().orElseThrow();
+    }
+
+    static SimRun of(OccupancyGrid map, Map<String, ?> settings, RobotSpec... robots) {
+        return new SimRun(map, settings, 1, Runnable::run, List.of(robots));
+    }
+
+    static SimRun of(OccupancyGrid map, RobotSpec... robots) {
+        return of(map, Map.of(), robots);
+    }
+
+    static SimRun seeded(OccupancyGrid map, long seed, Executor workers, List<RobotSpec> robots) {
+        return new SimRun(map, Map.of(), seed, workers, robots);
+    }
+
+    static RobotSpec robot(String id, RobotModel model, Pose2d mapFromBase) {
+        return new RobotSpec(id, "robot", model, Optional.of(mapFromBase), "#000000");
+    }
+
+    static RobotSpec anywhere(String id, RobotModel model) {
+        return new RobotSpec(id, "robot", model, Optional.empty(), "#000000");
+    }
+
+    Robot robot(String id) {
+        return robots.stream().filter(r -> r.id().equals(id)).findFirst().orElseThrow();
+    }
+
+    DriveBase base(String id) {
+        return robot(id).require(DriveBase.class);
+    }
+
+    Pose2d truth(String id) {
+        return simulation.truth(id).orElseThrow();
+    }
+
+    void advance(double seconds) {
+        scheduler.advance(Duration.ofNanos(Math.round(seconds * 1e9)));
+    }
+
+    static <T> T ended(CompletionStage<T> stage) {
+        assertThat(stage.toCompletableFuture()).isCompleted();
+        return stage.toCompletableFuture().join();
+    }
+}
