@@ -1,0 +1,295 @@
+package rsal.testkit.architecture;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaCall;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Set;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ThreadLocalRandom;
+import java.util.jar.JarFile;
+import java.util.stream.BaseStream;
+import org.junit.jupiter.api.Test;
+import rsal.time.AllowedToReadWallClock;
+
+/// What all classes of a module keep to. Each module has one subclass of this among its tests, named after it:
+///
+/// ```java
+/// class SimArchitectureTest extends ArchitectureRules {
+///     SimArchitectureTest() {
+///         super(SimProvider.class); // any class of the module
+///     }
+/// }
+/// ```
+///
+/// Those of `data`, `devices` and `agents` are among the testkit's own tests, which those modules can't depend on.
+public abstract class ArchitectureRules {
+    private static final String AGENTS = "rsal.agent..";
+    private static final String NAVIGATION = "rsal.navigation..";
+    private static final String SCENARIOS = "rsal.scenario..";
+    private static final String SERVER = "rsal.server..";
+    private static final String CLI = "rsal.cli..";
+    private static final String[] ROBOT_SYSTEMS = {"rsal.sim..", "rsal.player..", "rsal.ros2.."};
+    private static final String[] MIDDLE = {
+        "rsal.device..", "rsal.robot..", "rsal.settings..", "rsal.time..", "rsal.map..", "rsal.behavior.."
+    };
+    private static final String[] APPS = {SCENARIOS, SERVER, CLI};
+
+    private static final SliceAssignment PACKAGES = new SliceAssignment() {
+        @Override
+        public SliceIdentifier getIdentifierOf(JavaClass javaClass) {
+            return SliceIdentifier.of(javaClass.getPackageName());
+        }
+
+        @Override
+        public String getDescription() {
+            return "packages";
+        }
+    };
+
+    private final JavaClasses classes;
+
+    /// @param anchor any class of the module, to find the others by
+    protected ArchitectureRules(Class<?> anchor) {
+        this.classes = classesBeside(anchor);
+    }
+
+    @Test
+    void timeIsHandedIn() {
+        check(noClasses()
+                .that(areNot(AllowedToReadWallClock.class))
+                .should()
+                .callMethodWhere(
+                        call("asks the machine for the time or waits for it", ArchitectureRules::readsTheClock))
+                .because("a run must be repeatable: take a Scheduler or an InstantSource, or say why not with"
+                        + " @AllowedToReadWallClock"));
+    }
+
+    @Test
+    void timeLimitsAreTheSchedulers() {
+        check(noClasses()
+                .should()
+                .callMethodWhere(call(
+                        "uses the JDK's own timer",
+                        c -> Set.of("orTimeout", "completeOnTimeout", "delayedExecutor")
+                                .contains(c.getName())))
+                .because("Scheduler.within follows the run's time"));
+    }
+
+    @Test
+    void nothingRunsInTheCommonPool() {
+        check(noClasses()
+                .should()
+                .callMethodWhere(call("runs in the common pool", ArchitectureRules::usesTheCommonPool))
+                .because("work goes through Scheduler.compute, or to an executor that is named"));
+    }
+
+    @Test
+    void randomnessIsHandedIn() {
+        check(noClasses()
+                .should()
+                .callCodeUnitWhere(DescribedPredicate.describe(
+                        "makes up random numbers of its own", ArchitectureRules::makesUpRandomNumbers))
+                .because("all randomness of a run comes from its seed"));
+    }
+
+    @Test
+    void onlyTheCommandLineTalksToTheConsole() {
+        check(noClasses()
+                .that()
+                .resideOutsideOfPackage(CLI)
+                .should()
+                .accessFieldWhere(
+                        DescribedPredicate.describe("uses System.out or System.err", ArchitectureRules::isTheConsole))
+                .orShould()
+                .callMethodWhere(call("prints a stack trace", c -> c.getName().equals("printStackTrace")))
+                .because("results and logs have their own ways out"));
+    }
+
+    @Test
+    void packagesKnowEachOtherOneWayOnly() {
+        check(slices().assignedFrom(PACKAGES).should().beFreeOfCycles());
+    }
+
+    @Test
+    void valuesKnowNothing() {
+        check(noClasses().that().resideInAPackage("rsal.data..").should().dependOnClassesThat(outside("rsal.data..")));
+    }
+
+    @Test
+    void theMiddleKnowsOnlyTheMiddle() {
+        check(noClasses()
+                .that()
+                .resideInAnyPackage(MIDDLE)
+                .should()
+                .dependOnClassesThat(outside(with(MIDDLE, "rsal.data.."))));
+    }
+
+    @Test
+    void agentsDoNotSeeWhereRobotsComeFrom() {
+        check(noClasses().that().resideInAPackage(AGENTS).should().dependOnClassesThat(within(ROBOT_SYSTEMS)));
+        check(noClasses().that().resideInAPackage(AGENTS).should().dependOnClassesThat(within(with(APPS, NAVIGATION))));
+    }
+
+    @Test
+    void robotSystemsDoNotSeeAgents() {
+        check(noClasses()
+                .that()
+                .resideInAnyPackage(ROBOT_SYSTEMS)
+                .should()
+                .dependOnClassesThat(within(with(APPS, AGENTS, NAVIGATION))));
+    }
+
+    @Test
+    void navigationsAlgorithmsSeeOnlyValues() {
+        check(noClasses()
+                .that()
+                .resideInAPackage(NAVIGATION)
+                .and()
+                .resideOutsideOfPackage("rsal.navigation.device..")
+                .should()
+                .dependOnClassesThat(outside("rsal.data..", NAVIGATION)));
+        check(noClasses()
+                .that()
+                .resideInAPackage(NAVIGATION)
+                .should()
+                .dependOnClassesThat(within(with(APPS, with(ROBOT_SYSTEMS, AGENTS)))));
+    }
+
+    @Test
+    void scenariosNameRobotSystemsAndDriversByKey() {
+        check(noClasses()
+                .that()
+                .resideInAPackage(SCENARIOS)
+                .should()
+                .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION, SERVER, CLI))));
+    }
+
+    @Test
+    void serverAndCommandLineDoNotEither() {
+        check(noClasses()
+                .that()
+                .resideInAnyPackage(SERVER, CLI)
+                .should()
+                .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION))));
+    }
+
+    private void check(ArchRule rule) {
+        rule.allowEmptyShould(true).check(classes);
+    }
+
+    private static boolean readsTheClock(JavaCall<?> call) {
+        JavaClass owner = call.getTargetOwner();
+        String name = call.getName();
+        if (owner.isEquivalentTo(System.class)) {
+            return name.equals("nanoTime") || name.equals("currentTimeMillis");
+        }
+        if (owner.isEquivalentTo(Thread.class)) {
+            return name.equals("sleep");
+        }
+        return owner.getPackageName().equals("java.time") && (name.equals("now") || name.startsWith("system"));
+    }
+
+    private static boolean usesTheCommonPool(JavaCall<?> call) {
+        JavaClass owner = call.getTargetOwner();
+        String name = call.getName();
+        if (owner.isAssignableTo(CompletionStage.class) && name.endsWith("Async")) {
+            return call.getTarget().getRawParameterTypes().stream().noneMatch(p -> p.isEquivalentTo(Executor.class));
+        }
+        return name.equals("parallelStream")
+                || (owner.isAssignableTo(BaseStream.class) && name.equals("parallel"))
+                || (owner.isEquivalentTo(ForkJoinPool.class) && name.equals("commonPool"));
+    }
+
+    private static boolean makesUpRandomNumbers(JavaCall<?> call) {
+        JavaClass owner = call.getTargetOwner();
+        String name = call.getName();
+        if (owner.isEquivalentTo(Math.class) || owner.isEquivalentTo(StrictMath.class)) {
+            return name.equals("random");
+        }
+        if (owner.isEquivalentTo(java.util.Random.class) || owner.isEquivalentTo(java.util.SplittableRandom.class)) {
+            return name.equals("<init>")
+                    && call.getTarget().getRawParameterTypes().isEmpty();
+        }
+        return (owner.isEquivalentTo(ThreadLocalRandom.class) && name.equals("current"))
+                || (owner.getPackageName().equals("java.util.random")
+                        && (name.equals("getDefault") || name.equals("create"))
+                        && call.getTarget().getRawParameterTypes().stream()
+                                .noneMatch(p -> p.isEquivalentTo(long.class)));
+    }
+
+    private static boolean isTheConsole(JavaAccess<?> access) {
+        return access.getTargetOwner().isEquivalentTo(System.class)
+                && (access.getName().equals("out") || access.getName().equals("err"));
+    }
+
+    private static DescribedPredicate<JavaCall<?>> call(
+            String description, java.util.function.Predicate<JavaCall<?>> predicate) {
+        return DescribedPredicate.describe(description, predicate);
+    }
+
+    /// Neither the class nor one around it is marked.
+    private static DescribedPredicate<JavaClass> areNot(Class<? extends java.lang.annotation.Annotation> mark) {
+        return DescribedPredicate.describe("are not @" + mark.getSimpleName(), c -> {
+            for (JavaClass around = c; ; around = around.getEnclosingClass().get()) {
+                if (around.isAnnotatedWith(mark)) {
+                    return false;
+                }
+                if (around.getEnclosingClass().isEmpty()) {
+                    return true;
+                }
+            }
+        });
+    }
+
+    private static DescribedPredicate<JavaClass> within(String... packages) {
+        return resideInAnyPackage(packages);
+    }
+
+    /// Our own classes outside of some packages, and libraries; the JDK and JSpecify are everybody's.
+    private static DescribedPredicate<JavaClass> outside(String... packages) {
+        return DescribedPredicate.<JavaClass>not(resideInAnyPackage(packages))
+                .and(resideInAPackage("rsal.."))
+                .as("are ours, but reside outside of %s", String.join(", ", packages));
+    }
+
+    private static String[] with(String[] packages, String... more) {
+        var all = java.util.Arrays.copyOf(packages, packages.length + more.length);
+        System.arraycopy(more, 0, all, packages.length, more.length);
+        return all;
+    }
+
+    private static JavaClasses classesBeside(Class<?> anchor) {
+        try {
+            Path place = Path.of(
+                    anchor.getProtectionDomain().getCodeSource().getLocation().toURI());
+            if (Files.isDirectory(place)) {
+                return new ClassFileImporter().importPath(place);
+            }
+            try (var jar = new JarFile(place.toFile())) {
+                return new ClassFileImporter().importJar(jar);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } catch (URISyntaxException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}
