@@ -130,7 +130,7 @@ class SocietyTest {
             public void start(AgentContext self) {}
 
             @Override
-            public void stop(AgentContext self) {
+            public void stop() {
                 throw new IllegalStateException("in stop");
             }
         });
@@ -175,11 +175,15 @@ class SocietyTest {
     void lastWordsAreHeard() {
         run.startListener("amy", log::add);
         run.start("bob", new Agent() {
-            @Override
-            public void start(AgentContext self) {}
+            private AgentContext self;
 
             @Override
-            public void stop(AgentContext self) {
+            public void start(AgentContext self) {
+                this.self = self;
+            }
+
+            @Override
+            public void stop() {
                 self.publish(WORDS, "bye");
             }
         });

@@ -19,7 +19,8 @@ public interface SimulationControl extends Device {
     sealed interface Placement {
         record Placed() implements Placement {}
 
-        /// It stays where it was: a wall or something else is there, or nothing has that name.
+        /// It stays where it was: a wall or something else is there, it is outside of the world, the pose is not
+        /// finite, or nothing has that name.
         record Refused(String why) implements Placement {}
     }
 

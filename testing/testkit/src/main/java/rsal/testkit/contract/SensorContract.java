@@ -1,0 +1,124 @@
+package rsal.testkit.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import rsal.data.Stamped;
+import rsal.device.Sensor;
+import rsal.device.Subscription;
+
+/// What everything with readings owes.
+public abstract class SensorContract<T, D extends Sensor<T>> extends DeviceContract<D> {
+    private final String frame;
+
+    /// @param frame of the readings
+    protected SensorContract(Class<D> type, String frame) {
+        super(type);
+        this.frame = frame;
+    }
+
+    /// Makes the sensor have readings, for those that have none by themselves.
+    protected void wake() {}
+
+    /// The newest reading after a while.
+    protected final T reading() {
+        wake();
+        advance(1);
+        return device().latest().orElseThrow().value();
+    }
+
+    @Test
+    final void itsReadingsAreInItsFrame() {
+        reading();
+        assertThat(device().latest().orElseThrow().frame()).isEqualTo(frame);
+    }
+
+    @Test
+    final void tellsEveryReadingOnceInTheOrderOfTime() {
+        wake();
+        var times = new ArrayList<Instant>();
+        var newest = new ArrayList<Boolean>();
+        device().subscribe(reading -> {
+            times.add(reading.time());
+            newest.add(device().latest().orElseThrow().equals(reading));
+            assertThat(reading.time()).isBeforeOrEqualTo(run.instant());
+            assertThat(reading.time()).isAfterOrEqualTo(run.instant().minus(Duration.ofSeconds(1)));
+        });
+        advance(3);
+        assertThat(times).hasSizeGreaterThanOrEqualTo(3).isSorted().doesNotHaveDuplicates();
+        assertThat(newest).doesNotContain(false);
+    }
+
+    @Test
+    final void nextIsTheReadingAfterNow() {
+        reading();
+        Instant before = device().latest().orElseThrow().time();
+        Stamped<T> next = await(device().next());
+        assertThat(next.time()).isAfter(before);
+        assertThat(next).isSameAs(device().latest().orElseThrow());
+    }
+
+    @Test
+    final void listenersAreToldInTheOrderTheyCame() {
+        wake();
+        var told = new ArrayList<String>();
+        device().subscribe(_ -> told.add("first"));
+        device().subscribe(_ -> told.add("second"));
+        await(device().next());
+        assertThat(told.subList(0, 2)).containsExactly("first", "second");
+    }
+
+    @Test
+    final void noCallbackComesAfterCancel() {
+        wake();
+        var told = new ArrayList<Stamped<T>>();
+        Subscription subscription = device().subscribe(told::add);
+        await(device().next());
+        int before = told.size();
+        subscription.cancel();
+        subscription.cancel();
+        advance(2);
+        assertThat(before).isPositive();
+        assertThat(told).hasSize(before);
+    }
+
+    @Test
+    final void aListenerMayCancelAnotherThatIsDue() {
+        wake();
+        var told = new ArrayList<String>();
+        var later = new ArrayList<Subscription>();
+        device().subscribe(_ -> later.forEach(Subscription::cancel));
+        later.add(device().subscribe(_ -> told.add("cancelled")));
+        advance(2);
+        assertThat(told).isEmpty();
+    }
+
+    @Test
+    final void aListenerThatThrowsLosesItsPlaceAndHarmsNobody() {
+        wake();
+        var told = new ArrayList<String>();
+        device().subscribe(_ -> {
+            told.add("bad");
+            throw new IllegalStateException("A listener that a test made to fail.");
+        });
+        device().subscribe(_ -> told.add("good"));
+        advance(3);
+        assertThat(told.stream().filter("bad"::equals)).hasSize(1);
+        assertThat(told.stream().filter("good"::equals)).hasSizeGreaterThan(1);
+        assertThat(device().health().isOk()).isTrue();
+    }
+
+    @Test
+    final void everythingHappensOnTheRunsThread() {
+        wake();
+        var threads = new HashSet<Thread>();
+        device().subscribe(_ -> threads.add(Thread.currentThread()));
+        advance(2);
+        assertThat(List.copyOf(threads)).containsExactly(Thread.currentThread());
+    }
+}

@@ -1,0 +1,30 @@
+package rsal.testkit.fake;
+
+import java.util.List;
+import rsal.robot.RobotSystem;
+import rsal.robot.RobotSystemProvider;
+import rsal.settings.Parameter;
+import rsal.time.Scheduler;
+
+/// The robot system `fake`.
+public final class FakeProvider implements RobotSystemProvider {
+    @Override
+    public String key() {
+        return "fake";
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return true;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of();
+    }
+
+    @Override
+    public RobotSystem create(Config config, Scheduler scheduler) {
+        return new FakeSystem(config, scheduler);
+    }
+}

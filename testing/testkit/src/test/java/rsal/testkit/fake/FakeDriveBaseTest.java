@@ -1,0 +1,11 @@
+package rsal.testkit.fake;
+
+import rsal.robot.RobotSystemProvider;
+import rsal.testkit.contract.DriveBaseContract;
+
+class FakeDriveBaseTest extends DriveBaseContract {
+    @Override
+    protected RobotSystemProvider provider() {
+        return new FakeProvider();
+    }
+}

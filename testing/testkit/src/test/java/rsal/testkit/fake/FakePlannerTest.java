@@ -1,0 +1,18 @@
+package rsal.testkit.fake;
+
+import java.util.List;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotSystemProvider;
+import rsal.testkit.contract.PlannerContract;
+
+class FakePlannerTest extends PlannerContract {
+    @Override
+    protected RobotSystemProvider provider() {
+        return new FakeProvider();
+    }
+
+    @Override
+    protected List<DeviceDriver> drivers() {
+        return List.of(new FakePlanner.Driver());
+    }
+}

@@ -1,0 +1,11 @@
+package rsal.testkit.fake;
+
+import rsal.robot.RobotSystemProvider;
+import rsal.testkit.contract.SonarArrayContract;
+
+class FakeSonarArrayTest extends SonarArrayContract {
+    @Override
+    protected RobotSystemProvider provider() {
+        return new FakeProvider();
+    }
+}
