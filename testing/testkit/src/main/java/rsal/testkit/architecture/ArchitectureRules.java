@@ -27,6 +27,8 @@ import java.util.concurrent.ThreadLocalRandom;
 import java.util.jar.JarFile;
 import java.util.stream.BaseStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
 import rsal.time.AllowedToReadWallClock;
 
 /// What all classes of a module keep to. Each module has one subclass of this among its tests, named after it:
@@ -40,6 +42,7 @@ import rsal.time.AllowedToReadWallClock;
 /// ```
 ///
 /// Those of `data`, `devices` and `agents` are among the testkit's own tests, which those modules can't depend on.
+@TestInstance(Lifecycle.PER_CLASS) // reads the classes once
 public abstract class ArchitectureRules {
     private static final String AGENTS = "rsal.agent..";
     private static final String NAVIGATION = "rsal.navigation..";

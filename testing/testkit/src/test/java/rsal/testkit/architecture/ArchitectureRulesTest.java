@@ -56,7 +56,7 @@ class ArchitectureRulesTest {
                 .withMessageContaining("Offender.print");
     }
 
-    static final class Rules extends ArchitectureRules {
+    private static final class Rules extends ArchitectureRules {
         Rules() {
             super(ArchitectureRulesTest.class);
         }
