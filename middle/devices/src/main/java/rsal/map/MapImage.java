@@ -1,6 +1,8 @@
 package rsal.map;
 
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import javax.imageio.ImageIO;
@@ -48,17 +50,30 @@ record MapImage(int width, int height, byte[] cells) {
     private static MapImage cells(BufferedImage image, Shading shading) {
         int width = image.getWidth();
         int height = image.getHeight();
+        boolean gray = image.getColorModel() instanceof ComponentColorModel model
+                && model.getColorSpace().getType() == ColorSpace.TYPE_GRAY;
         var cells = new byte[width * height];
-        var line = new int[width];
         for (int row = 0; row < height; row++) {
-            image.getRGB(0, height - 1 - row, width, 1, line, 0, width);
             for (int column = 0; column < width; column++) {
-                int argb = line[column];
-                int sum = (argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff);
-                cells[row * width + column] = shading.cell(sum / (3 * 255.0), argb >>> 24 == 0xff);
+                int line = height - 1 - row;
+                cells[row * width + column] =
+                        gray ? grayCell(image, column, line, shading) : colorCell(image.getRGB(column, line), shading);
             }
         }
         return new MapImage(width, height, cells);
+    }
+
+    private static byte colorCell(int argb, Shading shading) {
+        int sum = (argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff);
+        return shading.cell(sum / (3 * 255.0), argb >>> 24 == 0xff);
+    }
+
+    /// As the file has it: Java takes gray for linear and would make colors of it that are lighter.
+    private static byte grayCell(BufferedImage image, int x, int y, Shading shading) {
+        var raster = image.getRaster();
+        double white = (1 << raster.getSampleModel().getSampleSize(0)) - 1;
+        boolean opaque = raster.getNumBands() == 1 || raster.getSample(x, y, 1) == white;
+        return shading.cell(raster.getSample(x, y, 0) / white, opaque);
     }
 
     static void checkSize(String name, long width, long height) {

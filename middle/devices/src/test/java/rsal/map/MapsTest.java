@@ -177,6 +177,24 @@ class MapsTest {
     }
 
     @Test
+    void grayInAPngMeansTheSameAsInAPgm() throws IOException {
+        var image = new BufferedImage(256, 1, BufferedImage.TYPE_BYTE_GRAY);
+        for (int shade = 0; shade < 256; shade++) {
+            image.getRaster().setSample(shade, 0, 0, shade);
+        }
+        ImageIO.write(image, "png", folder.resolve("lab.png").toFile());
+        write("lab.yaml", LAB.replace("lab.pgm", "lab.png"));
+        byte[] cells = maps.read("lab.yaml", HERE).cells();
+        for (int shade = 0; shade < 256; shade++) {
+            write("one.pgm", "P2 1 1 255 " + shade);
+            write("one.yaml", LAB.replace("lab.pgm", "one.pgm"));
+            assertThat(cells[shade])
+                    .as("shade %d", shade)
+                    .isEqualTo(maps.read("one.yaml", HERE).cells()[0]);
+        }
+    }
+
+    @Test
     void aPngCutShortOrDamagedIsRefusedOrReadButNeverHurts() throws IOException {
         write("lab.yaml", LAB.replace("lab.pgm", "lab.png"));
         byte[] whole = png(0xff000000, 0xff808080, 0xffffffff, 0xffffffff, 0x80ffffff, 0xff000000);
