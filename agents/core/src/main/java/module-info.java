@@ -12,4 +12,8 @@ module rsal.agents {
 
     provides rsal.agent.AgentHostProvider with
             rsal.agent.plain.PlainHostProvider;
+    provides rsal.agent.AgentType with
+            rsal.agents.Follow.Type,
+            rsal.agents.Nav.Type,
+            rsal.agents.View.Type;
 }

@@ -90,7 +90,7 @@ final class Member implements AgentContext {
 
     void stop() {
         if (agent != null) {
-            act(agent, Agent::stop);
+            act(agent, begun -> begun.stop(this));
         }
         if (status == Society.Status.RUNNING) {
             end(Society.Status.ENDED, "");

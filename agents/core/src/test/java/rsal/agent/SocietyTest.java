@@ -130,7 +130,7 @@ class SocietyTest {
             public void start(AgentContext self) {}
 
             @Override
-            public void stop() {
+            public void stop(AgentContext self) {
                 throw new IllegalStateException("in stop");
             }
         });
@@ -175,15 +175,11 @@ class SocietyTest {
     void lastWordsAreHeard() {
         run.startListener("amy", log::add);
         run.start("bob", new Agent() {
-            private AgentContext self;
+            @Override
+            public void start(AgentContext self) {}
 
             @Override
-            public void start(AgentContext self) {
-                this.self = self;
-            }
-
-            @Override
-            public void stop() {
+            public void stop(AgentContext self) {
                 self.publish(WORDS, "bye");
             }
         });

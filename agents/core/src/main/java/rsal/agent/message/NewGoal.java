@@ -11,6 +11,12 @@ public record NewGoal(String robot, Pose2d mapFromGoal) {
 
     public static final String ALL = "all";
 
+    public NewGoal {
+        if (!mapFromGoal.isFinite()) {
+            throw new IllegalArgumentException("A goal must be a place, not (%s).".formatted(mapFromGoal));
+        }
+    }
+
     public boolean isFor(String id) {
         return robot.equals(id) || robot.equals(ALL);
     }

@@ -7,4 +7,8 @@ import rsal.agent.Topic;
 /// @param robot id, or [NewGoal#ALL]
 public record PoseRequest(String robot) {
     public static final Topic<PoseRequest> TOPIC = new Topic<>("pose-request", PoseRequest.class);
+
+    public boolean isFor(String id) {
+        return robot.equals(id) || robot.equals(NewGoal.ALL);
+    }
 }

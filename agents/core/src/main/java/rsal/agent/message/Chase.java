@@ -1,0 +1,11 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+
+/// A hunter goes for a prey from now on.
+///
+/// @param hunter id of its robot
+/// @param prey id of its robot
+public record Chase(String hunter, String prey) {
+    public static final Topic<Chase> TOPIC = new Topic<>("chase", Chase.class);
+}

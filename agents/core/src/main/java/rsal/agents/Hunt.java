@@ -1,0 +1,229 @@
+package rsal.agents;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.AgentContext;
+import rsal.agent.Blackboard;
+import rsal.agent.Directory;
+import rsal.agent.Directory.Change;
+import rsal.agent.message.Caught;
+import rsal.agent.message.Chase;
+import rsal.agent.message.NewGoal;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.PoseRequest;
+import rsal.data.Pose2d;
+import rsal.device.Navigator;
+import rsal.device.Navigator.Result;
+import rsal.device.Navigator.Tolerance;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// One hunter's part of a hunt. What it knows of the others are the poses they report, on its blackboard; one not
+/// heard of for a while is forgotten.
+///
+/// Hunters that divide the prey among them by distance do not negotiate: each works out the same [Assignment] from
+/// what all have heard, and says which part of it it takes.
+final class Hunt {
+    private static final Duration MEMORY = Duration.ofSeconds(10);
+    private static final double NOT_WORTH_A_NEW_PLAN = 0.1; // m
+
+    private final AgentContext self;
+    private final Robot robot;
+    private final Reporter reporter;
+    private final Driver driver;
+    private final Errands errands;
+    private final String preyName;
+    private final double catchDistance;
+    private final Tolerance tolerance;
+    private final Duration updateInterval;
+    private final boolean nearest;
+    private final int turn;
+    private final Set<String> caught = new HashSet<>();
+    private final Map<String, String> chases = new HashMap<>();
+    private @Nullable String target;
+
+    Hunt(AgentContext self, Robot robot, Arguments arguments) {
+        this.self = self;
+        this.robot = robot;
+        this.reporter = new Reporter(self, robot, arguments, this::note);
+        this.driver = new Driver(self, robot.require(Navigator.class));
+        this.errands = new Errands(self, robot.id(), driver, () -> {}, this::decide);
+        this.preyName = arguments.text(Follow.PREY.name());
+        this.catchDistance = arguments.number(Follow.CATCH_DISTANCE.name());
+        this.tolerance = Tolerance.position(catchDistance / 2);
+        this.updateInterval = arguments.seconds(Follow.UPDATE_INTERVAL.name());
+        this.nearest = arguments.text(Follow.ASSIGNMENT.name()).equals("nearest");
+        this.turn = self.directory().ofRole(self.role()).stream()
+                .map(Directory.Entry::name)
+                .toList()
+                .indexOf(self.name());
+    }
+
+    void begin() {
+        self.subscribe(PoseReport.TOPIC, message -> note(message.content()));
+        self.subscribe(Chase.TOPIC, message -> note(message.content()));
+        self.subscribe(Caught.TOPIC, message -> giveUp(message.content().prey()));
+        self.directory().onChange(change -> {
+            if (change instanceof Change.Went went) {
+                forget(went.agent().robot());
+            }
+        });
+        self.scheduler().every(updateInterval, this::decide);
+        errands.begin();
+        reporter.begin();
+        self.publish(PoseRequest.TOPIC, new PoseRequest(NewGoal.ALL)); // some may have been there for long
+        self.state("looking for prey");
+    }
+
+    private void note(PoseReport report) {
+        if (!isPrey(report) && !isHunter(report)) {
+            return;
+        }
+        boolean discovered = isPrey(report)
+                && blackboard().read(PoseReport.TOPIC, report.robot()).isEmpty();
+        blackboard().write(PoseReport.TOPIC, report.robot(), report, MEMORY);
+        if (discovered) {
+            decide();
+        } else {
+            stopWhenNear();
+        }
+    }
+
+    private void note(Chase chase) {
+        chases.put(chase.hunter(), chase.prey());
+    }
+
+    private void giveUp(String prey) {
+        caught.add(prey);
+        decide();
+    }
+
+    private void forget(String gone) {
+        blackboard().erase(PoseReport.TOPIC, gone);
+        chases.remove(gone);
+    }
+
+    /// Chooses a prey and goes where it was last seen.
+    private void decide() {
+        if (errands.busy()) {
+            return;
+        }
+        SortedMap<String, Pose2d> prey = sightings(report -> isPrey(report) && !caught.contains(report.robot()));
+        Optional<String> choice = nearest ? nearestOf(prey) : inTurn(prey.keySet());
+        choice.ifPresentOrElse(this::pursue, this::rest);
+    }
+
+    private Optional<String> nearestOf(SortedMap<String, Pose2d> prey) {
+        Map<String, String> preyOf = Assignment.nearest(sightings(this::isHunter), prey, chases);
+        return Optional.ofNullable(preyOf.get(robot.id()));
+    }
+
+    /// The prey that has this hunter's number among all prey ever heard of, or the next free one after it.
+    private Optional<String> inTurn(Set<String> free) {
+        var all = new TreeSet<>(free);
+        all.addAll(caught);
+        var fromItsNumberOn = new ArrayList<>(all);
+        Collections.rotate(fromItsNumberOn, -turn);
+        return fromItsNumberOn.stream().filter(free::contains).findFirst();
+    }
+
+    private void pursue(String prey) {
+        takeOn(prey);
+        Pose2d mapFromPrey = newestOf(prey).orElseThrow(); // chosen among those seen
+        if (isNear(mapFromPrey)) {
+            holdAtBay(prey);
+            return;
+        }
+        self.state("hunting " + prey);
+        boolean underWay = driver.mapFromGoal()
+                .filter(goal -> goal.distanceTo(mapFromPrey) < NOT_WORTH_A_NEW_PLAN)
+                .isPresent();
+        if (!underWay) {
+            driver.goTo(mapFromPrey, tolerance, result -> arrived(mapFromPrey, result));
+        }
+    }
+
+    private void takeOn(String prey) {
+        if (!prey.equals(target)) {
+            target = prey;
+            var chase = new Chase(robot.id(), prey);
+            note(chase);
+            self.publish(Chase.TOPIC, chase);
+            self.show("prey", prey);
+        }
+    }
+
+    private void rest() {
+        target = null;
+        driver.stop();
+        self.state(caught.isEmpty() ? "looking for prey" : "looking for more prey");
+    }
+
+    /// Goes on at once when the prey has gone on meanwhile. Whatever else ended the drive, the next update tries
+    /// again.
+    private void arrived(Pose2d mapFromGoal, Result result) {
+        boolean goneOn = newestOf(target)
+                .filter(mapFromPrey -> mapFromPrey.distanceTo(mapFromGoal) > tolerance.distance())
+                .isPresent();
+        if (result instanceof Result.Reached && goneOn) {
+            decide();
+        }
+    }
+
+    private void stopWhenNear() {
+        if (target != null && !errands.busy()) {
+            String prey = target;
+            newestOf(prey).filter(this::isNear).ifPresent(_ -> holdAtBay(prey));
+        }
+    }
+
+    private void holdAtBay(String prey) {
+        driver.stop();
+        self.state("holding %s at bay".formatted(prey));
+    }
+
+    private boolean isNear(Pose2d mapFromPrey) {
+        return reporter.mapFromBase()
+                .filter(mapFromBase -> mapFromBase.distanceTo(mapFromPrey) < catchDistance)
+                .isPresent();
+    }
+
+    private boolean isPrey(PoseReport report) {
+        return report.role().equals(preyName) || report.robot().equals(preyName);
+    }
+
+    private boolean isHunter(PoseReport report) {
+        return report.role().equals(robot.role());
+    }
+
+    private Optional<Pose2d> newestOf(@Nullable String id) {
+        return Optional.ofNullable(id)
+                .flatMap(known -> blackboard().read(PoseReport.TOPIC, known))
+                .map(note -> note.content().mapFromBase());
+    }
+
+    private SortedMap<String, Pose2d> sightings(Predicate<PoseReport> wanted) {
+        var poses = new TreeMap<String, Pose2d>();
+        for (Blackboard.Note<PoseReport> note : blackboard().read(PoseReport.TOPIC)) {
+            if (wanted.test(note.content())) {
+                poses.put(note.content().robot(), note.content().mapFromBase());
+            }
+        }
+        return poses;
+    }
+
+    private Blackboard blackboard() {
+        return self.blackboard();
+    }
+}

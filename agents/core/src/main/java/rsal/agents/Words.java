@@ -1,0 +1,30 @@
+package rsal.agents;
+
+import java.util.Locale;
+import rsal.data.Pose2d;
+import rsal.device.Navigator.Result;
+
+/// How agents put things to people, the same on every machine.
+final class Words {
+    private Words() {}
+
+    /// `(3.2, -1.0)`
+    static String place(Pose2d mapFromPlace) {
+        return String.format(Locale.ROOT, "(%.1f, %.1f)", mapFromPlace.x(), mapFromPlace.y());
+    }
+
+    /// `2.4 m`
+    static String distance(double meters) {
+        return String.format(Locale.ROOT, "%.1f m", meters);
+    }
+
+    /// As [rsal.agent.message.GoalReached] says it.
+    static String ending(Result result) {
+        return switch (result) {
+            case Result.Reached _ -> "reached";
+            case Result.Cancelled _ -> "cancelled";
+            case Result.NoPath _ -> "no path";
+            case Result.Stuck _ -> "stuck";
+        };
+    }
+}

@@ -1,0 +1,163 @@
+package rsal.agents;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Covariance2d;
+import rsal.data.Footprint;
+import rsal.data.Odometry;
+import rsal.data.Path2d;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.device.DeviceCore;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.device.GoalHandle;
+import rsal.device.GoalSource;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.device.SensorCore;
+import rsal.robot.Robot;
+import rsal.robot.RobotModel;
+import rsal.time.Scheduler;
+
+/// A robot whose devices a test moves by hand and reads afterwards.
+final class FakeRobot {
+    final Base base;
+    final Local localizer;
+    final Nav navigator;
+    final Robot robot;
+    private final Scheduler scheduler;
+
+    FakeRobot(String id, String role, Scheduler scheduler) {
+        this.scheduler = scheduler;
+        base = new Base(id);
+        localizer = new Local(id);
+        navigator = new Nav(id);
+        robot = new Robot(id, role, model(), List.of(base, localizer, navigator));
+    }
+
+    private static RobotModel model() {
+        var drive = new RobotModel.Drive(1, 2, 1, 2, new RobotModel.OdometryNoise(0, 0, 0));
+        return new RobotModel("fake", "Fake", Footprint.box(0.4, 0.4, new Point2d(0, 0)), drive, Map.of());
+    }
+
+    /// The same robot with only its base.
+    Robot withoutLocalizer() {
+        return new Robot(robot.id(), robot.role(), robot.model(), List.of(base));
+    }
+
+    /// The localizer finds the robot here.
+    void isAt(double x, double y) {
+        localizer.find(new Pose2d(x, y, 0), scheduler.instant());
+    }
+
+    static final class Base extends SensorCore<Odometry> implements DriveBase {
+        final List<Twist2d> commands = new ArrayList<>();
+
+        Base(String robot) {
+            super(new DeviceInfo(robot, "base", "fake"));
+        }
+
+        void roll(Pose2d odomFromBase, Instant time) {
+            deliver(new Stamped<>(time, info().robot() + "/odom", new Odometry(odomFromBase, Twist2d.STOP, false)));
+        }
+
+        @Override
+        public void command(Twist2d velocity) {
+            commands.add(velocity);
+        }
+
+        @Override
+        public void enable(boolean enabled) {}
+
+        @Override
+        public boolean enabled() {
+            return true;
+        }
+
+        @Override
+        public void resetOdometry(Pose2d odomFromBase) {}
+    }
+
+    static final class Local extends SensorCore<PoseEstimate> implements Localizer {
+        Local(String robot) {
+            super(new DeviceInfo(robot, "localizer", "fake"));
+        }
+
+        void find(Pose2d mapFromBase, Instant time) {
+            var estimate = PoseEstimate.of(mapFromBase, Covariance2d.ofDeviations(0.1, 0.1, 0.1));
+            deliver(new Stamped<>(time, "map", estimate));
+        }
+
+        @Override
+        public CompletionStage<Void> relocalize(PoseEstimate belief) {
+            throw new UnsupportedOperationException("Agents leave that to people.");
+        }
+    }
+
+    /// Notes each goal; a drive goes on until the test ends it or another begins.
+    static final class Nav extends DeviceCore implements Navigator {
+        final List<Pose2d> goals = new ArrayList<>();
+        private @Nullable GoalSource<Progress, Result> underWay;
+
+        Nav(String robot) {
+            super(new DeviceInfo(robot, "navigator", "fake"));
+        }
+
+        boolean driving() {
+            return underWay != null && !underWay.ended();
+        }
+
+        void end(Result result) {
+            underWay.end(result);
+        }
+
+        void reach() {
+            end(new Result.Reached(goals.getLast()));
+        }
+
+        @Override
+        public GoalHandle<Progress, Result> goTo(Pose2d mapFromGoal, Tolerance tolerance) {
+            if (driving()) {
+                end(new Result.Cancelled());
+            }
+            goals.add(mapFromGoal);
+            underWay = new GoalSource<>(() -> end(new Result.Cancelled()));
+            return underWay;
+        }
+
+        @Override
+        public void pause() {}
+
+        @Override
+        public void resume() {}
+
+        @Override
+        public boolean paused() {
+            return false;
+        }
+
+        @Override
+        public Optional<Pose2d> goal() {
+            return driving() ? Optional.of(goals.getLast()) : Optional.empty();
+        }
+
+        @Override
+        public Path2d path() {
+            return Path2d.EMPTY;
+        }
+    }
+
+    static Navigator.Result stuck() {
+        return new Navigator.Result.Stuck(Pose2d.ORIGIN, Duration.ofSeconds(20));
+    }
+}
