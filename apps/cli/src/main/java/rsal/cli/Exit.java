@@ -1,0 +1,23 @@
+package rsal.cli;
+
+/// Exit codes, the same for all commands. Signals end with 130 (interrupt) and 143 (terminate), as the JVM does.
+final class Exit {
+    static final int SUCCESS = 0;
+
+    /// A mistake of the program.
+    static final int INTERNAL = 1;
+
+    /// The command line cannot be understood.
+    static final int USAGE = 2;
+
+    /// A scenario, an argument or a file is wrong.
+    static final int INVALID = 3;
+
+    /// The scenario ended in failure or timeout.
+    static final int NO_SUCCESS = 4;
+
+    /// Something outside cannot be reached or had: a port, a tool.
+    static final int UNREACHABLE = 5;
+
+    private Exit() {}
+}

@@ -1,0 +1,46 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+
+/// What a process left behind.
+///
+/// @param code its exit code; 128 + n when signal n ended it, as shells have it
+record Ended(int code, String out, String err) {
+    private static final int PATIENCE_SECONDS = 60;
+
+    /// Waits for the end, with nothing more to read for the process.
+    static Ended of(Process process) throws Exception {
+        var err = CompletableFuture.supplyAsync(() -> text(process.getErrorStream()));
+        process.getOutputStream().close();
+        String out = text(process.getInputStream());
+        assertThat(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS))
+                .as("ended in time")
+                .isTrue();
+        return new Ended(process.exitValue(), out, err.get());
+    }
+
+    /// Sends a signal, as `kill` does.
+    ///
+    /// @param name `INT`, `TERM`
+    static void signal(String name, Process process) throws Exception {
+        int code = new ProcessBuilder("kill", "-" + name, Long.toString(process.pid()))
+                .start()
+                .waitFor();
+        assertThat(code).isZero();
+    }
+
+    private static String text(InputStream stream) {
+        try (stream) {
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

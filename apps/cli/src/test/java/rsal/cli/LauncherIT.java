@@ -1,0 +1,215 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/// Starts the launcher in a project of three files, whose "Maven" copies a jar and notes that it was called.
+class LauncherIT {
+    private static final Path LAUNCHER = Path.of("../../rsal");
+    private static final String SOURCE = """
+            package rsal.cli;
+            public class Main {
+                public static void main(String[] args) {
+                    System.out.println("args " + String.join(" ", args));
+                    System.out.println("in " + System.getProperty("user.dir"));
+                }
+            }
+            """;
+    private static final String MAVEN = """
+            #!/bin/sh
+            [ "$1" != --version ] || exit 0
+            cd "$(dirname "$0")"
+            echo $$ >> builds
+            echo "[INFO] compiling"
+            if [ -e slow ]; then touch began; sleep 60; fi
+            if [ -e broken ]; then echo "[ERROR] Main.java: there is no such thing"; exit 1; fi
+            mkdir -p apps/cli/target/lib
+            cp main.jar apps/cli/target/rsal-cli.jar
+            cp main.jar apps/cli/target/lib/other.jar
+            """;
+
+    private static final Duration PATIENCE = Duration.ofSeconds(10);
+
+    @TempDir
+    Path folder;
+
+    private Path project;
+
+    @BeforeEach
+    void layOut() throws IOException {
+        project = Files.createDirectories(folder.resolve("a project")); // with a space
+        Files.copy(LAUNCHER, project.resolve("rsal"), StandardCopyOption.COPY_ATTRIBUTES);
+        Files.createDirectories(project.resolve("apps/cli/src/main"));
+        Files.writeString(project.resolve("pom.xml"), "");
+        writeMain(project.resolve("main.jar"));
+        writeExecutable(project.resolve("mvnw"), MAVEN);
+        writeExecutable(Files.createDirectories(folder.resolve("bin")).resolve("unzip"), "#!/bin/sh\n");
+    }
+
+    @Test
+    void buildsOnceAndRuns() throws Exception {
+        Ended first = run("list", "--json", "a b");
+        Ended second = run("list");
+
+        assertThat(first.code()).isZero();
+        assertThat(first.out()).startsWith("args list --json a b\n");
+        assertThat(first.err()).contains("Building RSAL");
+        assertThat(second.out()).startsWith("args list\n");
+        assertThat(second.err()).isEmpty();
+        assertThat(builds()).hasSize(1);
+    }
+
+    @Test
+    void buildsAgainWhenASourceIsNewer() throws Exception {
+        run("list");
+        Path source = Files.writeString(project.resolve("apps/cli/src/main/New.java"), "");
+        Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(1)));
+        run("list");
+        assertThat(builds()).hasSize(2);
+    }
+
+    @Test
+    void buildsAgainWhenASourceIsGone() throws Exception {
+        Path source = Files.writeString(project.resolve("apps/cli/src/main/Old.java"), "");
+        run("list");
+        Files.delete(source);
+        run("list");
+        assertThat(builds()).hasSize(2);
+    }
+
+    @Test
+    void saysWhyABuildFailedAndRunsNothing() throws Exception {
+        Files.createFile(project.resolve("broken"));
+        Ended ended = run("list");
+        assertThat(ended.code()).isEqualTo(Exit.INTERNAL);
+        assertThat(ended.out()).isEmpty();
+        assertThat(ended.err()).contains("Building RSAL failed", "build.log", "there is no such thing");
+    }
+
+    @Test
+    void staysInTheFolderOfTheCallerAndFollowsLinks() throws Exception {
+        Path elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
+        Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("a project/rsal"));
+        Ended ended = Ended.of(start(elsewhere, link.toString(), "list"));
+        assertThat(ended.out()).contains("in " + elsewhere.toRealPath());
+    }
+
+    @Test
+    void twoStartsAtOnceBuildOnce() throws Exception {
+        Process one = start(project, "./rsal", "one");
+        Process two = start(project, "./rsal", "two");
+        assertThat(Ended.of(one).out()).startsWith("args one");
+        assertThat(Ended.of(two).out()).startsWith("args two");
+        assertThat(builds()).hasSize(1);
+    }
+
+    @Test
+    void aSignalEndsTheBuildToo() throws Exception {
+        Files.createFile(project.resolve("slow"));
+        for (var signal : List.of("INT", "TERM")) {
+            Process launcher = start(project, "./rsal", "list");
+            while (!Files.deleteIfExists(project.resolve("began"))) {
+                assertThat(launcher.waitFor(10, TimeUnit.MILLISECONDS)).isFalse();
+            }
+            long maven = Long.parseLong(builds().getLast());
+
+            Ended.signal(signal, launcher);
+
+            assertThat(Ended.of(launcher).code()).isEqualTo(signal.equals("INT") ? 130 : 143);
+            var gone = ProcessHandle.of(maven).map(ProcessHandle::onExit);
+            assertThat(gone.orElse(CompletableFuture.completedFuture(null))).succeedsWithin(PATIENCE);
+            assertThat(project.resolve("target/launcher/lock")).doesNotExist();
+        }
+    }
+
+    @Test
+    void takesTheLockOfOneWhoIsGone() throws Exception {
+        Path lock = Files.createDirectories(project.resolve("target/launcher")).resolve("lock");
+        Files.createSymbolicLink(lock, Path.of("1 Thu Jan  1 00:00:00 1970")); // another process has this id now
+        assertThat(run("list").code()).isZero();
+        assertThat(Files.isSymbolicLink(lock)).isFalse();
+    }
+
+    @Test
+    void aBrokenCacheDoesNotMatter() throws Exception {
+        run("list");
+        try (var caches = Files.newDirectoryStream(project.resolve("target/launcher"), "java-*")) {
+            for (Path folder : caches) {
+                try (var files = Files.newDirectoryStream(folder, "*.aot")) {
+                    for (Path cache : files) {
+                        Files.writeString(cache, "not a cache");
+                    }
+                }
+            }
+        }
+        Ended ended = run("list");
+        assertThat(ended.code()).isZero();
+        assertThat(ended.out()).startsWith("args list\n");
+        assertThat(ended.err()).isEmpty();
+    }
+
+    @Test
+    void refusesJavaThatIsTooOld() throws Exception {
+        Path old = Files.createDirectories(folder.resolve("jdk/bin")).getParent();
+        writeExecutable(old.resolve("bin/javac"), "#!/bin/sh\n");
+        writeExecutable(old.resolve("bin/java"), "#!/bin/sh\necho old java\n");
+        Files.writeString(old.resolve("release"), "JAVA_VERSION=\"17.0.1\"\n");
+        var builder = builder(project, "./rsal", "list");
+        builder.environment().put("JAVA_HOME", old.toString());
+        Ended ended = Ended.of(builder.start());
+        assertThat(ended.out()).doesNotContain("old java");
+        assertThat(ended.code()).isIn(Exit.SUCCESS, Exit.UNREACHABLE); // where there is another JDK, that is taken
+    }
+
+    private Ended run(String... arguments) throws Exception {
+        var command = new String[arguments.length + 1];
+        command[0] = "./rsal";
+        System.arraycopy(arguments, 0, command, 1, arguments.length);
+        return Ended.of(start(project, command));
+    }
+
+    private Process start(Path in, String... command) throws IOException {
+        return builder(in, command).start();
+    }
+
+    private ProcessBuilder builder(Path in, String... command) {
+        var builder = new ProcessBuilder(command).directory(in.toFile());
+        builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
+        builder.environment().compute("PATH", (_, path) -> folder.resolve("bin") + ":" + path);
+        return builder;
+    }
+
+    private List<String> builds() throws IOException {
+        return Files.readAllLines(project.resolve("builds"));
+    }
+
+    private void writeMain(Path jar) throws IOException {
+        Path source = Files.writeString(folder.resolve("Main.java"), SOURCE);
+        ToolProvider.getSystemJavaCompiler().run(null, null, null, "-d", folder.toString(), source.toString());
+        try (var out = new JarOutputStream(Files.newOutputStream(jar))) {
+            out.putNextEntry(new JarEntry("rsal/cli/Main.class"));
+            Files.copy(folder.resolve("rsal/cli/Main.class"), out);
+        }
+    }
+
+    private static void writeExecutable(Path file, String text) throws IOException {
+        Files.writeString(file, text);
+        assertThat(file.toFile().setExecutable(true)).isTrue();
+    }
+}
