@@ -36,7 +36,8 @@ public interface AgentContext {
     /// Tells of each message, on the agent's lane. A listener that throws ends the agent.
     <M> Subscription subscribe(Topic<M> topic, Consumer<? super Message<M>> listener);
 
-    /// Tells of each reading of a device, on the agent's lane. A listener that throws ends the agent.
+    /// Tells of each reading of a device, on the agent's lane, when it is the agents' turn at that instant
+    /// ([rsal.time.Phase#THINK]). A listener that throws ends the agent.
     <T> Subscription subscribe(Sensor<T> sensor, Consumer<? super Stamped<T>> listener);
 
     /// Who else is there.

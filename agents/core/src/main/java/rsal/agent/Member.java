@@ -196,7 +196,12 @@ final class Member implements AgentContext {
 
     @Override
     public <T> Subscription subscribe(Sensor<T> sensor, Consumer<? super Stamped<T>> listener) {
-        return new Ear<Stamped<T>>(listener).listenTo(sensor::subscribe);
+        return new Ear<Stamped<T>>(listener) {
+            @Override
+            public void accept(Stamped<T> reading) {
+                hostLane.after(Duration.ZERO, Phase.THINK, () -> hear(reading));
+            }
+        }.listenTo(sensor::subscribe);
     }
 
     @Override
@@ -258,11 +263,13 @@ final class Member implements AgentContext {
 
         @Override
         public void accept(T value) {
-            hostLane.execute(() -> {
-                if (open) {
-                    act(value, listener);
-                }
-            });
+            hostLane.execute(() -> hear(value));
+        }
+
+        void hear(T value) {
+            if (open) {
+                act(value, listener);
+            }
         }
 
         @Override

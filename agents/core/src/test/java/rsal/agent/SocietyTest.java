@@ -12,6 +12,9 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Directory.Change;
 import rsal.agent.Society.Status;
+import rsal.agents.FakeRobot;
+import rsal.data.Twist2d;
+import rsal.time.Phase;
 
 class SocietyTest {
     private final Run run = new Run();
@@ -146,6 +149,50 @@ class SocietyTest {
     @SuppressWarnings("InfiniteRecursion") // on purpose
     private void endless() {
         endless();
+    }
+
+    @Test
+    void agentThatThrowsStopsItsRobot() {
+        var fake = new FakeRobot("r1", "rover", run.scheduler);
+        run.start(
+                "bob",
+                self -> self.scheduler().after(Duration.ofSeconds(1), () -> {
+                    throw new IllegalStateException("a slip of bob's");
+                }),
+                fake.robot);
+        run.advance(0.5);
+        assertThat(fake.base.commands).isEmpty();
+        run.advance(1);
+        assertThat(fake.base.commands).containsExactly(Twist2d.STOP);
+    }
+
+    @Test
+    void readingsAreHeardWhenItIsTheAgentsTurn() {
+        var fake = new FakeRobot("r1", "rover", run.scheduler);
+        run.start("amy", self -> self.subscribe(fake.localizer, reading -> log.add("amy heard at " + reading.time())));
+        run.scheduler.after(Duration.ofSeconds(1), Phase.WORLD, () -> fake.isAt(1, 1));
+        run.scheduler.after(Duration.ofSeconds(1), Phase.DEVICES, () -> log.add("devices"));
+        run.scheduler.after(Duration.ofSeconds(1), Phase.OBSERVE, () -> log.add("observers"));
+        run.advance(2);
+        assertThat(log).containsExactly("devices", "amy heard at 1970-01-01T00:00:01Z", "observers");
+    }
+
+    @Test
+    void listenerOfADeviceThatThrowsEndsItsAgentAndIsToldNoMore() {
+        var fake = new FakeRobot("r1", "rover", run.scheduler);
+        run.start(
+                "amy",
+                self -> self.subscribe(fake.localizer, _ -> {
+                    log.add("heard");
+                    throw new IllegalStateException("a slip of amy's");
+                }),
+                fake.robot);
+        run.advance(0);
+        fake.isAt(1, 1);
+        fake.isAt(2, 2);
+        run.advance(0);
+        assertThat(log).containsExactly("heard");
+        assertThat(run.view("amy").status()).isEqualTo(Status.FAILED);
     }
 
     @Test

@@ -30,14 +30,14 @@ import rsal.robot.RobotModel;
 import rsal.time.Scheduler;
 
 /// A robot whose devices a test moves by hand and reads afterwards.
-final class FakeRobot {
-    final Base base;
-    final Local localizer;
-    final Nav navigator;
-    final Robot robot;
+public final class FakeRobot {
+    public final Base base;
+    public final Local localizer;
+    public final Nav navigator;
+    public final Robot robot;
     private final Scheduler scheduler;
 
-    FakeRobot(String id, String role, Scheduler scheduler) {
+    public FakeRobot(String id, String role, Scheduler scheduler) {
         this.scheduler = scheduler;
         base = new Base(id);
         localizer = new Local(id);
@@ -56,12 +56,12 @@ final class FakeRobot {
     }
 
     /// The localizer finds the robot here.
-    void isAt(double x, double y) {
+    public void isAt(double x, double y) {
         localizer.find(new Pose2d(x, y, 0), scheduler.instant());
     }
 
-    static final class Base extends SensorCore<Odometry> implements DriveBase {
-        final List<Twist2d> commands = new ArrayList<>();
+    public static final class Base extends SensorCore<Odometry> implements DriveBase {
+        public final List<Twist2d> commands = new ArrayList<>();
 
         Base(String robot) {
             super(new DeviceInfo(robot, "base", "fake"));
@@ -88,7 +88,7 @@ final class FakeRobot {
         public void resetOdometry(Pose2d odomFromBase) {}
     }
 
-    static final class Local extends SensorCore<PoseEstimate> implements Localizer {
+    public static final class Local extends SensorCore<PoseEstimate> implements Localizer {
         Local(String robot) {
             super(new DeviceInfo(robot, "localizer", "fake"));
         }
@@ -105,7 +105,7 @@ final class FakeRobot {
     }
 
     /// Notes each goal; a drive goes on until the test ends it or another begins.
-    static final class Nav extends DeviceCore implements Navigator {
+    public static final class Nav extends DeviceCore implements Navigator {
         final List<Pose2d> goals = new ArrayList<>();
         private @Nullable GoalSource<Progress, Result> underWay;
 
