@@ -1,0 +1,9 @@
+/// Localization, planning and avoidance. The algorithms work on plain values and know nothing of devices, threads
+/// or clocks; only `rsal.navigation.device` makes devices of them, which robot systems, agents and scenarios meet
+/// through the contracts of `rsal.devices`.
+module rsal.navigation {
+    requires transitive rsal.devices;
+    requires static org.jspecify;
+
+    exports rsal.navigation.grid;
+}
