@@ -5,5 +5,6 @@ module rsal.navigation {
     requires transitive rsal.devices;
     requires static org.jspecify;
 
+    exports rsal.navigation.amcl;
     exports rsal.navigation.grid;
 }
