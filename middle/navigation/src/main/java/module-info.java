@@ -7,4 +7,5 @@ module rsal.navigation {
 
     exports rsal.navigation.amcl;
     exports rsal.navigation.grid;
+    exports rsal.navigation.wavefront;
 }
