@@ -7,5 +7,6 @@ module rsal.navigation {
 
     exports rsal.navigation.amcl;
     exports rsal.navigation.grid;
+    exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;
 }
