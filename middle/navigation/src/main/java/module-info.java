@@ -9,4 +9,9 @@ module rsal.navigation {
     exports rsal.navigation.grid;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;
+
+    provides rsal.robot.DeviceDriver with
+            rsal.navigation.device.AmclDriver,
+            rsal.navigation.device.NavigatorDriver,
+            rsal.navigation.device.WavefrontDriver;
 }
