@@ -15,7 +15,9 @@ final class Errands {
     private final Driver driver;
     private final Runnable before;
     private final Runnable after;
+    private Subscription orders = () -> {};
     private int underWay;
+    private boolean over;
 
     /// @param before lets go of the robot; called before each errand
     /// @param after takes it back; called when the last errand has ended
@@ -27,13 +29,19 @@ final class Errands {
         this.after = after;
     }
 
-    /// Takes orders until it is cancelled; an errand under way is then still finished.
-    Subscription begin() {
-        return self.subscribe(NewGoal.TOPIC, message -> {
+    void begin() {
+        orders = self.subscribe(NewGoal.TOPIC, message -> {
             if (message.content().isFor(robot)) {
                 run(message.content());
             }
         });
+    }
+
+    /// Takes no more orders and drops the one under way.
+    void end() {
+        over = true;
+        orders.cancel();
+        driver.stop();
     }
 
     boolean busy() {
@@ -51,7 +59,7 @@ final class Errands {
         underWay--;
         String ending = Words.ending(result);
         self.publish(GoalReached.TOPIC, new GoalReached(robot, order.mapFromGoal(), ending));
-        if (!busy()) {
+        if (!busy() && !over) {
             self.state("%s: %s".formatted(Words.place(order.mapFromGoal()), ending));
             after.run();
         }

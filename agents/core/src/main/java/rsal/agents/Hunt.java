@@ -9,12 +9,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
-import rsal.agent.Blackboard;
 import rsal.agent.Directory;
 import rsal.agent.Directory.Change;
 import rsal.agent.message.Caught;
@@ -29,13 +26,11 @@ import rsal.device.Navigator.Tolerance;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
-/// One hunter's part of a hunt. What it knows of the others are the poses they report, on its blackboard; one not
-/// heard of for a while is forgotten.
+/// One hunter's part of a hunt. What it knows of the others are the poses they report.
 ///
 /// Hunters that divide the prey among them by distance do not negotiate: each works out the same [Assignment] from
 /// what all have heard, and says which part of it it takes.
 final class Hunt {
-    private static final Duration MEMORY = Duration.ofSeconds(10);
     private static final double NOT_WORTH_A_NEW_PLAN = 0.1; // m
 
     private final AgentContext self;
@@ -43,6 +38,7 @@ final class Hunt {
     private final Reporter reporter;
     private final Driver driver;
     private final Errands errands;
+    private final Sightings sightings;
     private final String preyName;
     private final double catchDistance;
     private final Tolerance tolerance;
@@ -59,6 +55,7 @@ final class Hunt {
         this.reporter = new Reporter(self, robot, arguments, this::note);
         this.driver = new Driver(self, robot.require(Navigator.class));
         this.errands = new Errands(self, robot.id(), driver, () -> {}, this::decide);
+        this.sightings = new Sightings(self.blackboard());
         this.preyName = arguments.text(Follow.PREY.name());
         this.catchDistance = arguments.number(Follow.CATCH_DISTANCE.name());
         this.tolerance = Tolerance.position(catchDistance / 2);
@@ -90,10 +87,8 @@ final class Hunt {
         if (!isPrey(report) && !isHunter(report)) {
             return;
         }
-        boolean discovered = isPrey(report)
-                && blackboard().read(PoseReport.TOPIC, report.robot()).isEmpty();
-        blackboard().write(PoseReport.TOPIC, report.robot(), report, MEMORY);
-        if (discovered) {
+        boolean discovered = sightings.note(report);
+        if (discovered && isPrey(report)) {
             decide();
         } else {
             stopWhenNear();
@@ -110,7 +105,7 @@ final class Hunt {
     }
 
     private void forget(String gone) {
-        blackboard().erase(PoseReport.TOPIC, gone);
+        sightings.forget(gone);
         chases.remove(gone);
     }
 
@@ -119,13 +114,13 @@ final class Hunt {
         if (errands.busy()) {
             return;
         }
-        SortedMap<String, Pose2d> prey = sightings(report -> isPrey(report) && !caught.contains(report.robot()));
+        SortedMap<String, Pose2d> prey = sightings.of(report -> isPrey(report) && !caught.contains(report.robot()));
         Optional<String> choice = nearest ? nearestOf(prey) : inTurn(prey.keySet());
         choice.ifPresentOrElse(this::pursue, this::rest);
     }
 
     private Optional<String> nearestOf(SortedMap<String, Pose2d> prey) {
-        Map<String, String> preyOf = Assignment.nearest(sightings(this::isHunter), prey, chases);
+        Map<String, String> preyOf = Assignment.nearest(sightings.of(this::isHunter), prey, chases);
         return Optional.ofNullable(preyOf.get(robot.id()));
     }
 
@@ -140,7 +135,7 @@ final class Hunt {
 
     private void pursue(String prey) {
         takeOn(prey);
-        Pose2d mapFromPrey = newestOf(prey).orElseThrow(); // chosen among those seen
+        Pose2d mapFromPrey = sightings.of(prey).orElseThrow(); // chosen among those seen
         if (isNear(mapFromPrey)) {
             holdAtBay(prey);
             return;
@@ -173,7 +168,8 @@ final class Hunt {
     /// Goes on at once when the prey has gone on meanwhile. Whatever else ended the drive, the next update tries
     /// again.
     private void arrived(Pose2d mapFromGoal, Result result) {
-        boolean goneOn = newestOf(target)
+        boolean goneOn = Optional.ofNullable(target)
+                .flatMap(sightings::of)
                 .filter(mapFromPrey -> mapFromPrey.distanceTo(mapFromGoal) > tolerance.distance())
                 .isPresent();
         if (result instanceof Result.Reached && goneOn) {
@@ -184,7 +180,7 @@ final class Hunt {
     private void stopWhenNear() {
         if (target != null && !errands.busy()) {
             String prey = target;
-            newestOf(prey).filter(this::isNear).ifPresent(_ -> holdAtBay(prey));
+            sightings.of(prey).filter(this::isNear).ifPresent(_ -> holdAtBay(prey));
         }
     }
 
@@ -205,25 +201,5 @@ final class Hunt {
 
     private boolean isHunter(PoseReport report) {
         return report.role().equals(robot.role());
-    }
-
-    private Optional<Pose2d> newestOf(@Nullable String id) {
-        return Optional.ofNullable(id)
-                .flatMap(known -> blackboard().read(PoseReport.TOPIC, known))
-                .map(note -> note.content().mapFromBase());
-    }
-
-    private SortedMap<String, Pose2d> sightings(Predicate<PoseReport> wanted) {
-        var poses = new TreeMap<String, Pose2d>();
-        for (Blackboard.Note<PoseReport> note : blackboard().read(PoseReport.TOPIC)) {
-            if (wanted.test(note.content())) {
-                poses.put(note.content().robot(), note.content().mapFromBase());
-            }
-        }
-        return poses;
-    }
-
-    private Blackboard blackboard() {
-        return self.blackboard();
     }
 }
