@@ -6,6 +6,7 @@ module rsal.devices {
     requires java.desktop; // ImageIO reads map images
     requires static org.jspecify;
 
+    exports rsal.behavior;
     exports rsal.device;
     exports rsal.map;
     exports rsal.robot;
@@ -14,4 +15,7 @@ module rsal.devices {
 
     uses rsal.robot.DeviceDriver;
     uses rsal.robot.RobotSystemProvider;
+
+    provides rsal.robot.DeviceDriver with
+            rsal.behavior.PilotDriver;
 }

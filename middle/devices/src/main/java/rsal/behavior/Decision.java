@@ -1,0 +1,18 @@
+package rsal.behavior;
+
+import java.util.List;
+import rsal.data.Twist2d;
+
+/// What a stack came to.
+///
+/// @param inCharge the uppermost layer that changed what those under it wanted; empty without layers
+/// @param opinions of all layers, the lowest first
+public record Decision(Twist2d twist, String inCharge, List<Opinion> opinions) {
+    public Decision {
+        opinions = List.copyOf(opinions);
+    }
+
+    /// @param twist what the robot should do as far as this layer and those under it go
+    /// @param state see [Behavior#state]
+    public record Opinion(String layer, Twist2d twist, String state) {}
+}

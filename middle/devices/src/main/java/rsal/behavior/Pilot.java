@@ -1,0 +1,122 @@
+package rsal.behavior;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.device.Health;
+import rsal.device.LaserScanner;
+import rsal.device.Sensor;
+import rsal.device.SensorCore;
+import rsal.device.SonarArray;
+import rsal.robot.Robot;
+
+/// Lets a subsumption stack drive a robot, and tells what the stack decides. Frame of its readings:
+/// `<robot>/base_link`.
+///
+/// When odometry or a range sensor falls silent it stands still and is stale until they are back. When a behavior
+/// throws it stands still, lets go of the stack and is lost until it is given another.
+public final class Pilot extends SensorCore<Decision> {
+    static final Duration PERIOD = Duration.ofMillis(100);
+
+    private static final Logger LOG = System.getLogger(Pilot.class.getName());
+    private static final Duration SILENT = Duration.ofMillis(500);
+
+    private final DriveBase base;
+    private final Optional<LaserScanner> laser;
+    private final Optional<SonarArray> sonar;
+    private final SectorFusion fusion;
+    private final InstantSource clock;
+    private final String frame;
+    private @Nullable Subsumption stack;
+
+    Pilot(DeviceInfo info, Robot robot, SectorFusion fusion, InstantSource clock) {
+        super(info);
+        this.base = robot.require(DriveBase.class);
+        this.laser = robot.find(LaserScanner.class);
+        this.sonar = robot.find(SonarArray.class);
+        this.fusion = fusion;
+        this.clock = clock;
+        this.frame = robot.id() + "/base_link";
+    }
+
+    /// Lets a stack drive from its next update on, in place of one that did.
+    public void engage(Subsumption next) {
+        stack = next;
+        if (!health().isOk()) {
+            health(Health.ok());
+        }
+    }
+
+    /// Stands still; others may drive.
+    public void release() {
+        if (stack != null) {
+            stack = null;
+            base.command(Twist2d.STOP);
+        }
+    }
+
+    public boolean engaged() {
+        return stack != null;
+    }
+
+    void update() {
+        Subsumption driving = stack;
+        if (driving == null) {
+            return;
+        }
+        Instant now = clock.instant();
+        Optional<String> silent = silent(now);
+        if (silent.isPresent()) {
+            base.command(Twist2d.STOP);
+            health(new Health.Stale("No reading of (%s).".formatted(silent.get())));
+            return;
+        }
+        Decision decision;
+        try {
+            decision = driving.decide(percept(now));
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, () -> "A behavior of (%s) failed.".formatted(info().id()), e);
+            release();
+            health(new Health.Lost("A behavior failed: " + e));
+            return;
+        }
+        if (stack != driving) {
+            return; // a behavior engaged another stack, or released this one
+        }
+        base.command(decision.twist());
+        deliver(new Stamped<>(now, frame, decision));
+    }
+
+    private Percept percept(Instant now) {
+        return new Percept(
+                now,
+                base.latest().orElseThrow().value(),
+                fusion.fuse(
+                        laser.flatMap(Sensor::latest).map(Stamped::value),
+                        sonar.flatMap(Sensor::latest).map(Stamped::value)));
+    }
+
+    /// A device that has had no reading for too long.
+    private Optional<String> silent(Instant now) {
+        if (isSilent(base, now)) {
+            return Optional.of(base.info().id());
+        }
+        return laser.filter(l -> isSilent(l, now))
+                .map(l -> l.info().id())
+                .or(() -> sonar.filter(s -> isSilent(s, now)).map(s -> s.info().id()));
+    }
+
+    private static boolean isSilent(Sensor<?> sensor, Instant now) {
+        return sensor.latest()
+                .filter(reading -> !reading.time().plus(SILENT).isBefore(now))
+                .isEmpty();
+    }
+}

@@ -1,0 +1,45 @@
+package rsal.behavior;
+
+import java.util.List;
+import rsal.device.Device;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.robot.DeviceDriver;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.Phase;
+
+/// Makes a [Pilot] (`pilot: {type: pilot}`) from a drive base, and from a laser and sonars where there are any.
+public final class PilotDriver implements DeviceDriver {
+    @Override
+    public String key() {
+        return "pilot";
+    }
+
+    @Override
+    public Class<? extends Device> makes() {
+        return Pilot.class;
+    }
+
+    @Override
+    public List<Class<? extends Device>> needs() {
+        return List.of(DriveBase.class);
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(Parameter.number(
+                "maxRange", 5, 0.5, 100, "m", "Things farther away than this do not count for behaviors."));
+    }
+
+    @Override
+    public Pilot create(Context context, Arguments arguments) {
+        var pilot = new Pilot(
+                new DeviceInfo(context.robot().id(), context.name(), key()),
+                context.robot(),
+                new SectorFusion(arguments.number("maxRange")),
+                context.scheduler());
+        context.scheduler().every(Pilot.PERIOD, Phase.THINK, pilot::update);
+        return pilot;
+    }
+}

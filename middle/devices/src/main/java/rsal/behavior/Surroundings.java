@@ -1,0 +1,110 @@
+package rsal.behavior;
+
+import rsal.data.Angles;
+
+/// How far a robot can see around itself: the distance from the base's origin to the nearest thing in each of
+/// [#SECTORS] equal sectors, counter-clockwise from straight behind. +∞ means that nothing is there as far as the
+/// sensors go, NaN that none of them looks there.
+public final class Surroundings {
+    public static final int SECTORS = 180;
+
+    /// Of one sector [rad].
+    public static final double WIDTH = 2 * Math.PI / SECTORS;
+
+    private static final double[] COS = new double[SECTORS];
+    private static final double[] SIN = new double[SECTORS];
+
+    static {
+        for (int i = 0; i < SECTORS; i++) {
+            COS[i] = Math.cos(direction(i));
+            SIN[i] = Math.sin(direction(i));
+        }
+    }
+
+    private final float[] ranges;
+    private final double[] x = new double[SECTORS];
+    private final double[] y = new double[SECTORS];
+    private int things;
+
+    /// @param ranges one per sector [m]; handed over, not shared
+    public Surroundings(float[] ranges) {
+        if (ranges.length != SECTORS) {
+            throw new IllegalArgumentException(
+                    "Surroundings have %d sectors, not %d.".formatted(SECTORS, ranges.length));
+        }
+        this.ranges = ranges;
+        for (int i = 0; i < SECTORS; i++) {
+            if (ranges[i] < Float.POSITIVE_INFINITY) {
+                x[things] = ranges[i] * COS[i];
+                y[things] = ranges[i] * SIN[i];
+                things++;
+            }
+        }
+    }
+
+    /// The sector that a direction of the base lies in.
+    public static int sector(double bearing) {
+        return Math.floorMod((int) Math.floor((Angles.wrap(bearing) + Math.PI) / WIDTH), SECTORS);
+    }
+
+    /// Where the middle of a sector lies, in the base frame [rad].
+    public static double direction(int sector) {
+        return -Math.PI + (sector + 0.5) * WIDTH;
+    }
+
+    public float range(int sector) {
+        return ranges[sector];
+    }
+
+    /// How many sectors have a thing in them.
+    public int things() {
+        return things;
+    }
+
+    /// Where a thing is, in the base frame [m].
+    double x(int thing) {
+        return x[thing];
+    }
+
+    double y(int thing) {
+        return y[thing];
+    }
+
+    /// The shortest range between two directions, counter-clockwise from the first to the second; +∞ when nothing
+    /// is seen there.
+    public double nearest(double from, double to) {
+        int last = sector(to);
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int sector = sector(from); ; sector = (sector + 1) % SECTORS) {
+            if (ranges[sector] < nearest) {
+                nearest = ranges[sector];
+            }
+            if (sector == last) {
+                return nearest;
+            }
+        }
+    }
+
+    /// How wide a disc may be to get from here to a place straight away: its largest radius [m], +∞ when nothing is
+    /// in the way. Things that it leaves behind do not count, however near they are.
+    ///
+    /// @param heading in the base frame [rad]
+    /// @param distance of the place [m]
+    public double clearance(double heading, double distance) {
+        double cos = Math.cos(heading);
+        double sin = Math.sin(heading);
+        double clearance = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < things; i++) {
+            double ahead = cos * x[i] + sin * y[i];
+            if (ahead <= 0) {
+                continue;
+            }
+            double aside = Math.abs(cos * y[i] - sin * x[i]);
+            double beyond = Math.max(0, ahead - distance);
+            if (aside < clearance && beyond < clearance) {
+                clearance = Math.min(clearance, Math.hypot(aside, beyond));
+            }
+        }
+        return clearance;
+    }
+}
