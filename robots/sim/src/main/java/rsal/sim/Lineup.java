@@ -9,10 +9,10 @@ import java.util.Optional;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.map.FreeSpace;
 import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystemProvider.InvalidRobots.Problem;
 import rsal.sim.world.Body;
-import rsal.sim.world.FreeSpace;
 import rsal.sim.world.Walls;
 import rsal.sim.world.World;
 

@@ -1,4 +1,4 @@
-package rsal.sim.world;
+package rsal.map;
 
 import java.util.Arrays;
 import java.util.Comparator;
@@ -16,10 +16,10 @@ public final class FreeSpace {
     private final OccupancyGrid map;
     private final int[] cells; // of the largest part
 
-    /// @param clearance from the middle of a cell to the nearest one that is not free [m], along the worse axis
+    /// @param clearance half the side of a square around a cell's middle that must be free [m]
     public FreeSpace(OccupancyGrid map, double clearance) {
         this.map = map;
-        boolean[] open = open(clearance);
+        boolean[] open = open(map, (int) Math.ceil(clearance / map.resolution() - 0.5));
         int[] found = new int[open.length]; // one part after the other
         int from = 0;
         int largestFrom = 0;
@@ -37,17 +37,27 @@ public final class FreeSpace {
         cells = Arrays.copyOfRange(found, largestFrom, largestTo);
     }
 
-    private boolean[] open(double clearance) {
-        byte[] known = map.cells().clone();
-        for (int i = 0; i < known.length; i++) {
-            known[i] = known[i] == OccupancyGrid.FREE ? OccupancyGrid.FREE : OccupancyGrid.OCCUPIED;
+    /// Cells with none but free ones `reach` cells around, by a summed-area table of the others.
+    private static boolean[] open(OccupancyGrid map, int reach) {
+        int width = map.width();
+        int height = map.height();
+        int[] sums = new int[(width + 1) * (height + 1)];
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++) {
+                int blocked = map.cells()[row * width + column] == OccupancyGrid.FREE ? 0 : 1;
+                int at = (row + 1) * (width + 1) + column + 1;
+                sums[at] = blocked + sums[at - 1] + sums[at - width - 1] - sums[at - width - 2];
+            }
         }
-        var walls = new Walls(
-                new OccupancyGrid(map.width(), map.height(), map.resolution(), map.originX(), map.originY(), known));
-        boolean[] open = new boolean[known.length];
-        for (int i = 0; i < open.length; i++) {
-            double empty = walls.emptyAround(x(i), y(i));
-            open[i] = empty >= 0 && empty + map.resolution() / 2 >= clearance;
+        boolean[] open = new boolean[width * height];
+        for (int row = reach; row < height - reach; row++) {
+            for (int column = reach; column < width - reach; column++) {
+                int below = (row - reach) * (width + 1) + column;
+                int above = (row + reach + 1) * (width + 1) + column;
+                int blocked =
+                        sums[above + reach + 1] - sums[above - reach] - sums[below + reach + 1] + sums[below - reach];
+                open[row * width + column] = blocked == 0;
+            }
         }
         return open;
     }
@@ -60,9 +70,8 @@ public final class FreeSpace {
         open[first] = false;
         found[end++] = first;
         for (int next = from; next < end; next++) {
-            int cell = found[next];
-            int column = cell % map.width();
-            int row = cell / map.width();
+            int column = found[next] % map.width();
+            int row = found[next] / map.width();
             for (int side = 0; side < 4; side++) {
                 int toColumn = column + (side == 0 ? 1 : side == 1 ? -1 : 0);
                 int toRow = row + (side == 2 ? 1 : side == 3 ? -1 : 0);
