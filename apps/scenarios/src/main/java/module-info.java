@@ -1,0 +1,17 @@
+/// Scenarios: the format in which people write them, the runs they become, and the scenarios themselves. Names
+/// robot systems, device drivers, agent hosts and agents by key, and knows nothing of those that stand behind.
+module rsal.scenarios {
+    requires transitive rsal.agents;
+    requires transitive rsal.devices;
+    requires tools.jackson.databind;
+    requires static org.jspecify;
+
+    exports rsal.scenario;
+    exports rsal.scenario.condition;
+    exports rsal.scenario.run;
+
+    uses rsal.agent.AgentHostProvider;
+    uses rsal.agent.AgentType;
+    uses rsal.robot.DeviceDriver;
+    uses rsal.robot.RobotSystemProvider;
+}

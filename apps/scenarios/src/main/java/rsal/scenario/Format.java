@@ -1,0 +1,68 @@
+package rsal.scenario;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.regex.Pattern;
+import rsal.settings.Parameter;
+
+/// The settings of the format itself, declared once for the reader and the schema.
+final class Format {
+    static final int VERSION = 1;
+
+    /// What robots, agents, arguments, configurations and measures can be called.
+    static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]{0,39}");
+
+    static final int MAX_ROBOTS = 1000;
+    static final int MAX_AGENTS = 2000;
+    static final int MAX_ITEMS = 100;
+
+    static final String DEFAULT_CONFIGURATION = "default";
+    static final String DEFAULT_MRS = "sim";
+    static final String DEFAULT_MAS = "plain";
+
+    static final List<String> ARGUMENT_TYPES = List.of("integer", "number", "string", "boolean");
+
+    static final Parameter COUNT = Parameter.integer(
+            "count", 1, 1, MAX_ROBOTS, "", "How many robots of the role there are; they are called role-1, role-2…");
+    static final Parameter CLEARANCE = Parameter.number(
+            "clearance", 0.4, 0, 100, "m", "Distance to all that is not free, and half of that to other robots.");
+    static final Parameter FREE = Parameter.flag("free", true, "Somewhere free, chosen by the seed.");
+    static final Parameter SEED = new Parameter(
+            "seed",
+            Parameter.Kind.INTEGER,
+            Optional.of(1L),
+            Double.NEGATIVE_INFINITY,
+            Double.POSITIVE_INFINITY,
+            List.of(),
+            "",
+            "All randomness of the run comes from it.");
+    static final Parameter MODE =
+            Parameter.choice("mode", "simulated", List.of("simulated", "wall"), "Whether time is simulated or real.");
+    static final Parameter SPEED =
+            Parameter.number("speed", 1, 0.01, 1000, "", "Simulated over real time; max for as fast as it can.");
+    static final Parameter OUTCOME = Parameter.choice(
+            "outcome",
+            "success",
+            words(RunPlan.Outcome.values(), RunPlan.Outcome::word),
+            "How the run ends when the condition holds.");
+    static final Parameter BETTER = Parameter.choice(
+            "better", "neither", words(RunPlan.Better.values(), RunPlan.Better::word), "Which values are better.");
+    static final Parameter PER = Parameter.choice(
+            "per", "run", List.of("run", "robot"), "Whether the run has one value or each robot its own.");
+
+    private Format() {}
+
+    private static <E> List<String> words(E[] values, Function<E, String> word) {
+        return Arrays.stream(values).map(word).toList();
+    }
+
+    /// The one whose word it is, which [Parameter#accept] has seen to be there.
+    static <E> E of(E[] values, Function<E, String> word, Object read) {
+        return Arrays.stream(values)
+                .filter(value -> word.apply(value).equals(read))
+                .findFirst()
+                .orElse(values[0]);
+    }
+}

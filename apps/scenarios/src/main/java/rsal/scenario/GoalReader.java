@@ -1,0 +1,117 @@
+package rsal.scenario;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import rsal.scenario.RunPlan.Better;
+import rsal.scenario.RunPlan.Measured;
+import rsal.scenario.RunPlan.Outcome;
+import rsal.scenario.RunPlan.Stop;
+import rsal.scenario.condition.Condition;
+import rsal.scenario.condition.Grammar;
+import rsal.scenario.condition.InvalidExpression;
+import rsal.scenario.condition.Measure;
+import rsal.settings.Location;
+import rsal.settings.Problems;
+import rsal.settings.Section;
+import rsal.settings.Value;
+
+/// Reads when a run ends and what is measured.
+final class GoalReader {
+    private final List<String> roles;
+    private final Problems problems;
+
+    GoalReader(List<String> roles, Problems problems) {
+        this.roles = roles;
+        this.problems = problems;
+    }
+
+    List<Stop> stops(Section run) {
+        var stops = new ArrayList<Stop>();
+        for (Section stop : groups(run, "stop")) {
+            Optional<Condition> when = expression(stop, "when", Grammar::condition);
+            var word = stop.value(Format.OUTCOME).orElse("");
+            if (!stop.has("outcome")) {
+                stop.problem(
+                        stop.location(),
+                        "(%s) is missing: %s.".formatted(stop.path("outcome"), Format.OUTCOME.expected()),
+                        "");
+            }
+            when.ifPresent(
+                    condition -> stops.add(new Stop(condition, Format.of(Outcome.values(), Outcome::word, word))));
+            stop.done();
+        }
+        return stops;
+    }
+
+    List<Measured> measures(Section root) {
+        var measures = new ArrayList<Measured>();
+        for (Section measure : groups(root, "measure")) {
+            String name = measure.text("name");
+            if (!name.isEmpty() && !Format.NAME.matcher(name).matches()) {
+                measure.problem("name", "(%s) can't be the name of a measure.".formatted(name), "");
+            }
+            if (measures.stream().anyMatch(other -> other.name().equals(name))) {
+                measure.problem("name", "There are two measures (%s).".formatted(name), "Rename one of them.");
+            }
+            String unit = measure.text("unit", "");
+            Optional<Measure> from = expression(measure, "from", Grammar::measure);
+            boolean perRobot = "robot".equals(measure.value(Format.PER).orElse(""));
+            if (perRobot && from.isPresent() && !from.get().canBePerRobot()) {
+                measure.problem("per", "A measure of the whole run has no value per robot.", "Leave (per) out.");
+            }
+            Better better = Format.of(
+                    Better.values(), Better::word, measure.value(Format.BETTER).orElse(""));
+            Section bound = measure.section("bound");
+            double min = bound.number("min", Double.NEGATIVE_INFINITY);
+            double max = bound.number("max", Double.POSITIVE_INFINITY);
+            bound.done();
+            measure.done();
+            from.ifPresent(f -> measures.add(new Measured(name, unit, f, perRobot, better, min, max)));
+        }
+        return measures;
+    }
+
+    private List<Section> groups(Section section, String key) {
+        List<Value> items = section.list(key).orElse(List.of());
+        if (items.size() > Format.MAX_ITEMS) {
+            section.problem(
+                    key,
+                    "(%s) has %d entries; at most %d can be."
+                            .formatted(section.path(key), items.size(), Format.MAX_ITEMS),
+                    "");
+        }
+        var groups = new ArrayList<Section>();
+        for (Value item : items) {
+            if (item instanceof Value.Mapping mapping) {
+                groups.add(new Section(section.path(key), mapping, problems));
+            } else {
+                section.expected(key, "a list of groups {name: value}", item);
+            }
+        }
+        return groups;
+    }
+
+    private <T> Optional<T> expression(Section section, String key, BiFunction<String, List<String>, T> parse) {
+        String text = section.text(key);
+        if (text.isEmpty()) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(parse.apply(text, roles));
+        } catch (InvalidExpression e) {
+            Location at = section.locationOf(key);
+            problems.add(
+                    new Location(at.file(), at.line(), at.column() + e.position()),
+                    "(%s) in (%s), character %d: %s"
+                            .formatted(
+                                    section.path(key),
+                                    text.length() <= 80 ? text : text.substring(0, 77) + "...",
+                                    e.position() + 1,
+                                    e.getMessage()),
+                    e.remedy());
+            return Optional.empty();
+        }
+    }
+}

@@ -1,0 +1,358 @@
+package rsal.scenario;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentType;
+import rsal.agent.message.NewGoal;
+import rsal.data.OccupancyGrid;
+import rsal.map.Maps;
+import rsal.robot.RobotSystemProvider;
+import rsal.robot.RobotSystemProvider.InvalidRobots;
+import rsal.scenario.RobotReader.Role;
+import rsal.scenario.RunPlan.Clock;
+import rsal.scenario.RunPlan.Mas;
+import rsal.scenario.RunPlan.Mrs;
+import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.settings.Arguments;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Parameter;
+import rsal.settings.Problems;
+import rsal.settings.Section;
+import rsal.settings.Suggestion;
+import rsal.settings.Value;
+import rsal.time.LockstepScheduler;
+
+/// Reads a scenario with one configuration and its arguments filled in. Goes on after a mistake as far as that
+/// makes sense, so that all of them are reported together.
+final class PlanReader {
+    private static final Duration DEFAULT_STEP = Duration.ofMillis(100);
+
+    private final Scenario scenario;
+    private final RunOptions options;
+    private final Catalog catalog;
+    private final Problems problems = new Problems();
+
+    PlanReader(Scenario scenario, RunOptions options, Catalog catalog) {
+        this.scenario = scenario;
+        this.options = options;
+        this.catalog = catalog;
+    }
+
+    /// @throws InvalidSettings with all mistakes
+    RunPlan read() {
+        String configuration = configuration();
+        Value.Mapping over = overlay(configuration);
+        Map<String, Object> arguments = arguments(configuration, over);
+        Value.Mapping merged = scenario.settings()
+                .without("configurations")
+                .merge(chosen(over.without("args").without("title")));
+        Value.Mapping body = ArgumentReader.replace(merged.without("arguments"), arguments, problems);
+        var root = new Section("", body, problems);
+        for (String header : List.of("rsal", "scenario", "title", "description")) {
+            root.has(header); // Scenario has read them
+        }
+
+        Section run = root.section("run");
+        long seed = options.seed().orElse((Long) run.value(Format.SEED).orElse(1L));
+        var seeds = new Seeds(seed);
+        Section clockSection = run.section("clock");
+        Clock clock = "wall".equals(clockSection.value(Format.MODE).orElse("")) ? Clock.WALL : Clock.SIMULATED;
+        double written = speed(clockSection);
+        double speed = options.speed().orElse(written);
+        clockSection.done();
+
+        Section mrsSection = root.section("mrs");
+        Optional<Mrs> mrs = mrs(mrsSection, clock, seeds);
+        Optional<Mas> mas = mas(root.section("mas"), clock);
+
+        Section world = root.section("world");
+        String mapName = world.text("map");
+        Optional<OccupancyGrid> map = mapName.isEmpty() ? Optional.empty() : map(mapName, world.locationOf("map"));
+        world.done();
+
+        var robotReader = new RobotReader(catalog, scenario.files(), map, seeds, problems);
+        Section robotsSection = root.section("robots");
+        List<Role> roles = robotReader.read(robotsSection);
+        List<PlannedRobot> robots =
+                roles.stream().flatMap(role -> role.robots().stream()).toList();
+        List<PlannedAgent> agents = agents(root.section("agents"), roles, seeds);
+
+        var goals = new GoalReader(roles.stream().map(Role::name).toList(), problems);
+        List<RunPlan.Stop> stops = goals.stops(run);
+        run.done();
+        List<RunPlan.Measured> measures = goals.measures(root);
+        root.done();
+
+        if (map.isPresent() && mrs.isPresent() && roles.stream().allMatch(Role::complete)) {
+            checkRobots(mrs.get().provider(), mrs.get().config(map.get(), robots), roles);
+        }
+        problems.throwIfAny();
+        return new RunPlan(
+                scenario,
+                configuration,
+                options,
+                arguments,
+                seed,
+                mapName,
+                map.orElseThrow(),
+                mrs.orElseThrow(),
+                mas.orElseThrow(),
+                clock,
+                robots,
+                agents,
+                speed,
+                step(mrs.get().settings()),
+                stops,
+                measures);
+    }
+
+    private String configuration() {
+        List<String> known =
+                scenario.configurations().stream().map(Configuration::name).toList();
+        String asked = options.configuration().orElse(known.getFirst());
+        if (!known.contains(asked)) {
+            throw new InvalidSettings(
+                    Location.of(scenario.name() + ":" + asked),
+                    "Scenario (%s) has no configuration (%s).".formatted(scenario.name(), asked),
+                    Suggestion.among(asked, known));
+        }
+        return asked;
+    }
+
+    private Value.Mapping overlay(String configuration) {
+        var nothing = Value.Mapping.empty(scenario.location());
+        return scenario.settings()
+                .find("configurations")
+                .filter(Value.Mapping.class::isInstance)
+                .flatMap(all -> ((Value.Mapping) all).find(configuration))
+                .map(value -> value instanceof Value.Mapping mapping ? mapping : nothing)
+                .orElse(nothing);
+    }
+
+    /// The overlay with the back ends on top that the options name.
+    private Value.Mapping chosen(Value.Mapping overlay) {
+        Value.Mapping chosen = overlay;
+        for (String key : List.of("mas", "mrs")) {
+            Optional<String> name = key.equals("mas") ? options.mas() : options.mrs();
+            if (name.isPresent()) {
+                var at = Location.of("--" + key + " " + name.get());
+                var use = Map.<String, Value>of("use", new Value.Scalar(at, name.get()));
+                chosen = chosen.merge(new Value.Mapping(
+                        at, Map.of(key, new Value.Mapping(at, use, Map.of("use", at))), Map.of(key, at)));
+            }
+        }
+        return chosen;
+    }
+
+    private Map<String, Object> arguments(String configuration, Value.Mapping overlay) {
+        var values = new LinkedHashMap<String, Object>();
+        List<Parameter> declared = scenario.arguments();
+        declared.forEach(parameter -> parameter.fallback().ifPresent(value -> values.put(parameter.name(), value)));
+        var section = new Section("configurations." + configuration, overlay, problems);
+        values.putAll(ArgumentReader.overridden(declared, section.section("args")));
+        values.putAll(ArgumentReader.typed(declared, options.arguments(), problems));
+        return values;
+    }
+
+    private double speed(Section clock) {
+        boolean max = clock.mapping()
+                .find("speed")
+                .filter(value ->
+                        value instanceof Value.Scalar scalar && scalar.value().equals("max"))
+                .isPresent();
+        if (max) {
+            clock.has("speed");
+            return Double.POSITIVE_INFINITY;
+        }
+        return (Double) clock.value(Format.SPEED).orElse(1.0);
+    }
+
+    private Optional<Mrs> mrs(Section section, Clock clock, Seeds seeds) {
+        return backEnd(
+                        "robot system",
+                        section,
+                        Format.DEFAULT_MRS,
+                        catalog.systems(),
+                        clock,
+                        RobotSystemProvider::followsSchedulerTime,
+                        RobotSystemProvider::parameters)
+                .map(chosen -> new Mrs(chosen.provider, chosen.settings, seeds.of("mrs")));
+    }
+
+    private Optional<Mas> mas(Section section, Clock clock) {
+        return backEnd(
+                        "multi-agent system",
+                        section,
+                        Format.DEFAULT_MAS,
+                        catalog.hosts(),
+                        clock,
+                        AgentHostProvider::followsSchedulerTime,
+                        AgentHostProvider::parameters)
+                .map(chosen -> new Mas(chosen.provider, chosen.settings));
+    }
+
+    private record BackEnd<P>(P provider, Arguments settings) {}
+
+    private <P> Optional<BackEnd<P>> backEnd(
+            String what,
+            Section section,
+            String fallback,
+            Map<String, P> known,
+            Clock clock,
+            Predicate<P> followsTime,
+            Function<P, List<Parameter>> parameters) {
+        String key = section.text("use", fallback);
+        Optional<P> provider = Catalog.find(what, known, key, section.locationOf("use"), problems);
+        if (provider.isEmpty()) {
+            return Optional.empty();
+        }
+        if (clock == Clock.SIMULATED && !followsTime.test(provider.get())) {
+            section.problem(
+                    "use",
+                    "The %s (%s) can't follow simulated time, which (run.clock.mode) asks for.".formatted(what, key),
+                    "Set run.clock.mode to wall, or use another %s.".formatted(what));
+        }
+        return settings(section, parameters.apply(provider.get())).map(s -> new BackEnd<>(provider.get(), s));
+    }
+
+    /// All that is set in a section, when it is right.
+    static Optional<Arguments> settings(Section section, List<Parameter> parameters) {
+        int before = section.problems().all().size();
+        Map<String, Object> values = section.values(parameters);
+        section.done();
+        return section.problems().all().size() == before
+                ? Optional.of(Arguments.of(parameters, values))
+                : Optional.empty();
+    }
+
+    private static Duration step(Arguments mrs) {
+        return mrs.asMap().containsKey("step") ? mrs.seconds("step") : DEFAULT_STEP;
+    }
+
+    private Optional<OccupancyGrid> map(String name, Location askedAt) {
+        try {
+            return Optional.of(new Maps(scenario.files()).read(name, askedAt));
+        } catch (InvalidSettings e) {
+            e.problems().forEach(problems::add);
+            return Optional.empty();
+        }
+    }
+
+    private List<PlannedAgent> agents(Section section, List<Role> roles, Seeds seeds) {
+        var agents = new ArrayList<PlannedAgent>();
+        for (String role : section.names()) {
+            Section agent = section.section(role);
+            if (!Format.NAME.matcher(role).matches()) {
+                agent.problem(agent.location(), "(%s) can't be the name of an agent.".formatted(role), "");
+            }
+            agents.addAll(agents(role, agent, roles, seeds));
+            agent.done();
+        }
+        section.done();
+        if (agents.size() > Format.MAX_AGENTS) {
+            section.problem(
+                    section.location(),
+                    "There are %d agents; at most %d can be.".formatted(agents.size(), Format.MAX_AGENTS),
+                    "");
+        }
+        return agents;
+    }
+
+    private List<PlannedAgent> agents(String name, Section section, List<Role> roles, Seeds seeds) {
+        String key = section.text("type");
+        Optional<AgentType> type = key.isEmpty()
+                ? Optional.empty()
+                : Catalog.find("type of agent", catalog.agents(), key, section.locationOf("type"), problems);
+        Optional<Role> role = robotRole(section, roles);
+        Section args = section.section("args");
+        if (type.isEmpty()) {
+            return List.of();
+        }
+        checkNeeds(section, type.get(), role);
+        Optional<Arguments> arguments = settings(args, type.get().parameters());
+        if (arguments.isEmpty()) {
+            return List.of();
+        }
+        if (role.isEmpty()) {
+            return List.of(new PlannedAgent(
+                    name, name, type.get(), arguments.get(), Optional.empty(), seeds.of("agent/" + name)));
+        }
+        return role.get().robots().stream()
+                .map(robot -> robot.spec().id())
+                .map(id -> {
+                    String own = name + id.substring(role.get().name().length()); // hunter-2 → follow-2
+                    return new PlannedAgent(
+                            own, name, type.get(), arguments.get(), Optional.of(id), seeds.of("agent/" + own));
+                })
+                .toList();
+    }
+
+    private Optional<Role> robotRole(Section section, List<Role> roles) {
+        if (!section.has("robot")) {
+            return Optional.empty();
+        }
+        String name = section.text("robot");
+        Optional<Role> role = roles.stream().filter(r -> r.name().equals(name)).findFirst();
+        if (role.isEmpty() && !name.isEmpty()) {
+            section.problem(
+                    "robot",
+                    "No robots have the role (%s).".formatted(name),
+                    Suggestion.among(name, roles.stream().map(Role::name).toList()));
+        }
+        return role;
+    }
+
+    private void checkNeeds(Section section, AgentType type, Optional<Role> role) {
+        if (role.isEmpty()) {
+            if (!type.needs().isEmpty() && !section.has("robot")) {
+                section.problem(
+                        "type",
+                        "Agent (%s) needs a robot with %s.".formatted(type.key(), RobotReader.words(type.needs())),
+                        "Add a line (robot: ROLE).");
+            }
+            return;
+        }
+        var missing = role.get().missing(type.needs());
+        if (role.get().complete() && !missing.isEmpty()) {
+            section.problem(
+                    "robot",
+                    "Agent (%s) needs a robot with %s, which robots of role (%s) don't have."
+                            .formatted(
+                                    type.key(),
+                                    RobotReader.words(missing),
+                                    role.get().name()),
+                    "Add it to (robots.%s.devices).".formatted(role.get().name()));
+        }
+    }
+
+    /// Lets the robot system say what it thinks of the robots, without starting it.
+    private void checkRobots(RobotSystemProvider provider, RobotSystemProvider.Config config, List<Role> roles) {
+        try {
+            provider.create(config, new LockstepScheduler()).close();
+        } catch (InvalidRobots e) {
+            for (InvalidRobots.Problem problem : e.problems()) {
+                Location at = roles.stream()
+                        .filter(role -> role.robots().stream()
+                                .anyMatch(robot -> robot.spec().id().equals(problem.robot())))
+                        .map(role -> role.section().locationOf(problem.setting()))
+                        .findFirst()
+                        .orElse(scenario.location());
+                problems.add(at, "Robot (%s): %s".formatted(problem.robot(), problem.message()), "");
+            }
+        }
+    }
+
+    /// Robots and agents can't be called what means something else.
+    static boolean isName(String text) {
+        return Format.NAME.matcher(text).matches() && !text.equals(NewGoal.ALL) && !text.equals("operator");
+    }
+}

@@ -1,0 +1,59 @@
+package rsal.scenario;
+
+import java.time.Duration;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+
+/// What somebody who starts a run wants otherwise than its scenario says.
+///
+/// @param configuration empty for the first
+/// @param arguments by name, as typed
+/// @param mas key of an agent host
+/// @param mrs key of a robot system
+/// @param limit simulated time after which the run ends
+/// @param speed simulated over real time; +∞ for as fast as it can
+public record RunOptions(
+        Optional<String> configuration,
+        Map<String, String> arguments,
+        OptionalLong seed,
+        Optional<String> mas,
+        Optional<String> mrs,
+        Optional<Duration> limit,
+        OptionalDouble speed) {
+    public static final RunOptions NONE = new RunOptions(
+            Optional.empty(),
+            Map.of(),
+            OptionalLong.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            OptionalDouble.empty());
+
+    public RunOptions {
+        arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
+    }
+
+    public RunOptions withConfiguration(String name) {
+        return new RunOptions(Optional.of(name), arguments, seed, mas, mrs, limit, speed);
+    }
+
+    public RunOptions withArguments(Map<String, String> typed) {
+        return new RunOptions(configuration, typed, seed, mas, mrs, limit, speed);
+    }
+
+    public RunOptions withSeed(long number) {
+        return new RunOptions(configuration, arguments, OptionalLong.of(number), mas, mrs, limit, speed);
+    }
+
+    public RunOptions withLimit(Duration time) {
+        return new RunOptions(configuration, arguments, seed, mas, mrs, Optional.of(time), speed);
+    }
+
+    public RunOptions withSpeed(double factor) {
+        return new RunOptions(configuration, arguments, seed, mas, mrs, limit, OptionalDouble.of(factor));
+    }
+}

@@ -1,0 +1,137 @@
+package rsal.scenario;
+
+import java.time.Duration;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentType;
+import rsal.data.OccupancyGrid;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotSpec;
+import rsal.robot.RobotSystemProvider;
+import rsal.scenario.condition.Condition;
+import rsal.scenario.condition.Measure;
+import rsal.settings.Arguments;
+
+/// A run with everything decided and nothing started. Immutable; it can be run again and again, and each time is
+/// the same run.
+///
+/// @param configuration name of the one chosen
+/// @param options what it was made with
+/// @param arguments of the scenario, by name: Double, Long, String or Boolean
+/// @param seed all randomness of the run comes from it
+/// @param mapName as the scenario calls it
+/// @param agents in the order in which they start
+/// @param speed simulated over real time to begin with; +∞ for as fast as it can
+/// @param step of simulated time; between two steps a run can be looked at, paused and told things
+/// @param stops the first that holds ends the run
+public record RunPlan(
+        Scenario scenario,
+        String configuration,
+        RunOptions options,
+        Map<String, Object> arguments,
+        long seed,
+        String mapName,
+        OccupancyGrid map,
+        Mrs mrs,
+        Mas mas,
+        Clock clock,
+        List<PlannedRobot> robots,
+        List<PlannedAgent> agents,
+        double speed,
+        Duration step,
+        List<Stop> stops,
+        List<Measured> measures) {
+    public RunPlan {
+        arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
+        robots = List.copyOf(robots);
+        agents = List.copyOf(agents);
+        stops = List.copyOf(stops);
+        measures = List.copyOf(measures);
+    }
+
+    /// The multi-robot system: where robots come from.
+    ///
+    /// @param seed of its own randomness
+    public record Mrs(RobotSystemProvider provider, Arguments settings, long seed) {
+        /// What its provider asks for to make it.
+        public RobotSystemProvider.Config config(OccupancyGrid map, List<PlannedRobot> robots) {
+            return new RobotSystemProvider.Config(
+                    settings, map, robots.stream().map(PlannedRobot::spec).toList(), seed);
+        }
+    }
+
+    /// The multi-agent system: what runs the agents.
+    public record Mas(AgentHostProvider provider, Arguments settings) {}
+
+    public enum Clock {
+        /// Time stands still while anything happens, then jumps: the same seed gives the same run.
+        SIMULATED,
+        /// Real time.
+        WALL
+    }
+
+    /// @param drivers of its software devices, in the order in which they are made
+    public record PlannedRobot(RobotSpec spec, List<PlannedDevice> drivers) {
+        public PlannedRobot {
+            drivers = List.copyOf(drivers);
+        }
+    }
+
+    /// @param name of the device (`localizer`)
+    /// @param seed of its random stream
+    public record PlannedDevice(String name, DeviceDriver driver, Arguments options, long seed) {}
+
+    /// @param robot id of the robot it acts for; empty when it has none
+    /// @param seed of its random stream
+    public record PlannedAgent(
+            String name, String role, AgentType type, Arguments arguments, Optional<String> robot, long seed) {}
+
+    /// An end of the run.
+    public record Stop(Condition when, Outcome outcome) {}
+
+    /// How a scenario can say that a run ends.
+    public enum Outcome {
+        SUCCESS("success"),
+        FAILURE("failure"),
+        TIMEOUT("timeout");
+
+        private final String word;
+
+        Outcome(String word) {
+            this.word = word;
+        }
+
+        public String word() {
+            return word;
+        }
+    }
+
+    /// Something to measure.
+    ///
+    /// @param perRobot whether each robot has a value of its own, called `<name>.<robot>`
+    /// @param min the least value that is still right; −∞ when there is none
+    /// @param max the greatest value that is still right; +∞ when there is none
+    public record Measured(
+            String name, String unit, Measure from, boolean perRobot, Better better, double min, double max) {}
+
+    /// Which values of a measure are the better ones.
+    public enum Better {
+        LESS("less"),
+        MORE("more"),
+        NEITHER("neither");
+
+        private final String word;
+
+        Better(String word) {
+            this.word = word;
+        }
+
+        public String word() {
+            return word;
+        }
+    }
+}

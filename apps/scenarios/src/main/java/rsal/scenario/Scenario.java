@@ -1,0 +1,200 @@
+package rsal.scenario;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Parameter;
+import rsal.settings.Problem;
+import rsal.settings.Problems;
+import rsal.settings.Section;
+import rsal.settings.Suggestion;
+import rsal.settings.Value;
+import rsal.settings.Yaml;
+
+/// A scenario as its author wrote it, checked in itself, arguments still open. Immutable.
+public final class Scenario {
+    private static final List<String> BUILT_IN = List.of("hunt-and-prey");
+    private static final String FILE = "scenario.yaml";
+
+    private final Value.Mapping settings;
+    private final FileSource files;
+    private final String name;
+    private final String title;
+    private final String description;
+    private final List<Parameter> arguments;
+    private final List<Configuration> configurations;
+
+    private Scenario(Value.Mapping settings, FileSource files, Problems problems) {
+        this.settings = settings;
+        this.files = files;
+        var section = new Section("", settings, problems);
+        int version = (int) section.number("rsal");
+        if (section.has("rsal") && version != Format.VERSION) {
+            section.problem(
+                    "rsal",
+                    "(rsal) is the version of the format: %d, not (%s)."
+                            .formatted(Format.VERSION, section.number("rsal")),
+                    "");
+        }
+        this.name = section.text("scenario");
+        this.title = section.text("title", name);
+        this.description = section.text("description", "");
+        this.arguments = List.copyOf(ArgumentReader.declared(section.section("arguments")));
+        this.configurations = configurations(section.section("configurations"));
+    }
+
+    /// Reads a scenario that comes with the program, or a person's own.
+    ///
+    /// @param nameOrFile `hunt-and-prey`, the path of a YAML file, or of the folder of a `scenario.yaml`
+    /// @throws InvalidSettings when there is none, or with all of its mistakes
+    public static Scenario load(String nameOrFile) {
+        if (BUILT_IN.contains(nameOrFile)) {
+            var files = FileSource.resources(Scenario.class, "/rsal/scenarios/" + nameOrFile + "/");
+            var at = Location.of(nameOrFile + "/" + FILE);
+            return read(at.file(), files.text(FILE, Yaml.MAX_CHARACTERS, at), files);
+        }
+        if (!looksLikeFile(nameOrFile)) {
+            throw new InvalidSettings(
+                    Location.of(nameOrFile),
+                    "There is no scenario (%s).".formatted(nameOrFile),
+                    Suggestion.among(nameOrFile, BUILT_IN) + " A scenario of your own goes by its file's name.");
+        }
+        return loadFile(nameOrFile);
+    }
+
+    private static boolean looksLikeFile(String name) {
+        return name.endsWith(".yaml") || name.endsWith(".yml") || name.contains("/") || name.contains("\\");
+    }
+
+    private static Scenario loadFile(String path) {
+        try {
+            Path given = Path.of(path);
+            Path file = Files.isDirectory(given) ? given.resolve(FILE) : given;
+            Path fileName = file.getFileName();
+            Path folder = file.toAbsolutePath().getParent();
+            if (fileName == null || folder == null) {
+                throw new InvalidSettings(Location.of(path), "This is not a file.", "");
+            }
+            var files = FileSource.folder(folder);
+            String text = files.text(fileName.toString(), Yaml.MAX_CHARACTERS, Location.of(path));
+            return read(file.toString(), text, files);
+        } catch (InvalidPathException e) {
+            throw new InvalidSettings(Location.of(path), "This can't be a file: %s.".formatted(e.getReason()), "");
+        }
+    }
+
+    /// Reads a scenario's text.
+    ///
+    /// @param file what to call it in messages
+    /// @param files where the maps and models are that it names
+    /// @throws InvalidSettings with all of its mistakes
+    static Scenario read(String file, String text, FileSource files) {
+        Value.Mapping settings = Yaml.read(file, text);
+        var problems = new Problems();
+        var scenario = new Scenario(settings, files, problems);
+        if (!problems.isEmpty()) {
+            throw new InvalidSettings(distinct(problems.all(), scenario.mistakes(RunOptions.NONE)));
+        }
+        return scenario;
+    }
+
+    /// The scenarios that come with the program.
+    public static List<Scenario> builtIn() {
+        return BUILT_IN.stream().map(Scenario::load).toList();
+    }
+
+    public String name() {
+        return name;
+    }
+
+    public String title() {
+        return title;
+    }
+
+    /// Some sentences for people; empty when there are none.
+    public String description() {
+        return description;
+    }
+
+    /// Where it was read from.
+    public Location location() {
+        return Location.of(settings.location().file());
+    }
+
+    public List<Parameter> arguments() {
+        return arguments;
+    }
+
+    /// The first is the default. One that declares none has one, `default`.
+    public List<Configuration> configurations() {
+        return configurations;
+    }
+
+    /// Decides everything that is still open.
+    ///
+    /// @throws InvalidSettings with every mistake of the scenario and the options
+    public RunPlan plan(RunOptions options) {
+        return new PlanReader(this, options, Catalog.installed()).read();
+    }
+
+    /// Plans every configuration.
+    ///
+    /// @throws InvalidSettings with every mistake of the scenario
+    public void check() {
+        List<Problem> mistakes = List.of();
+        for (Configuration configuration : configurations) {
+            mistakes = distinct(mistakes, mistakes(RunOptions.NONE.withConfiguration(configuration.name())));
+        }
+        if (!mistakes.isEmpty()) {
+            throw new InvalidSettings(mistakes);
+        }
+    }
+
+    Value.Mapping settings() {
+        return settings;
+    }
+
+    FileSource files() {
+        return files;
+    }
+
+    private List<Problem> mistakes(RunOptions options) {
+        try {
+            plan(options);
+            return List.of();
+        } catch (InvalidSettings e) {
+            return e.problems();
+        }
+    }
+
+    private static List<Problem> distinct(List<Problem> first, List<Problem> more) {
+        var all = new LinkedHashSet<>(first);
+        all.addAll(more);
+        return List.copyOf(all);
+    }
+
+    private static List<Configuration> configurations(Section section) {
+        var configurations = new ArrayList<Configuration>();
+        for (String name : section.names()) {
+            Section one = section.section(name);
+            if (!Format.NAME.matcher(name).matches()) {
+                one.problem(one.location(), "(%s) can't be the name of a configuration.".formatted(name), "");
+            }
+            configurations.add(new Configuration(name, one.text("title", "")));
+        }
+        return configurations.isEmpty()
+                ? List.of(new Configuration(Format.DEFAULT_CONFIGURATION, ""))
+                : List.copyOf(configurations);
+    }
+
+    @Override
+    public String toString() {
+        return name + " (" + location() + ")";
+    }
+}

@@ -1,0 +1,272 @@
+package rsal.scenario.condition;
+
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import rsal.settings.Suggestion;
+
+/// Reads conditions and measures by recursive descent.
+///
+/// ```
+/// condition  = both {"or" both}
+/// both       = single {"and" single}
+/// single     = "not" single | "(" condition ")" | "allCaught" "(" role ")" | quantity relation number
+/// quantity   = "time" | "collisions" | "wallCollisions" | "caught" "(" role ")"
+/// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
+/// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "distance" ["(" role ")"]
+///            | function "(" signal ["(" role ")"] ")"
+/// function   = "min" | "mean" | "p50" | "p95" | "p99" | "max"
+/// signal     = "poseError" | "captureDistance"
+/// ```
+public final class Grammar {
+    /// Characters of an expression; longer ones are refused.
+    public static final int MAX_LENGTH = 1000;
+
+    private static final int MAX_DEPTH = 50;
+    private static final Pattern TOKEN =
+            Pattern.compile("\\s*(?:(?<word>\\p{Alpha}[\\w-]*)|(?<number>-?\\d+(?:\\.\\d+)?)|(?<sign>[<>=!]=?|[()]))");
+    private static final List<String> QUANTITIES = List.of("time", "collisions", "wallCollisions", "caught");
+    private static final List<String> PREDICATES =
+            List.of("allCaught", "time", "collisions", "wallCollisions", "caught", "not");
+    private static final List<String> MEASURES =
+            List.of("firstTime", "count", "distance", "min", "mean", "p50", "p95", "p99", "max");
+
+    private final String text;
+    private final Collection<String> roles;
+    private final Matcher matcher;
+    private Token token;
+    private int depth;
+
+    private Grammar(String text, Collection<String> roles) {
+        if (text.length() > MAX_LENGTH) {
+            throw new InvalidExpression(
+                    MAX_LENGTH, "An expression may have %d characters at most.".formatted(MAX_LENGTH), "");
+        }
+        this.text = text;
+        this.roles = roles;
+        this.matcher = TOKEN.matcher(text);
+        this.token = read(0);
+    }
+
+    /// @param roles of the scenario's robots
+    /// @throws InvalidExpression when the text is no condition or names another role
+    public static Condition condition(String text, Collection<String> roles) {
+        var grammar = new Grammar(text, roles);
+        return grammar.whole(grammar.condition());
+    }
+
+    /// @param roles of the scenario's robots
+    /// @throws InvalidExpression when the text is no measure or names another role
+    public static Measure measure(String text, Collection<String> roles) {
+        var grammar = new Grammar(text, roles);
+        return grammar.whole(grammar.measure());
+    }
+
+    private <T> T whole(T tree) {
+        if (token.kind != Kind.END) {
+            throw expected("and, or, or the end");
+        }
+        return tree;
+    }
+
+    private Condition condition() {
+        Condition left = both();
+        while (takes("or")) {
+            left = new Condition.Or(left, both());
+        }
+        return left;
+    }
+
+    private Condition both() {
+        Condition left = single();
+        while (takes("and")) {
+            left = new Condition.And(left, single());
+        }
+        return left;
+    }
+
+    private Condition single() {
+        if (++depth > MAX_DEPTH) {
+            throw new InvalidExpression(token.start, "Parentheses are nested deeper than %d.".formatted(MAX_DEPTH), "");
+        }
+        try {
+            if (takes("not")) {
+                return new Condition.Not(single());
+            }
+            if (takes("(")) {
+                Condition inner = condition();
+                take(")");
+                return inner;
+            }
+            if (takes("allCaught")) {
+                return new Condition.AllCaught(role());
+            }
+            return comparison();
+        } finally {
+            depth--;
+        }
+    }
+
+    private Condition comparison() {
+        Quantity left = quantity(PREDICATES);
+        for (var relation : Condition.Relation.values()) {
+            if (takes(relation.sign())) {
+                return new Condition.Compare(left, relation, number());
+            }
+        }
+        throw expected("<, <=, >, >=, == or !=");
+    }
+
+    /// @param known words that may stand here
+    private Quantity quantity(List<String> known) {
+        if (takes("time")) {
+            return new Quantity.Time();
+        }
+        if (takes("collisions")) {
+            return new Quantity.Collisions();
+        }
+        if (takes("wallCollisions")) {
+            return new Quantity.WallCollisions();
+        }
+        if (takes("caught")) {
+            return new Quantity.Caught(role());
+        }
+        throw unknown("a condition or quantity", known);
+    }
+
+    private Measure measure() {
+        if (takes("firstTime")) {
+            take("(");
+            var measure = new Measure.FirstTime(condition());
+            take(")");
+            return measure;
+        }
+        if (takes("count")) {
+            take("(");
+            var measure = new Measure.Count(quantity(QUANTITIES));
+            take(")");
+            return measure;
+        }
+        if (takes("distance")) {
+            return new Measure.Distance(maybeRole());
+        }
+        var function = word(Measure.Function.values(), Measure.Function::word)
+                .orElseThrow(() -> unknown("a measure", MEASURES));
+        take("(");
+        var signal = word(Measure.Signal.values(), Measure.Signal::word)
+                .orElseThrow(() -> unknown(
+                        "a signal",
+                        Arrays.stream(Measure.Signal.values())
+                                .map(Measure.Signal::word)
+                                .toList()));
+        var role = maybeRole();
+        take(")");
+        return new Measure.Statistic(function, signal, role);
+    }
+
+    private <E> Optional<E> word(E[] known, Function<E, String> word) {
+        for (E each : known) {
+            if (takes(word.apply(each))) {
+                return Optional.of(each);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private Optional<String> maybeRole() {
+        return token.text.equals("(") ? Optional.of(role()) : Optional.empty();
+    }
+
+    private String role() {
+        take("(");
+        if (token.kind != Kind.WORD) {
+            throw expected("a role of robots");
+        }
+        if (!roles.contains(token.text)) {
+            throw new InvalidExpression(
+                    token.start,
+                    "No robots have the role (%s).".formatted(token.text),
+                    Suggestion.among(token.text, roles));
+        }
+        String role = token.text;
+        token = read(token.end);
+        take(")");
+        return role;
+    }
+
+    private double number() {
+        if (token.kind != Kind.NUMBER) {
+            throw expected("a number");
+        }
+        double number = Double.parseDouble(token.text);
+        token = read(token.end);
+        return number;
+    }
+
+    private boolean takes(String expected) {
+        if (!token.text.equals(expected)) {
+            return false;
+        }
+        token = read(token.end);
+        return true;
+    }
+
+    private void take(String expected) {
+        if (!takes(expected)) {
+            throw expected("(" + expected + ")");
+        }
+    }
+
+    private InvalidExpression expected(String what) {
+        return new InvalidExpression(token.start, "%s must stand here, not %s.".formatted(what, token.describe()), "");
+    }
+
+    private InvalidExpression unknown(String what, List<String> known) {
+        return token.kind == Kind.WORD
+                ? new InvalidExpression(
+                        token.start, "(%s) is not %s.".formatted(token.text, what), Suggestion.among(token.text, known))
+                : expected(what);
+    }
+
+    private Token read(int from) {
+        matcher.region(from, text.length());
+        if (matcher.lookingAt()) {
+            for (Kind kind : List.of(Kind.WORD, Kind.NUMBER, Kind.SIGN)) {
+                String found = matcher.group(kind.group);
+                if (found != null) {
+                    return new Token(kind, found, matcher.start(kind.group), matcher.end());
+                }
+            }
+        }
+        String rest = text.substring(from).stripLeading();
+        int start = text.length() - rest.length();
+        if (rest.isEmpty()) {
+            return new Token(Kind.END, "", start, start);
+        }
+        throw new InvalidExpression(
+                start, "(%s) can't stand here.".formatted(Character.toString(rest.codePointAt(0))), "");
+    }
+
+    private enum Kind {
+        WORD("word"),
+        NUMBER("number"),
+        SIGN("sign"),
+        END("");
+
+        private final String group;
+
+        Kind(String group) {
+            this.group = group;
+        }
+    }
+
+    private record Token(Kind kind, String text, int start, int end) {
+        String describe() {
+            return kind == Kind.END ? "the end" : "(" + text + ")";
+        }
+    }
+}

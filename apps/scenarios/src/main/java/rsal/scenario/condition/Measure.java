@@ -1,0 +1,77 @@
+package rsal.scenario.condition;
+
+import java.util.Optional;
+
+/// What to measure over a whole run: `p95(poseError)`.
+public sealed interface Measure {
+    /// Whether each robot can have a value of its own.
+    default boolean canBePerRobot() {
+        return false;
+    }
+
+    /// `firstTime(allCaught(prey))`: when a condition held first [s]; nothing when it never did.
+    record FirstTime(Condition condition) implements Measure {}
+
+    /// `count(collisions)`: what a quantity is at the end.
+    record Count(Quantity quantity) implements Measure {}
+
+    /// `distance`, `distance(hunter)`: the way that robots really made, all together [m].
+    ///
+    /// @param role empty for all robots
+    record Distance(Optional<String> role) implements Measure {
+        @Override
+        public boolean canBePerRobot() {
+            return true;
+        }
+    }
+
+    /// `p95(poseError)`, `max(poseError(hunter))`: a statistic over all samples of a signal; nothing without
+    /// samples.
+    ///
+    /// @param role empty for all robots
+    record Statistic(Function function, Signal signal, Optional<String> role) implements Measure {
+        @Override
+        public boolean canBePerRobot() {
+            return true;
+        }
+    }
+
+    /// Percentiles are by nearest rank: the least sample that at least so many percent are not above.
+    enum Function {
+        MIN("min"),
+        MEAN("mean"),
+        P50("p50"),
+        P95("p95"),
+        P99("p99"),
+        MAX("max");
+
+        private final String word;
+
+        Function(String word) {
+            this.word = word;
+        }
+
+        public String word() {
+            return word;
+        }
+    }
+
+    /// What robots have samples of.
+    enum Signal {
+        /// Distance between where a robot really is and where its localizer says it is, at each of the localizer's
+        /// readings [m].
+        POSE_ERROR("poseError"),
+        /// Real distance between a prey and the robot that it says caught it, once per prey, when it says so [m].
+        CAPTURE_DISTANCE("captureDistance");
+
+        private final String word;
+
+        Signal(String word) {
+            this.word = word;
+        }
+
+        public String word() {
+            return word;
+        }
+    }
+}

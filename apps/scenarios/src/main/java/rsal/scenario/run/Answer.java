@@ -1,0 +1,9 @@
+package rsal.scenario.run;
+
+/// What became of an operator's command.
+public sealed interface Answer {
+    record Done() implements Answer {}
+
+    /// @param why a sentence for people
+    record Refused(String why) implements Answer {}
+}

@@ -1,0 +1,63 @@
+package rsal.scenario.run;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Supplier;
+import rsal.time.Phase;
+import rsal.time.Scheduler;
+import rsal.time.Task;
+
+/// The run's scheduler as one part of the run gets it: when one of its tasks throws, the run learns whose it was.
+final class GuardedScheduler implements Scheduler {
+    private final String owner;
+    private final Scheduler scheduler;
+
+    /// @param owner how messages call the part, `Device (hunter-1/localizer)`
+    GuardedScheduler(String owner, Scheduler scheduler) {
+        this.owner = owner;
+        this.scheduler = scheduler;
+    }
+
+    @Override
+    public Instant instant() {
+        return scheduler.instant();
+    }
+
+    @Override
+    public void execute(Runnable task) {
+        scheduler.execute(guarded(task));
+    }
+
+    @Override
+    public Task after(Duration delay, Phase phase, Runnable task) {
+        return scheduler.after(delay, phase, guarded(task));
+    }
+
+    @Override
+    public Task every(Duration period, Phase phase, Runnable task) {
+        return scheduler.every(period, phase, guarded(task));
+    }
+
+    @Override
+    public <T> CompletionStage<T> within(Duration limit, CompletionStage<T> stage) {
+        return scheduler.within(limit, stage);
+    }
+
+    @Override
+    public <T> CompletionStage<T> compute(Supplier<T> work) {
+        return scheduler.compute(work);
+    }
+
+    private Runnable guarded(Runnable task) {
+        return () -> {
+            try {
+                task.run();
+            } catch (RunBroken e) {
+                throw e;
+            } catch (RuntimeException e) {
+                throw new RunBroken(owner, e);
+            }
+        };
+    }
+}

@@ -1,0 +1,80 @@
+package rsal.scenario.run;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.time.Duration;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.function.Supplier;
+import rsal.data.Pose2d;
+
+/// What happened in a run: events to be read by any thread, and a hash over them and over all that only machines
+/// care about. Written on the run's thread.
+final class Journal {
+    /// More are hashed but not kept.
+    private static final int MOST_EVENTS = 100_000;
+
+    private final ConcurrentSkipListMap<Long, RunEvent> events = new ConcurrentSkipListMap<>();
+    private final ByteBuffer numbers = ByteBuffer.allocate(4 * Long.BYTES);
+    private final MessageDigest digest;
+    private final Supplier<Duration> time;
+    private final Runnable onEvent;
+    private long sequence;
+
+    /// @param time since the run's start
+    /// @param onEvent told of each new event
+    Journal(Supplier<Duration> time, Runnable onEvent) {
+        this.time = time;
+        this.onEvent = onEvent;
+        try {
+            this.digest = MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new AssertionError("Every Java has SHA-256.", e);
+        }
+    }
+
+    /// Something that people may want to know.
+    void event(String kind, String subject, String text) {
+        hash(kind, subject, text);
+        if (sequence == MOST_EVENTS) {
+            return;
+        }
+        sequence++;
+        boolean last = sequence == MOST_EVENTS;
+        events.put(
+                sequence,
+                last
+                        ? new RunEvent(sequence, time.get(), "run", "", "Too many events: no more are kept.")
+                        : new RunEvent(sequence, time.get(), kind, subject, text));
+        onEvent.run();
+    }
+
+    /// Something that only counts for whether two runs are the same.
+    void hash(String... words) {
+        numbers.clear().putLong(time.get().toNanos());
+        digest.update(numbers.flip());
+        for (String word : words) {
+            byte[] bytes = word.getBytes(StandardCharsets.UTF_8);
+            digest.update(numbers.clear().putInt(bytes.length).flip());
+            digest.update(bytes);
+        }
+    }
+
+    void hash(Pose2d pose) {
+        numbers.clear();
+        numbers.putDouble(pose.x()).putDouble(pose.y()).putDouble(pose.theta());
+        digest.update(numbers.flip());
+    }
+
+    /// The hash so far, in hexadecimal. Begins a new one.
+    String finish() {
+        return HexFormat.of().formatHex(digest.digest());
+    }
+
+    List<RunEvent> after(long sequence) {
+        return List.copyOf(events.tailMap(sequence, false).values());
+    }
+}

@@ -1,0 +1,205 @@
+package rsal.scenario.run;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Predicate;
+import rsal.agent.message.Caught;
+import rsal.data.Pose2d;
+import rsal.device.Localizer;
+import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Contact;
+import rsal.robot.Robot;
+import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.Measured;
+import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scenario.condition.Facts;
+import rsal.scenario.condition.Measure;
+
+/// Looks at a run after each step: is it over, and what is there to measure? It alone compares robots with the
+/// truth. All calls on the run's thread.
+final class Observer implements Facts {
+    private final RunPlan plan;
+    private final Journal journal;
+    private final InstantSource clock;
+    private final Instant start;
+    private final Map<String, RobotRecord> records = new LinkedHashMap<>();
+    private final Set<String> caught = new LinkedHashSet<>();
+    private final Map<Measured, OptionalDouble> firstTimes = new HashMap<>();
+    private int contacts;
+    private long wallCollisions;
+
+    Observer(RunPlan plan, Journal journal, InstantSource clock) {
+        this.plan = plan;
+        this.journal = journal;
+        this.clock = clock;
+        this.start = clock.instant();
+        for (PlannedRobot robot : plan.robots()) {
+            records.put(robot.spec().id(), new RobotRecord(robot.spec().role()));
+        }
+    }
+
+    /// Looks at everything once.
+    ///
+    /// @param robots by id, as far as they are there
+    /// @return how the run ends, if it is over
+    Optional<String> look(Optional<SimulationControl> simulation, Map<String, Robot> robots) {
+        simulation.ifPresent(truth -> {
+            noteContacts(truth.contacts());
+            records.forEach((id, own) -> {
+                truth.truth(id).ifPresent(mapFromBase -> noteTruth(own, mapFromBase));
+                Optional.ofNullable(robots.get(id))
+                        .flatMap(robot -> robot.find(Localizer.class))
+                        .flatMap(Localizer::latest)
+                        .ifPresent(own::compare);
+            });
+        });
+        noteFirstTimes();
+        return plan.stops().stream()
+                .filter(stop -> stop.when().holds(this))
+                .map(stop -> stop.outcome().word())
+                .findFirst()
+                .or(() -> plan.options()
+                        .limit()
+                        .filter(limit -> elapsed().compareTo(limit) >= 0)
+                        .map(_ -> "limit"));
+    }
+
+    private void noteContacts(List<Contact> all) {
+        for (Contact contact : all.subList(contacts, all.size())) {
+            wallCollisions += records.containsKey(contact.other()) ? 0 : 1;
+            journal.event("collision", contact.robot(), "ran into " + contact.other());
+        }
+        contacts = all.size();
+    }
+
+    private void noteTruth(RobotRecord own, Pose2d mapFromBase) {
+        journal.hash(mapFromBase);
+        own.moved(clock.instant(), mapFromBase);
+    }
+
+    private void noteFirstTimes() {
+        for (Measured measured : plan.measures()) {
+            if (measured.from() instanceof Measure.FirstTime(var condition)
+                    && !firstTimes.containsKey(measured)
+                    && condition.holds(this)) {
+                firstTimes.put(measured, OptionalDouble.of(time()));
+            }
+        }
+    }
+
+    /// A prey says that it has been caught. The first time counts, and is compared with the truth.
+    void heard(Caught said, Optional<SimulationControl> simulation) {
+        RobotRecord prey = records.get(said.prey());
+        if (prey == null || !caught.add(said.prey())) {
+            return;
+        }
+        Optional<Pose2d> mapFromPrey = simulation.flatMap(truth -> truth.truth(said.prey()));
+        Optional<Pose2d> mapFromHunter = simulation.flatMap(truth -> truth.truth(said.hunter()));
+        if (mapFromPrey.isPresent() && mapFromHunter.isPresent()) {
+            prey.caught(mapFromPrey.get().distanceTo(mapFromHunter.get()));
+        }
+    }
+
+    /// A robot is going to be put elsewhere.
+    void placed(String robot) {
+        Optional.ofNullable(records.get(robot)).ifPresent(RobotRecord::placed);
+    }
+
+    /// Time since the run's start.
+    Duration elapsed() {
+        return Duration.between(start, clock.instant());
+    }
+
+    @Override
+    public double time() {
+        return elapsed().toNanos() * 1e-9;
+    }
+
+    @Override
+    public long collisions() {
+        return contacts;
+    }
+
+    @Override
+    public long wallCollisions() {
+        return wallCollisions;
+    }
+
+    @Override
+    public int robots(String role) {
+        return (int) records.values().stream().filter(of(Optional.of(role))).count();
+    }
+
+    @Override
+    public int caught(String role) {
+        return (int) records.entrySet().stream()
+                .filter(entry -> caught.contains(entry.getKey()))
+                .filter(entry -> entry.getValue().role().equals(role))
+                .count();
+    }
+
+    /// What was measured so far, in the scenario's order.
+    List<Finding> findings() {
+        var findings = new ArrayList<Finding>();
+        for (Measured measured : plan.measures()) {
+            if (measured.perRobot()) {
+                records.forEach((id, own) -> {
+                    if (of(role(measured.from())).test(own)) {
+                        findings.add(finding(measured, measured.name() + "." + id, List.of(own)));
+                    }
+                });
+            } else {
+                var all = records.values().stream()
+                        .filter(of(role(measured.from())))
+                        .toList();
+                findings.add(finding(measured, measured.name(), all));
+            }
+        }
+        return findings;
+    }
+
+    private Finding finding(Measured measured, String name, List<RobotRecord> from) {
+        OptionalDouble value = switch (measured.from()) {
+            case Measure.FirstTime _ -> firstTimes.getOrDefault(measured, OptionalDouble.empty());
+            case Measure.Count(var quantity) -> OptionalDouble.of(quantity.of(this));
+            case Measure.Distance _ ->
+                from.stream().anyMatch(RobotRecord::seen)
+                        ? OptionalDouble.of(
+                                from.stream().mapToDouble(RobotRecord::distance).sum())
+                        : OptionalDouble.empty();
+            case Measure.Statistic statistic -> {
+                var all = new Samples();
+                from.forEach(own -> all.addAll(own.samples(statistic.signal())));
+                yield all.value(statistic.function());
+            }
+        };
+        boolean inBounds =
+                value.isEmpty() || (value.getAsDouble() >= measured.min() && value.getAsDouble() <= measured.max());
+        return new Finding(name, value, inBounds);
+    }
+
+    private static Optional<String> role(Measure measure) {
+        return switch (measure) {
+            case Measure.Distance distance -> distance.role();
+            case Measure.Statistic statistic -> statistic.role();
+            case Measure.FirstTime _, Measure.Count _ -> Optional.empty();
+        };
+    }
+
+    private static Predicate<RobotRecord> of(Optional<String> role) {
+        return own -> role.isEmpty() || role.get().equals(own.role());
+    }
+
+    /// @param value empty when there was nothing to measure
+    record Finding(String name, OptionalDouble value, boolean inBounds) {}
+}

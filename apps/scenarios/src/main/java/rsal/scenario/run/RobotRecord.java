@@ -1,0 +1,87 @@
+package rsal.scenario.run;
+
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Iterator;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.Stamped;
+import rsal.scenario.condition.Measure.Signal;
+
+/// What there is to measure of one robot.
+final class RobotRecord {
+    private static final int HISTORY = 64; // steps that a localizer may be late
+
+    private final String role;
+    private final Deque<Truth> history = new ArrayDeque<>(); // newest first
+    private final Samples poseErrors = new Samples();
+    private final Samples captureDistances = new Samples();
+    private @Nullable Instant compared;
+    private double distance;
+    private boolean seen;
+
+    RobotRecord(String role) {
+        this.role = role;
+    }
+
+    String role() {
+        return role;
+    }
+
+    /// Where it really is now.
+    void moved(Instant now, Pose2d mapFromBase) {
+        if (!history.isEmpty()) {
+            distance += history.getFirst().mapFromBase.distanceTo(mapFromBase);
+        }
+        seen = true;
+        history.addFirst(new Truth(now, mapFromBase));
+        if (history.size() > HISTORY) {
+            history.removeLast();
+        }
+    }
+
+    /// Somebody is going to put it elsewhere: that way does not count.
+    void placed() {
+        history.clear();
+    }
+
+    /// Compares a localizer's reading, unless that is done, with the truth at its time.
+    void compare(Stamped<PoseEstimate> estimate) {
+        if (estimate.time().equals(compared)) {
+            return;
+        }
+        compared = estimate.time();
+        for (Iterator<Truth> truths = history.iterator(); truths.hasNext(); ) {
+            Truth truth = truths.next();
+            if (!truth.time.isAfter(estimate.time())) {
+                poseErrors.add(truth.mapFromBase.distanceTo(estimate.value().mapFromBase()));
+                return;
+            }
+        }
+    }
+
+    void caught(double distance) {
+        captureDistances.add(distance);
+    }
+
+    /// The way it really made [m].
+    double distance() {
+        return distance;
+    }
+
+    /// Whether there is a truth at all.
+    boolean seen() {
+        return seen;
+    }
+
+    Samples samples(Signal signal) {
+        return switch (signal) {
+            case POSE_ERROR -> poseErrors;
+            case CAPTURE_DISTANCE -> captureDistances;
+        };
+    }
+
+    private record Truth(Instant time, Pose2d mapFromBase) {}
+}

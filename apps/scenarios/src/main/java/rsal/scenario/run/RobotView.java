@@ -1,0 +1,40 @@
+package rsal.scenario.run;
+
+import java.util.List;
+import java.util.Optional;
+import rsal.data.LaserScan;
+import rsal.data.Odometry;
+import rsal.data.ParticleCloud;
+import rsal.data.Path2d;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
+import rsal.data.Stamped;
+
+/// A robot as people see it: the newest of everything it has.
+///
+/// @param color `#rrggbb`
+/// @param model name of its model
+/// @param truth where it really is, in the map frame; empty outside of simulated worlds
+/// @param path the way its navigator intends to take
+/// @param goal where its navigator drives to
+/// @param inCharge name of the behavior that drives it; empty when none does
+public record RobotView(
+        String id,
+        String role,
+        String color,
+        String model,
+        Optional<Pose2d> truth,
+        Optional<Stamped<Odometry>> odometry,
+        Optional<Stamped<PoseEstimate>> estimate,
+        Optional<Stamped<ParticleCloud>> particles,
+        Optional<Stamped<LaserScan>> scan,
+        Optional<Stamped<RangeArray>> ranges,
+        Path2d path,
+        Optional<Pose2d> goal,
+        String inCharge,
+        List<DeviceView> devices) {
+    public RobotView {
+        devices = List.copyOf(devices);
+    }
+}

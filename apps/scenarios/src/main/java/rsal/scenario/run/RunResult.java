@@ -1,0 +1,30 @@
+package rsal.scenario.run;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+
+/// How a run ended and what came of it.
+///
+/// @param outcome `success`, `failure` or `timeout`, as the scenario says; `limit` when the time was up that its
+/// starter gave it; `stopped` by an operator
+/// @param eventHash SHA-256 in hexadecimal over all that happened; equal for equal runs
+/// @param measures by name, in the scenario's order; empty where there was nothing to measure
+/// @param outOfBounds names of the measures that are not within the bounds the scenario gives
+public record RunResult(
+        String scenario,
+        String configuration,
+        long seed,
+        String outcome,
+        double simulatedSeconds,
+        double wallSeconds,
+        String eventHash,
+        Map<String, OptionalDouble> measures,
+        List<String> outOfBounds) {
+    public RunResult {
+        measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
+        outOfBounds = List.copyOf(outOfBounds);
+    }
+}

@@ -1,0 +1,350 @@
+package rsal.scenario.run;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import rsal.agent.AgentSpec;
+import rsal.agent.Message;
+import rsal.agent.Society;
+import rsal.agent.message.Caught;
+import rsal.agent.message.GoalReached;
+import rsal.agent.message.NewGoal;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.PoseRequest;
+import rsal.data.Covariance2d;
+import rsal.data.OccupancyGrid;
+import rsal.data.Path2d;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.device.Device;
+import rsal.device.DriveBase;
+import rsal.device.LaserScanner;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.device.Planner;
+import rsal.device.SimulationControl;
+import rsal.device.SonarArray;
+import rsal.robot.DeviceDriver;
+import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
+import rsal.robot.RobotSystem;
+import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.RunPlan.PlannedDevice;
+import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.time.Scheduler;
+
+/// Everything that takes part in a run, put together after the plan: the robots of the robot system, their software
+/// devices, the agents. All calls on the run's thread.
+final class Stage implements AutoCloseable {
+    private static final Duration DISCOVERY_LIMIT = Duration.ofSeconds(10);
+    private static final int LAST_MESSAGES = 5;
+
+    /// What a device can be, the most special first.
+    private static final List<Class<? extends Device>> CONTRACTS = List.of(
+            DriveBase.class,
+            LaserScanner.class,
+            SonarArray.class,
+            Localizer.class,
+            Navigator.class,
+            Planner.class,
+            SimulationControl.class);
+
+    private static final Covariance2d PLACED_BY_HAND = Covariance2d.ofDeviations(0.1, 0.1, Math.toRadians(5));
+
+    private final RunPlan plan;
+    private final Scheduler scheduler;
+    private final Journal journal;
+    private final Observer observer;
+    private final RobotSystem system;
+    private final Map<String, Robot> robots = new LinkedHashMap<>();
+    private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
+    private final Map<String, String> lastWords = new HashMap<>();
+    private Optional<Society> society = Optional.empty();
+    private boolean stopped;
+    private boolean closed;
+
+    /// Makes the robot system; nothing moves yet.
+    Stage(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer) {
+        this.plan = plan;
+        this.scheduler = scheduler;
+        this.journal = journal;
+        this.observer = observer;
+        this.system = plan.mrs()
+                .provider()
+                .create(plan.mrs().config(plan.map(), plan.robots()), new GuardedScheduler(systemName(), scheduler));
+    }
+
+    /// Finds the robots and, once they are there, begins.
+    void begin() {
+        scheduler
+                .within(DISCOVERY_LIMIT, system.discover())
+                .whenComplete((found, error) -> scheduler.execute(() -> {
+                    if (error != null) {
+                        throw new RunBroken(systemName(), error);
+                    }
+                    assemble(found);
+                }));
+    }
+
+    private String systemName() {
+        return "Robot system (%s)".formatted(plan.mrs().provider().key());
+    }
+
+    private void assemble(List<Robot> found) {
+        for (PlannedRobot planned : plan.robots()) {
+            String id = planned.spec().id();
+            Robot robot = found.stream()
+                    .filter(r -> r.id().equals(id))
+                    .findFirst()
+                    .orElseThrow(() -> new RunBroken("%s has no robot (%s); it has %s."
+                            .formatted(
+                                    systemName(),
+                                    id,
+                                    found.stream().map(Robot::id).toList())));
+            for (PlannedDevice device : planned.drivers()) {
+                robot = robot.with(make(device, planned, robot));
+            }
+            robots.put(id, robot);
+            robot.devices().forEach(this::watch);
+        }
+        system.onChange(this::changed);
+        startAgents();
+    }
+
+    private Device make(PlannedDevice device, PlannedRobot planned, Robot robot) {
+        String name = "Device (%s/%s)".formatted(robot.id(), device.name());
+        var context = new DeviceDriver.Context(
+                device.name(),
+                robot,
+                plan.map(),
+                planned.spec().mapFromBase(),
+                new GuardedScheduler(name, scheduler),
+                new SplittableRandom(device.seed()));
+        try {
+            return device.driver().create(context, device.options());
+        } catch (RuntimeException e) {
+            throw new RunBroken(name, e);
+        }
+    }
+
+    private void watch(Device device) {
+        device.onHealth(health -> {
+            if (!closed) {
+                journal.event("health", device.info().id(), Words.of(health));
+            }
+        });
+    }
+
+    private void changed(RobotSystem.Change change) {
+        switch (change) {
+            case RobotSystem.Change.Appeared(Robot robot) -> journal.event("run", robot.id(), "is there");
+            case RobotSystem.Change.Gone(String robot, String reason) ->
+                journal.event("fault", robot, "is gone: " + reason);
+        }
+    }
+
+    private void startAgents() {
+        var host = plan.mas().provider().create(plan.mas().settings(), scheduler);
+        var agents = new Society(scheduler, host, system.simulation());
+        society = Optional.of(agents);
+        agents.onMessage(this::heard);
+        agents.onChange(this::changed);
+        for (PlannedAgent agent : plan.agents()) {
+            agents.start(new AgentSpec(
+                    agent.name(),
+                    agent.role(),
+                    agent.type(),
+                    agent.arguments(),
+                    agent.robot().map(robots::get),
+                    agent.seed()));
+        }
+        journal.event(
+                "run",
+                "",
+                "%d robots, %d agents".formatted(robots.size(), plan.agents().size()));
+    }
+
+    private void heard(Message<?> message) {
+        if (closed) {
+            return;
+        }
+        var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
+        last.addLast(message);
+        if (last.size() > LAST_MESSAGES) {
+            last.removeFirst();
+        }
+        String words = Words.of(message);
+        switch (message.content()) {
+            case PoseReport _, PoseRequest _ ->
+                journal.hash(message.sender(), message.topic().name(), words);
+            case NewGoal _, GoalReached _ -> journal.event("goal", message.sender(), words);
+            case Caught caught -> {
+                journal.event("caught", message.sender(), words);
+                observer.heard(caught, system.simulation());
+            }
+            default -> journal.event("message", message.sender(), words);
+        }
+    }
+
+    private void changed(Society.View view) {
+        String words = switch (view.status()) {
+            case RUNNING -> view.state();
+            case ENDED -> "has ended";
+            case FAILED -> "has failed: " + view.state();
+        };
+        String name = view.agent().name();
+        if (!closed && !words.equals(lastWords.put(name, words))) {
+            journal.event(view.status() == Society.Status.FAILED ? "fault" : "agent", name, words);
+        }
+    }
+
+    /// Looks at everything after a step.
+    ///
+    /// @return how the run ends, if it is over
+    Optional<String> observe() {
+        return observer.look(system.simulation(), robots);
+    }
+
+    boolean stopped() {
+        return stopped;
+    }
+
+    List<RobotView> robotViews() {
+        List<AgentView> agents = agentViews();
+        return plan.robots().stream()
+                .map(PlannedRobot::spec)
+                .flatMap(spec ->
+                        Optional.ofNullable(robots.get(spec.id())).map(robot -> view(spec, robot, agents)).stream())
+                .toList();
+    }
+
+    private RobotView view(RobotSpec spec, Robot robot, List<AgentView> agents) {
+        Optional<Localizer> localizer = robot.find(Localizer.class);
+        Optional<Navigator> navigator = robot.find(Navigator.class);
+        return new RobotView(
+                robot.id(),
+                robot.role(),
+                spec.color(),
+                robot.model().name(),
+                system.simulation().flatMap(truth -> truth.truth(robot.id())),
+                robot.find(DriveBase.class).flatMap(DriveBase::latest),
+                localizer.flatMap(Localizer::latest),
+                localizer.flatMap(Localizer::particles),
+                robot.find(LaserScanner.class).flatMap(LaserScanner::latest),
+                robot.find(SonarArray.class).flatMap(SonarArray::latest),
+                navigator.map(Navigator::path).orElse(Path2d.EMPTY),
+                navigator.flatMap(Navigator::goal),
+                inCharge(robot.id(), agents),
+                robot.devices().stream().map(Stage::view).toList());
+    }
+
+    private static DeviceView view(Device device) {
+        return new DeviceView(device.info().name(), device.info().driver(), type(device), device.health());
+    }
+
+    /// The contract that it fulfils: `LaserScanner`.
+    private static String type(Device device) {
+        return CONTRACTS.stream()
+                .filter(contract -> contract.isInstance(device))
+                .map(Class::getSimpleName)
+                .findFirst()
+                .orElse("Device");
+    }
+
+    /// What a robot's agent shows to be in charge.
+    private static String inCharge(String robot, List<AgentView> agents) {
+        return agents.stream()
+                .map(AgentView::view)
+                .filter(view -> view.agent().robot().equals(robot))
+                .filter(view -> view.status() == Society.Status.RUNNING)
+                .map(view -> view.beliefs().getOrDefault("behavior", ""))
+                .filter(behavior -> !behavior.isEmpty())
+                .findFirst()
+                .orElse("");
+    }
+
+    List<AgentView> agentViews() {
+        return society.stream()
+                .flatMap(agents -> agents.views().stream())
+                .map(view -> new AgentView(view, lastMessages(view.agent().name())))
+                .toList();
+    }
+
+    private List<String> lastMessages(String agent) {
+        return lastMessages.getOrDefault(agent, new ArrayDeque<>()).stream()
+                .map(message -> message.topic().name() + ": " + Words.of(message))
+                .toList();
+    }
+
+    /// Puts a robot somewhere, in truth and in its own belief.
+    Answer place(String id, Pose2d mapFromBase) {
+        Robot robot = robots.get(id);
+        if (robot == null) {
+            return unknown(id);
+        }
+        OccupancyGrid map = plan.map();
+        if (!mapFromBase.isFinite() || !map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))) {
+            return new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromBase)));
+        }
+        Optional<SimulationControl> simulation = system.simulation();
+        if (simulation.isPresent()
+                && simulation.get().place(id, mapFromBase) instanceof SimulationControl.Placement.Refused(String why)) {
+            return new Answer.Refused(why);
+        }
+        observer.placed(id);
+        robot.find(Localizer.class)
+                .ifPresent(localizer -> localizer.relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND)));
+        journal.event("operator", id, "placed at " + Words.of(mapFromBase));
+        return new Answer.Done();
+    }
+
+    /// Asks the agent of a robot to drive somewhere.
+    Answer goTo(String id, Pose2d mapFromGoal) {
+        Robot robot = robots.get(id);
+        if (robot == null || society.isEmpty()) {
+            return unknown(id);
+        }
+        if (robot.find(Navigator.class).isEmpty()) {
+            return new Answer.Refused("Robot (%s) has no navigator.".formatted(id));
+        }
+        if (society.get().directory().agents().stream()
+                .noneMatch(agent -> agent.robot().equals(id))) {
+            return new Answer.Refused("Robot (%s) has no agent that could take it there.".formatted(id));
+        }
+        if (!plan.map().isFree(mapFromGoal.x(), mapFromGoal.y())) {
+            return new Answer.Refused("There is a wall or nothing known at %s.".formatted(Words.of(mapFromGoal)));
+        }
+        journal.event("operator", id, "sent to " + Words.of(mapFromGoal));
+        society.get().publish("operator", NewGoal.TOPIC, new NewGoal(id, mapFromGoal));
+        return new Answer.Done();
+    }
+
+    private Answer unknown(String id) {
+        return new Answer.Refused("There is no robot (%s); there are %s.".formatted(id, robots.keySet()));
+    }
+
+    /// Switches all motors off or on again.
+    Answer stop(boolean stop) {
+        var bases = new ArrayList<DriveBase>();
+        robots.values().forEach(robot -> robot.find(DriveBase.class).ifPresent(bases::add));
+        bases.forEach(base -> base.enable(!stop));
+        stopped = stop;
+        journal.event("operator", "", stop ? "emergency stop" : "motors on again");
+        return new Answer.Done();
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        society.ifPresent(Society::close);
+        system.close();
+    }
+}

@@ -1,0 +1,55 @@
+package rsal.scenario.run;
+
+import java.util.Locale;
+import rsal.agent.Message;
+import rsal.agent.message.Caught;
+import rsal.agent.message.GoalReached;
+import rsal.agent.message.Hello;
+import rsal.agent.message.NewGoal;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.PoseRequest;
+import rsal.agent.message.Text;
+import rsal.data.Pose2d;
+import rsal.device.Health;
+
+/// Says things in words for people.
+final class Words {
+    private Words() {}
+
+    static String of(Message<?> message) {
+        return switch (message.content()) {
+            case PoseReport report -> "%s is at %s".formatted(report.robot(), of(report.mapFromBase()));
+            case PoseRequest request -> "%s, where are you?".formatted(request.robot());
+            case NewGoal goal -> "%s, go to %s".formatted(goal.robot(), of(goal.mapFromGoal()));
+            case GoalReached end -> "%s: %s at %s".formatted(end.robot(), end.ending(), of(end.mapFromGoal()));
+            case Caught caught ->
+                String.format(
+                        Locale.ROOT, "%s is caught by %s at %.2f m", caught.prey(), caught.hunter(), caught.distance());
+            case Hello hello -> of(hello);
+            case Text text -> text.words();
+            default -> message.content().toString();
+        };
+    }
+
+    private static String of(Hello hello) {
+        return switch (hello.kind()) {
+            case HELLO -> "Hello, I am here.";
+            case PING -> "Who is there?";
+            case PONG -> "%s, I am here.".formatted(hello.to());
+            case BYE -> "Bye.";
+        };
+    }
+
+    /// `(1.23, -4.50, 90°)`.
+    static String of(Pose2d pose) {
+        return String.format(Locale.ROOT, "(%.2f, %.2f, %.0f°)", pose.x(), pose.y(), Math.toDegrees(pose.theta()));
+    }
+
+    static String of(Health health) {
+        return switch (health) {
+            case Health.Ok _ -> "works";
+            case Health.Stale(String reason) -> "is stale: " + reason;
+            case Health.Lost(String reason) -> "is lost: " + reason;
+        };
+    }
+}

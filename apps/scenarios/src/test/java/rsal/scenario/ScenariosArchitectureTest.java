@@ -1,0 +1,9 @@
+package rsal.scenario;
+
+import rsal.testkit.architecture.ArchitectureRules;
+
+class ScenariosArchitectureTest extends ArchitectureRules {
+    ScenariosArchitectureTest() {
+        super(Scenario.class);
+    }
+}

@@ -1,0 +1,31 @@
+package rsal.scenario.example;
+
+import java.util.List;
+import rsal.agent.AgentHost;
+import rsal.agent.AgentHostProvider;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.Scheduler;
+
+/// A multi-agent system with a clock of its own.
+public final class WallClockHost implements AgentHostProvider {
+    @Override
+    public String key() {
+        return "wallclock";
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return false;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of();
+    }
+
+    @Override
+    public AgentHost create(Arguments settings, Scheduler scheduler) {
+        throw new IllegalStateException("No test starts it.");
+    }
+}

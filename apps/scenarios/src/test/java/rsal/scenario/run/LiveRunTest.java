@@ -1,0 +1,279 @@
+package rsal.scenario.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rsal.data.Pose2d;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+
+@Timeout(60)
+class LiveRunTest {
+    @TempDir
+    private Path folder;
+
+    private RunPlan plan() {
+        return plan(RunOptions.NONE);
+    }
+
+    private RunPlan plan(RunOptions options) {
+        return Runs.plan(folder, Runs.TWO_WANDERERS, options);
+    }
+
+    private RunPlan slow() {
+        return plan(RunOptions.NONE.withSpeed(1));
+    }
+
+    @Test
+    void theSamePlanGivesTheSameRun() {
+        RunResult first = Runs.result(plan());
+        assertThat(Runs.result(plan()).eventHash()).isEqualTo(first.eventHash()).hasSize(64);
+        assertThat(Runs.result(plan(RunOptions.NONE.withSeed(8))).eventHash()).isNotEqualTo(first.eventHash());
+    }
+
+    @Test
+    void watchingItDoesNotChangeARun() {
+        RunResult unwatched = Runs.result(plan());
+        try (var run = LiveRun.start(plan())) {
+            run.onSnapshot(run::snapshot);
+            run.onEvents(() -> run.events(0));
+            while (!run.result().toCompletableFuture().isDone()) {
+                run.snapshot();
+            }
+            assertThat(Runs.result(run).eventHash()).isEqualTo(unwatched.eventHash());
+        }
+    }
+
+    @Test
+    void pausingAndSteppingDoNotChangeARun() throws InterruptedException {
+        try (var run = LiveRun.start(slow())) {
+            var snapshots = snapshots(run);
+            run.pause();
+            Snapshot before = awaitPaused(snapshots);
+            run.step();
+            run.step();
+            Snapshot after = next(snapshots, before.time().plusMillis(200));
+            assertThat(after.paused()).isTrue();
+            assertThat(after.time()).isEqualTo(before.time().plusMillis(200));
+            run.speed(Double.POSITIVE_INFINITY);
+            run.resume();
+            assertThat(Runs.result(run).eventHash())
+                    .isEqualTo(Runs.result(plan()).eventHash());
+        }
+    }
+
+    @Test
+    void timeStandsStillWhilePaused() throws InterruptedException {
+        try (var run = LiveRun.start(slow())) {
+            var snapshots = snapshots(run);
+            run.pause();
+            Snapshot first = awaitPaused(snapshots);
+            run.snapshot();
+            Snapshot second = snapshots.take();
+            assertThat(second.sequence()).isGreaterThan(first.sequence());
+            assertThat(second.time()).isEqualTo(first.time());
+        }
+    }
+
+    @Test
+    void endsAsTheScenarioSays() {
+        RunResult timeout = Runs.result(plan());
+        assertThat(timeout.outcome()).isEqualTo("timeout");
+        assertThat(timeout.simulatedSeconds()).isEqualTo(20);
+        assertThat(timeout.measures().get("captureTime")).isEqualTo(OptionalDouble.empty());
+        RunResult success = Runs.result(plan(RunOptions.NONE.withArguments(Map.of("caughtAfter", "3"))));
+        assertThat(success.outcome()).isEqualTo("success");
+        assertThat(success.simulatedSeconds()).isCloseTo(3, within(0.11));
+    }
+
+    @Test
+    void endsWhenTheTimeIsUpThatItsStarterGave() {
+        RunResult result = Runs.result(plan(RunOptions.NONE.withLimit(Duration.ofSeconds(2))));
+        assertThat(result.outcome()).isEqualTo("limit");
+        assertThat(result.simulatedSeconds()).isEqualTo(2);
+    }
+
+    @Test
+    void measuresAgainstTheTruth() {
+        RunResult result = Runs.result(plan(RunOptions.NONE.withArguments(Map.of("caughtAfter", "3"))));
+        assertThat(result.measures().keySet())
+                .containsExactly("captureTime", "captureDistance", "error.prey", "error.hunter-1", "way");
+        assertThat(result.measures().get("error.prey").getAsDouble()).isCloseTo(0.2, within(0.1));
+        assertThat(result.measures().get("error.hunter-1")).isEqualTo(OptionalDouble.empty()); // has no localizer
+        assertThat(result.measures().get("way").getAsDouble()).isBetween(0.3, 0.9);
+        assertThat(result.measures().get("captureDistance").getAsDouble()).isGreaterThan(1);
+        assertThat(result.outOfBounds()).containsExactly("error.prey");
+    }
+
+    @Test
+    void showsRobotsAndAgents() {
+        try (var run = LiveRun.start(plan())) {
+            Runs.result(run);
+            Snapshot last = run.snapshot();
+            assertThat(last.outcome()).contains("timeout");
+            assertThat(last.robots()).extracting(RobotView::id).containsExactly("prey", "hunter-1");
+            RobotView prey = last.robots().getFirst();
+            assertThat(prey.truth()).isPresent();
+            assertThat(prey.scan()).isPresent();
+            assertThat(prey.estimate()).isPresent();
+            assertThat(prey.inCharge()).isEqualTo("wander");
+            assertThat(prey.devices())
+                    .extracting(DeviceView::name, DeviceView::driver, DeviceView::type)
+                    .contains(
+                            org.assertj.core.groups.Tuple.tuple("localizer", "truthful", "Localizer"),
+                            org.assertj.core.groups.Tuple.tuple("laser", "sim", "LaserScanner"));
+            assertThat(last.agents())
+                    .extracting(agent -> agent.view().agent().name())
+                    .containsExactly("run", "chase-1");
+        }
+    }
+
+    @Test
+    void tellsWhatHappenedInOrderAndWithoutGaps() {
+        try (var run = LiveRun.start(plan(RunOptions.NONE.withArguments(Map.of("caughtAfter", "3"))))) {
+            Runs.result(run);
+            List<RunEvent> events = run.events(0);
+            assertThat(events).extracting(RunEvent::kind).contains("run", "agent", "caught");
+            assertThat(events.getLast().text()).isEqualTo("ends: success");
+            for (int i = 0; i < events.size(); i++) {
+                assertThat(events.get(i).sequence()).isEqualTo(i + 1);
+            }
+            assertThat(run.events(events.size() - 1)).containsExactly(events.getLast());
+        }
+    }
+
+    @Test
+    void anOperatorPlacesARobotInTruthAndInItsBelief() throws InterruptedException {
+        try (var run = LiveRun.start(slow())) {
+            var snapshots = snapshots(run);
+            awaitRobots(snapshots);
+            assertThat(answer(run.place("prey", new Pose2d(-8, -1, 0)))).isEqualTo(new Answer.Done());
+            Duration then = next(snapshots, Duration.ZERO).time();
+            Snapshot later = next(snapshots, then.plusMillis(200));
+            RobotView prey = later.robots().getFirst();
+            assertThat(prey.truth().orElseThrow().distanceTo(new Pose2d(-8, -1, 0)))
+                    .isLessThan(1);
+            assertThat(answer(run.place("prey", new Pose2d(-1000, 0, 0)))).isInstanceOf(Answer.Refused.class);
+            assertThat(answer(run.place("nobody", new Pose2d(-8, -1, 0))))
+                    .isInstanceOfSatisfying(
+                            Answer.Refused.class, r -> assertThat(r.why()).contains("hunter-1"));
+            assertThat(run.events(0)).extracting(RunEvent::kind).contains("operator");
+            run.stop();
+            assertThat(Runs.result(run).measures().get("way").getAsDouble()).isLessThan(2); // the jump does not count
+        }
+    }
+
+    @Test
+    void refusesGoalsThatNobodyCanTake() throws InterruptedException {
+        try (var run = LiveRun.start(slow())) {
+            awaitRobots(snapshots(run));
+            assertThat(answer(run.goTo("prey", new Pose2d(-8, -1, 0))))
+                    .isEqualTo(new Answer.Refused("Robot (prey) has no navigator."));
+        }
+    }
+
+    @Test
+    void theEmergencyStopHoldsUntilItIsLifted() throws InterruptedException {
+        try (var run = LiveRun.start(plan(RunOptions.NONE.withSpeed(5)))) {
+            var snapshots = snapshots(run);
+            awaitRobots(snapshots);
+            assertThat(answer(run.estop())).isEqualTo(new Answer.Done());
+            Snapshot first =
+                    next(snapshots, next(snapshots, Duration.ZERO).time().plusMillis(1500));
+            Snapshot second = next(snapshots, first.time().plusMillis(1000));
+            assertThat(second.stopped()).isTrue();
+            assertThat(second.robots().getFirst().truth())
+                    .isEqualTo(first.robots().getFirst().truth());
+            assertThat(answer(run.rearm())).isEqualTo(new Answer.Done());
+            Snapshot third = next(snapshots, second.time().plusMillis(1500));
+            assertThat(third.stopped()).isFalse();
+            assertThat(third.robots().getFirst().truth())
+                    .isNotEqualTo(second.robots().getFirst().truth());
+        }
+    }
+
+    @Test
+    void anAgentThatFailsEndsAlone() {
+        String text = Runs.TWO_WANDERERS.replace("chase: {type: wanderer, robot: hunter}", "chase: {type: breaker}");
+        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE))) {
+            assertThat(Runs.result(run).outcome()).isEqualTo("timeout");
+            assertThat(run.events(0)).anySatisfy(event -> {
+                assertThat(event.kind()).isEqualTo("fault");
+                assertThat(event.subject()).isEqualTo("chase");
+                assertThat(event.text()).contains("a screw is loose");
+            });
+        }
+    }
+
+    @Test
+    void aDeviceThatFailsBreaksTheRunAndIsNamed() {
+        assertThatThrownBy(() -> Runs.result(broken("{}")))
+                .isInstanceOf(RunBroken.class)
+                .hasMessage("Device (hunter-1/broken) failed: smoke comes out");
+        assertThatThrownBy(() -> Runs.result(broken("{atOnce: true}")))
+                .isInstanceOf(RunBroken.class)
+                .hasMessage("Device (hunter-1/broken) failed: no batteries included");
+    }
+
+    private RunPlan broken(String options) {
+        String text = Runs.TWO_WANDERERS.replace(
+                "pose: {free: true}", "pose: {free: true}\n    devices: {broken: " + options + "}");
+        return Runs.plan(folder, text, RunOptions.NONE);
+    }
+
+    @Test
+    void closingEndsItAndRefusesWhatComesLater() throws InterruptedException {
+        LiveRun run = LiveRun.start(slow());
+        run.close();
+        assertThat(Runs.result(run).outcome()).isEqualTo("stopped");
+        assertThat(answer(run.estop())).isEqualTo(new Answer.Refused("The run has ended."));
+        run.close();
+    }
+
+    private static BlockingQueue<Snapshot> snapshots(LiveRun run) {
+        var snapshots = new LinkedBlockingQueue<Snapshot>();
+        run.onSnapshot(() -> snapshots.add(run.snapshot()));
+        run.snapshot();
+        return snapshots;
+    }
+
+    /// The next snapshot at a time or later.
+    private static Snapshot next(BlockingQueue<Snapshot> snapshots, Duration time) throws InterruptedException {
+        Snapshot next = snapshots.take();
+        while (next.time().compareTo(time) < 0) {
+            next = snapshots.take();
+        }
+        return next;
+    }
+
+    private static Snapshot awaitPaused(BlockingQueue<Snapshot> snapshots) throws InterruptedException {
+        Snapshot next = snapshots.take();
+        while (!next.paused()) {
+            next = snapshots.take();
+        }
+        return next;
+    }
+
+    private static void awaitRobots(BlockingQueue<Snapshot> snapshots) throws InterruptedException {
+        while (snapshots.take().robots().isEmpty()) {
+            // not there yet
+        }
+    }
+
+    private static Answer answer(CompletionStage<Answer> stage) {
+        return stage.toCompletableFuture().orTimeout(10, TimeUnit.SECONDS).join();
+    }
+}
