@@ -15,5 +15,6 @@ module rsal.agents {
     provides rsal.agent.AgentType with
             rsal.agents.Follow.Type,
             rsal.agents.Nav.Type,
-            rsal.agents.View.Type;
+            rsal.agents.View.Type,
+            rsal.agents.WallFollow.Type;
 }

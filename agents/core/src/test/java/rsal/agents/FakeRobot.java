@@ -6,10 +6,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Random;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
+import rsal.behavior.Pilot;
+import rsal.behavior.PilotDriver;
 import rsal.data.Covariance2d;
 import rsal.data.Footprint;
+import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
@@ -25,15 +29,20 @@ import rsal.device.GoalSource;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.SensorCore;
+import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
+import rsal.settings.Arguments;
+import rsal.time.Phase;
 import rsal.time.Scheduler;
 
-/// A robot whose devices a test moves by hand and reads afterwards.
+/// A robot whose devices a test moves by hand and reads afterwards. Its pilot is a real one; it drives while the
+/// base has readings ([#wakeBase]).
 public final class FakeRobot {
     public final Base base;
     public final Local localizer;
     public final Nav navigator;
+    public final Pilot pilot;
     public final Robot robot;
     private final Scheduler scheduler;
 
@@ -42,7 +51,15 @@ public final class FakeRobot {
         base = new Base(id);
         localizer = new Local(id);
         navigator = new Nav(id);
-        robot = new Robot(id, role, model(), List.of(base, localizer, navigator));
+        pilot = pilot(new Robot(id, role, model(), List.of(base)), scheduler);
+        robot = new Robot(id, role, model(), List.of(base, localizer, navigator, pilot));
+    }
+
+    private static Pilot pilot(Robot robot, Scheduler scheduler) {
+        var driver = new PilotDriver();
+        var map = new OccupancyGrid(1, 1, 1, 0, 0, new byte[1]);
+        var context = new DeviceDriver.Context("pilot", robot, map, Optional.empty(), scheduler, new Random(1));
+        return driver.create(context, Arguments.defaults(driver.parameters()));
     }
 
     private static RobotModel model() {
@@ -53,6 +70,11 @@ public final class FakeRobot {
     /// The same robot with only its base.
     Robot withoutLocalizer() {
         return new Robot(robot.id(), robot.role(), robot.model(), List.of(base));
+    }
+
+    /// The base tells ten times a second that it stands where odometry began.
+    void wakeBase() {
+        scheduler.every(Duration.ofMillis(100), Phase.WORLD, () -> base.roll(Pose2d.ORIGIN, scheduler.instant()));
     }
 
     /// The localizer finds the robot here.
