@@ -13,6 +13,7 @@ module rsal.agents {
     provides rsal.agent.AgentHostProvider with
             rsal.agent.plain.PlainHostProvider;
     provides rsal.agent.AgentType with
+            rsal.agents.Escape.Type,
             rsal.agents.Follow.Type,
             rsal.agents.Nav.Type,
             rsal.agents.View.Type,
