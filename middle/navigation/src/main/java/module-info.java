@@ -1,0 +1,17 @@
+/// Localization, planning and avoidance. The algorithms work on plain values and know nothing of devices, threads
+/// or clocks; only `rsal.navigation.device` makes devices of them, which robot systems, agents and scenarios meet
+/// through the contracts of `rsal.devices`.
+module rsal.navigation {
+    requires transitive rsal.devices;
+    requires static org.jspecify;
+
+    exports rsal.navigation.amcl;
+    exports rsal.navigation.grid;
+    exports rsal.navigation.vfh;
+    exports rsal.navigation.wavefront;
+
+    provides rsal.robot.DeviceDriver with
+            rsal.navigation.device.AmclDriver,
+            rsal.navigation.device.NavigatorDriver,
+            rsal.navigation.device.WavefrontDriver;
+}

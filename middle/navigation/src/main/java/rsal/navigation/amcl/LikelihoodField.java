@@ -1,0 +1,78 @@
+package rsal.navigation.amcl;
+
+import rsal.data.OccupancyGrid;
+import rsal.navigation.grid.DistanceField;
+
+/// How likely a beam ends in each cell of a map: S. Thrun, W. Burgard, D. Fox, Probabilistic Robotics (2005),
+/// table 6.3, as a table of logarithms. Immutable; robots that share a map share its field.
+///
+/// Differs from the book in that beams that hit nothing are skipped, not given z_max; that the likelihood is
+/// scaled to 1 (logarithm 0) where the map has its walls; and that what lies outside the map is as unlikely as
+/// what is far from any wall. The share of random readings (z_rand) bounds how much one beam can say, so that
+/// people and robots who are not on the map do little harm.
+public final class LikelihoodField {
+    private final int width;
+    private final int height;
+    private final double originX;
+    private final double originY;
+    private final double cellsPerMeter;
+    private final float unlikely;
+    private final float[] logs;
+
+    /// @param deviation how far hits are from the walls of the map, σ_hit in the book [m]
+    /// @param randomShare of readings that have nothing to do with the map, z_rand in the book
+    public LikelihoodField(OccupancyGrid map, DistanceField toOccupied, double deviation, double randomShare) {
+        this.width = map.width();
+        this.height = map.height();
+        this.originX = map.originX();
+        this.originY = map.originY();
+        this.cellsPerMeter = 1 / map.resolution();
+        this.unlikely = (float) Math.log(randomShare);
+        this.logs = new float[width * height];
+        for (int i = 0; i < logs.length; i++) {
+            double deviations = toOccupied.at(i) / deviation;
+            logs[i] = (float) Math.log((1 - randomShare) * Math.exp(-deviations * deviations / 2) + randomShare);
+        }
+    }
+
+    /// Logarithm of the likelihood of a beam that can't be explained by the map: the least a beam can have.
+    public double unlikely() {
+        return unlikely;
+    }
+
+    /// Logarithm of the likelihood that a beam ends at a place in the map frame.
+    public double log(double x, double y) {
+        return logAt((float) ((x - originX) * cellsPerMeter), (float) ((y - originY) * cellsPerMeter));
+    }
+
+    /// Logarithm of the likelihood of all beams, seen from a pose in the map frame.
+    public double log(Beams beams, double x, double y, double theta) {
+        float cos = (float) (Math.cos(theta) * cellsPerMeter);
+        float sin = (float) (Math.sin(theta) * cellsPerMeter);
+        float baseX = (float) ((x - originX) * cellsPerMeter);
+        float baseY = (float) ((y - originY) * cellsPerMeter);
+        float[] beamX = beams.x();
+        float[] beamY = beams.y();
+        float sum = 0;
+        for (int i = 0; i < beamX.length; i++) {
+            sum += logAt(baseX + cos * beamX[i] - sin * beamY[i], baseY + sin * beamX[i] + cos * beamY[i]);
+        }
+        return sum;
+    }
+
+    /// The same where the beams are already turned and in cells, and the base stands on a cell.
+    float log(float[] turnedX, float[] turnedY, float column, float row) {
+        float sum = 0;
+        for (int i = 0; i < turnedX.length; i++) {
+            sum += logAt(column + turnedX[i], row + turnedY[i]);
+        }
+        return sum;
+    }
+
+    private float logAt(float column, float row) {
+        // A negative number that rounds to 0 is half a cell outside at most: not worth a floor.
+        int c = (int) column;
+        int r = (int) row;
+        return c >= 0 && c < width && r >= 0 && r < height ? logs[r * width + c] : unlikely;
+    }
+}

@@ -1,0 +1,40 @@
+package rsal.navigation.device;
+
+import java.util.List;
+import rsal.data.Footprint;
+import rsal.data.OccupancyGrid;
+import rsal.navigation.grid.DistanceField;
+import rsal.navigation.wavefront.CostMap;
+import rsal.navigation.wavefront.CostMap.Clearance;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Cost maps for robots of some size, shared by those of the same size and settings.
+final class CostMaps {
+    private record Key(OccupancyGrid map, Clearance clearance) {}
+
+    private final Shared<OccupancyGrid, DistanceField> fields = new Shared<>();
+    private final Shared<Key, CostMap> maps = new Shared<>();
+
+    static List<Parameter> parameters() {
+        return List.of(
+                Parameter.number("wallDistance", 0.1, 0, 2, "m", "least room to plan between the robot and a wall"),
+                Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing"),
+                Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a way may be to keep off a wall"));
+    }
+
+    /// For a robot that counts as a circle: the one that fits into its outline, since it can turn where the way
+    /// does.
+    CostMap of(OccupancyGrid map, Footprint footprint, Arguments arguments) {
+        double radius = footprint.inscribedRadius();
+        double least = radius + arguments.number("wallDistance");
+        var clearance = new Clearance(
+                least, Math.max(least, radius + arguments.number("comfortDistance")), arguments.number("wallCost"));
+        return maps.of(new Key(map, clearance), key -> CostMap.of(map, field(map), clearance));
+    }
+
+    /// How far the next place is that is not known to be free.
+    DistanceField field(OccupancyGrid map) {
+        return fields.of(map, DistanceField::toNotFree);
+    }
+}

@@ -1,0 +1,107 @@
+package rsal.navigation.device;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rsal.device.Device;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.device.LaserScanner;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.device.SonarArray;
+import rsal.navigation.vfh.DriveLimits;
+import rsal.navigation.vfh.Vfh;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotModel;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Makes navigators: a [rsal.navigation.wavefront.Wavefront] plans the way, [Vfh] drives along it.
+public final class NavigatorDriver implements DeviceDriver {
+    private static final double LOOKAHEAD_TIME = 2.0; // s
+    private static final double LEAST_LOOKAHEAD = 0.6; // m
+
+    private final CostMaps maps = new CostMaps();
+
+    @Override
+    public String key() {
+        return "navigator";
+    }
+
+    @Override
+    public Class<? extends Device> makes() {
+        return Navigator.class;
+    }
+
+    /// A robot also needs a laser scanner or sonars; where it has both, sonars look where the laser doesn't.
+    @Override
+    public List<Class<? extends Device>> needs() {
+        return List.of(DriveBase.class, Localizer.class);
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        var parameters = new ArrayList<Parameter>();
+        parameters.add(Parameter.choice("global", "wavefront", List.of("wavefront"), "plans the way"));
+        parameters.add(Parameter.choice("local", "vfh", List.of("vfh"), "drives along it"));
+        parameters.add(Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster"));
+        parameters.add(Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster"));
+        parameters.add(
+                Parameter.number("safetyDistance", 0.1, 0, 1, "m", "room to keep from obstacles while standing"));
+        parameters.add(
+                Parameter.number("safetyDistanceAtSpeed", 0.4, 0, 2, "m", "room to keep from obstacles at 1 m/s"));
+        parameters.add(Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way"));
+        parameters.add(Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast it backs off when blocked"));
+        parameters.add(Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long it does so at most"));
+        parameters.add(Parameter.number("patience", 45, 5, 600, "s", "without getting nearer, until it is stuck"));
+        parameters.addAll(CostMaps.parameters());
+        return parameters;
+    }
+
+    @Override
+    public Device create(Context context, Arguments arguments) {
+        RobotModel model = context.robot().model();
+        Optional<LaserScanner> laser = context.robot().find(LaserScanner.class);
+        Optional<SonarArray> sonars = context.robot().find(SonarArray.class);
+        if (laser.isEmpty() && sonars.isEmpty()) {
+            throw new IllegalArgumentException("Robot (%s) can't navigate blindly. Maybe give it a laser or sonars."
+                    .formatted(context.robot().id()));
+        }
+        double speed = Math.min(arguments.number("maxSpeed"), model.drive().maxSpeed());
+        var limits = new DriveLimits(
+                speed,
+                Math.min(arguments.radians("maxTurnRate"), model.drive().maxTurnRate()),
+                model.drive().maxAcceleration(),
+                model.drive().maxTurnAcceleration());
+        double safety = arguments.number("safetyDistance");
+        double lookahead = LEAST_LOOKAHEAD + LOOKAHEAD_TIME * speed;
+        var vfh = new Vfh(
+                model.footprint(),
+                limits,
+                new Vfh.Settings(lookahead, safety, Math.max(0.01, arguments.number("safetyDistanceAtSpeed") - safety)),
+                2 * PathNavigator.BEAT_SECONDS);
+        var navigator = new PathNavigator(
+                new DeviceInfo(context.robot().id(), context.name(), key()),
+                new PathNavigator.Parts(
+                        context.robot().require(DriveBase.class),
+                        context.robot().require(Localizer.class),
+                        laser,
+                        sonars,
+                        vfh,
+                        maps.of(context.map(), model.footprint(), arguments),
+                        maps.field(context.map())),
+                new PathNavigator.Settings(
+                        limits,
+                        lookahead,
+                        model.footprint().circumscribedRadius(),
+                        arguments.seconds("replanPeriod"),
+                        arguments.number("escapeSpeed"),
+                        arguments.seconds("escapeTime"),
+                        arguments.seconds("patience")),
+                context.scheduler(),
+                context.random());
+        navigator.start();
+        return navigator;
+    }
+}

@@ -1,0 +1,382 @@
+package rsal.navigation.device;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.random.RandomGenerator;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Angles;
+import rsal.data.Path2d;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.device.GoalHandle;
+import rsal.device.GoalSource;
+import rsal.device.Navigator.Progress;
+import rsal.device.Navigator.Result;
+import rsal.device.Navigator.Tolerance;
+import rsal.navigation.device.PathNavigator.Parts;
+import rsal.navigation.device.PathNavigator.Settings;
+import rsal.navigation.device.PathNavigator.Situation;
+import rsal.navigation.vfh.Obstacles;
+import rsal.navigation.wavefront.CostMap;
+import rsal.navigation.wavefront.Plan;
+import rsal.navigation.wavefront.Route;
+import rsal.navigation.wavefront.Wavefront;
+import rsal.time.Scheduler;
+
+/// One goal of a [PathNavigator], from its start to its one ending. When the robot gets no nearer, it first plans
+/// again with what it sees in the way, then backs off and turns, and in the end gives up.
+final class Trip {
+    private static final double NEARER = 0.1; // m or rad; less is no progress
+    private static final double OFF_ROUTE = 0.8; // m
+    private static final double SLACK = 0.8; // of the tolerance; the rest is for arriving
+    private static final double SEEN_SLACK = 1.0; // m; someone may stand on the goal
+    private static final double UNSURE = 1.0; // m
+    private static final double HEAVY = 0.5; // weight of the best hypothesis
+    private static final double NOT_ON_MAP = 0.3; // m; from the map's nearest wall
+    private static final int MOST_DETOURS = 5;
+    private static final Duration BLOCKED = Duration.ofMillis(2500);
+    private static final Duration HELD_UP = Duration.ofSeconds(6);
+    private static final Duration REMEMBERED = Duration.ofSeconds(15);
+    private static final Duration TURNING = Duration.ofSeconds(3);
+
+    private final Parts parts;
+    private final Settings settings;
+    private final Scheduler scheduler;
+    private final RandomGenerator random;
+    private final Pose2d mapFromGoal;
+    private final Tolerance tolerance;
+    private final Consumer<Trip> onEnd;
+    private final GoalSource<Progress, Result> source = new GoalSource<>(() -> end(new Result.Cancelled()));
+    private final Instant started;
+    private List<Seen> seen = new ArrayList<>();
+    private @Nullable Route route;
+    private Pose2d mapFromBase = Pose2d.ORIGIN;
+    private boolean planning;
+    private Instant planned = Instant.MIN;
+    private boolean arrived;
+    private double yardstick = Double.POSITIVE_INFINITY; // what is left, when last nearer
+    private Instant nearer;
+    private double best = Double.POSITIVE_INFINITY; // least that was ever left
+    private Instant giveUp;
+    private int detours;
+    private Manoeuvre manoeuvre = Manoeuvre.NONE;
+    private Instant manoeuvreEnds = Instant.MIN;
+
+    private enum Manoeuvre {
+        NONE,
+        BACK_OFF,
+        TURN
+    }
+
+    /// Something in the way that is not on the map.
+    private record Seen(Point2d place, Instant time) {}
+
+    Trip(
+            Parts parts,
+            Settings settings,
+            Scheduler scheduler,
+            RandomGenerator random,
+            Pose2d mapFromGoal,
+            Tolerance tolerance,
+            Consumer<Trip> onEnd) {
+        this.parts = parts;
+        this.settings = settings;
+        this.scheduler = scheduler;
+        this.random = random;
+        this.mapFromGoal = mapFromGoal;
+        this.tolerance = tolerance;
+        this.onEnd = onEnd;
+        this.started = scheduler.instant();
+        this.nearer = started;
+        this.giveUp = started.plus(settings.patience());
+    }
+
+    /// Goes on where another trip is, if its goal was near this one's: then the robot need not stop.
+    void succeed(Trip old) {
+        seen = old.seen;
+        mapFromBase = old.mapFromBase;
+        Route way = old.route;
+        if (way == null || !isSeeable(way.end(), mapFromGoal.position(), Math.max(1, way.remaining() / 4))) {
+            return;
+        }
+        route = new Route(way.extended(mapFromBase.position(), mapFromGoal.position()));
+        planned = old.planned;
+        nearer = old.nearer;
+        yardstick = route.remaining();
+        manoeuvre = old.manoeuvre;
+        manoeuvreEnds = old.manoeuvreEnds;
+    }
+
+    private boolean isSeeable(Point2d from, Point2d to, double within) {
+        return from.distanceTo(to) <= within && parts.costs().straightCost(from, to) < Double.POSITIVE_INFINITY;
+    }
+
+    GoalHandle<Progress, Result> handle() {
+        return source;
+    }
+
+    Pose2d mapFromGoal() {
+        return mapFromGoal;
+    }
+
+    Path2d path() {
+        return route == null ? Path2d.EMPTY : route.left(mapFromBase.position());
+    }
+
+    /// The first ending counts.
+    void end(Result result) {
+        if (!source.ended()) {
+            onEnd.accept(this);
+            source.end(result);
+        }
+    }
+
+    /// Time that passed in a pause does not count.
+    void resume() {
+        Instant now = scheduler.instant();
+        nearer = now;
+        giveUp = now.plus(settings.patience());
+    }
+
+    /// What to command when nobody knows where the robot or anything else is.
+    Twist2d blindBeat() {
+        if (scheduler.instant().isAfter(giveUp)) {
+            end(new Result.NoPath("It is not known where the robot is or what is around it."));
+        }
+        return Twist2d.STOP;
+    }
+
+    /// What to command now.
+    Twist2d beat(Situation now) {
+        mapFromBase = now.mapFromBase();
+        if (isUnsure(now)) {
+            return lookAround(now);
+        }
+        double distance = mapFromBase.distanceTo(mapFromGoal);
+        arrived = distance <= (arrived ? 1.3 : 1.0) * tolerance.distance();
+        if (arrived) {
+            return turnToGoal(now);
+        }
+        if (route == null) {
+            plan(now);
+            return Twist2d.STOP;
+        }
+        route.advance(mapFromBase.position());
+        watch(now, route.remaining());
+        if (source.ended()) {
+            return Twist2d.STOP;
+        }
+        if (isPlanDue(now, route)) {
+            plan(now);
+        }
+        Point2d target = route.target(mapFromBase.position(), parts.costs(), settings.lookahead());
+        source.tell(new Stamped<>(
+                now.now(),
+                "map",
+                new Progress(mapFromBase, route.remaining(), target, Duration.between(started, now.now()))));
+        return switch (manoeuvre) {
+            case NONE -> driveTo(target, now);
+            case BACK_OFF -> backOff(now);
+            case TURN -> turnTo(target, now);
+        };
+    }
+
+    private Twist2d driveTo(Point2d target, Situation now) {
+        boolean last = target.distanceTo(mapFromGoal.position()) < settings.lookahead() / 8;
+        return parts.vfh()
+                .drive(
+                        now.obstacles(),
+                        mapFromBase.bearingTo(target),
+                        mapFromBase.position().distanceTo(target),
+                        last,
+                        now.odomFromBase().theta(),
+                        now.velocity());
+    }
+
+    private Twist2d turnToGoal(Situation now) {
+        double angle = Angles.difference(mapFromBase.theta(), mapFromGoal.theta());
+        if (Math.abs(angle) <= tolerance.angle()) {
+            end(new Result.Reached(mapFromBase));
+            return Twist2d.STOP;
+        }
+        watch(now, Math.abs(angle));
+        return source.ended() ? Twist2d.STOP : parts.vfh().turn(now.obstacles(), angle, now.velocity());
+    }
+
+    // Where am I?
+
+    private boolean isUnsure(Situation now) {
+        var hypotheses = now.estimate().hypotheses();
+        boolean ambiguous = !hypotheses.isEmpty() && hypotheses.getFirst().weight() < HEAVY;
+        return ambiguous || now.estimate().covariance().positionDeviation() > UNSURE;
+    }
+
+    /// Drives about, since a localizer that stands still learns nothing new.
+    private Twist2d lookAround(Situation now) {
+        route = null;
+        if (now.now().isAfter(giveUp)) {
+            end(new Result.Stuck(mapFromBase, Duration.between(started, now.now())));
+            return Twist2d.STOP;
+        }
+        Twist2d ahead = parts.vfh()
+                .drive(
+                        now.obstacles(),
+                        0,
+                        settings.lookahead(),
+                        false,
+                        now.odomFromBase().theta(),
+                        now.velocity());
+        return ahead.equals(Twist2d.STOP) ? parts.vfh().turn(now.obstacles(), Math.PI / 2, now.velocity()) : ahead;
+    }
+
+    // Does it get on?
+
+    /// @param left of the way [m] or of the turn at its end [rad]
+    private void watch(Situation now, double left) {
+        if (left < yardstick - NEARER) {
+            yardstick = left;
+            nearer = now.now();
+        }
+        if (left < best - NEARER) {
+            best = left;
+            giveUp = now.now().plus(settings.patience());
+        }
+        if (now.now().isAfter(giveUp)) {
+            end(new Result.Stuck(mapFromBase, Duration.between(started, now.now())));
+            return;
+        }
+        if (manoeuvre != Manoeuvre.NONE && now.now().isAfter(manoeuvreEnds)) {
+            endManoeuvre(now);
+        } else if (manoeuvre == Manoeuvre.NONE && (now.stalled() || heldUp(now).compareTo(HELD_UP) > 0)) {
+            begin(Manoeuvre.BACK_OFF, settings.escapeTime(), now);
+        }
+    }
+
+    private Duration heldUp(Situation now) {
+        return Duration.between(nearer, now.now());
+    }
+
+    /// Takes a random part of the time: two robots in each other's way should not do the same.
+    private void begin(Manoeuvre next, Duration atMost, Situation now) {
+        manoeuvre = next;
+        manoeuvreEnds = now.now().plusMillis((long) (atMost.toMillis() * random.nextDouble(0.3, 1)));
+    }
+
+    private void endManoeuvre(Situation now) {
+        if (manoeuvre == Manoeuvre.BACK_OFF) {
+            begin(Manoeuvre.TURN, TURNING, now);
+        } else {
+            manoeuvre = Manoeuvre.NONE;
+            nearer = now.now();
+            parts.vfh().reset();
+            planned = Instant.MIN;
+        }
+    }
+
+    private Twist2d backOff(Situation now) {
+        Pose2d behind = mapFromBase.compose(new Pose2d(-settings.escapeSpeed(), 0, 0));
+        boolean room = parts.toNotFree().at(behind.x(), behind.y()) > settings.bodyRadius()
+                || parts.toNotFree().at(behind.x(), behind.y())
+                        > parts.toNotFree().at(mapFromBase.x(), mapFromBase.y());
+        Twist2d back = Twist2d.drive(-settings.escapeSpeed(), 0);
+        Twist2d safe = room ? parts.vfh().guarded(back, now.velocity(), now.obstacles()) : Twist2d.STOP;
+        if (safe.equals(Twist2d.STOP)) {
+            endManoeuvre(now);
+        }
+        return safe;
+    }
+
+    private Twist2d turnTo(Point2d target, Situation now) {
+        double bearing = mapFromBase.bearingTo(target);
+        if (Math.abs(bearing) < 2 * NEARER) {
+            endManoeuvre(now);
+        }
+        return parts.vfh().turn(now.obstacles(), bearing, now.velocity());
+    }
+
+    // Which way?
+
+    private boolean isPlanDue(Situation now, Route way) {
+        Duration age = planned.equals(Instant.MIN) ? Duration.ofDays(1) : Duration.between(planned, now.now());
+        boolean blocked = heldUp(now).compareTo(BLOCKED) > 0;
+        boolean astray = way.offset() > OFF_ROUTE;
+        return age.compareTo(blocked || astray ? shorter(BLOCKED, settings.replanPeriod()) : settings.replanPeriod())
+                > 0;
+    }
+
+    private static Duration shorter(Duration a, Duration b) {
+        return a.compareTo(b) < 0 ? a : b;
+    }
+
+    private void plan(Situation now) {
+        if (planning) {
+            return;
+        }
+        planning = true;
+        planned = now.now();
+        seen.removeIf(s -> s.time().plus(REMEMBERED).isBefore(now.now()));
+        if (heldUp(now).compareTo(BLOCKED) > 0) {
+            remember(now);
+        }
+        var obstacles = seen.stream().map(Seen::place).toList();
+        Point2d start = mapFromBase.position();
+        scheduler.compute(() -> find(start, obstacles)).whenComplete((plan, error) -> {
+            planning = false;
+            if (error != null) {
+                end(new Result.NoPath("Planning failed: %s".formatted(error)));
+            } else if (!source.ended()) {
+                adopt(plan);
+            }
+        });
+    }
+
+    /// Around what is seen, or else as if it would go away.
+    private Plan find(Point2d start, List<Point2d> obstacles) {
+        CostMap map = parts.costs();
+        Point2d goal = mapFromGoal.position();
+        double slack = SLACK * tolerance.distance();
+        if (!obstacles.isEmpty()) {
+            Plan around = new Wavefront(map.with(obstacles)).plan(start, goal, Math.max(SEEN_SLACK, slack));
+            if (around instanceof Plan.Found) {
+                return around;
+            }
+        }
+        return new Wavefront(map).plan(start, goal, slack);
+    }
+
+    private void adopt(Plan plan) {
+        switch (plan) {
+            case Plan.Found(var path, var _) -> {
+                double before = route == null ? Double.POSITIVE_INFINITY : route.remaining();
+                route = new Route(path);
+                yardstick = route.remaining();
+                if (yardstick > before + 1 && detours < MOST_DETOURS) {
+                    detours++;
+                    best = yardstick;
+                    giveUp = scheduler.instant().plus(settings.patience());
+                }
+            }
+            case Plan.None(var why) -> {
+                if (route == null) {
+                    end(new Result.NoPath(why));
+                }
+            }
+        }
+    }
+
+    /// Notes what stands around and is not on the map.
+    private void remember(Situation now) {
+        Obstacles around = now.obstacles();
+        for (int i = 0; i < around.count(); i++) {
+            Point2d place = mapFromBase.transform(around.at(i));
+            if (parts.toNotFree().at(place.x(), place.y()) > NOT_ON_MAP) {
+                seen.add(new Seen(place, now.now()));
+            }
+        }
+    }
+}

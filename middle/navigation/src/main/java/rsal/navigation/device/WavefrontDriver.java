@@ -1,0 +1,54 @@
+package rsal.navigation.device;
+
+import java.util.ArrayList;
+import java.util.List;
+import rsal.device.Device;
+import rsal.device.DeviceInfo;
+import rsal.device.Planner;
+import rsal.navigation.wavefront.Wavefront;
+import rsal.robot.DeviceDriver;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Makes planners that use [Wavefront] on the run's map.
+public final class WavefrontDriver implements DeviceDriver {
+    private final CostMaps maps = new CostMaps();
+
+    @Override
+    public String key() {
+        return "wavefront";
+    }
+
+    @Override
+    public Class<? extends Device> makes() {
+        return Planner.class;
+    }
+
+    @Override
+    public List<Class<? extends Device>> needs() {
+        return List.of();
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        var parameters = new ArrayList<>(CostMaps.parameters());
+        parameters.add(Parameter.number(
+                "goalDistance",
+                0.4,
+                0,
+                10,
+                "m",
+                "how far from the goal a way may end when the robot doesn't fit there"));
+        return parameters;
+    }
+
+    @Override
+    public Device create(Context context, Arguments arguments) {
+        var map = maps.of(context.map(), context.robot().model().footprint(), arguments);
+        return new WavefrontPlanner(
+                new DeviceInfo(context.robot().id(), context.name(), key()),
+                new Wavefront(map),
+                arguments.number("goalDistance"),
+                context.scheduler());
+    }
+}

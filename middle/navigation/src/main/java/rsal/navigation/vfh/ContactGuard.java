@@ -1,0 +1,137 @@
+package rsal.navigation.vfh;
+
+import rsal.data.Footprint;
+import rsal.data.Point2d;
+import rsal.data.Twist2d;
+
+/// Lets no command through after which the robot could not stop without touching something: the robot's outline
+/// is moved along the arc that the command and then braking lead to, and must stay clear of all obstacles. A
+/// command that fails is made slower on the same arc, then reduced to its turn, then to a stop. After D. Fox, W.
+/// Burgard, S. Thrun, The Dynamic Window Approach to Collision Avoidance (1997), whose admissible velocities
+/// these are.
+///
+/// What is already nearer than the margin may not come any nearer.
+public final class ContactGuard {
+    private static final double STEP = 0.05; // s
+    private static final double[] SHARES = {1, 0.75, 0.5, 0.3, 0.15};
+    private static final double CREEP = 0.005; // m; nearer than this per arc is not "nearer"
+
+    private final double[] edgeX;
+    private final double[] edgeY;
+    private final double[] edgeDistance;
+    private final double radius;
+    private final DriveLimits limits;
+    private final double margin;
+    private final double reaction;
+    private int near;
+    private double[] nearX = new double[256];
+    private double[] nearY = new double[256];
+    private double[] nearMargin = new double[256];
+
+    /// @param margin how near obstacles may come to the outline [m]
+    /// @param reaction how long a command lasts before the next one can take effect [s]
+    public ContactGuard(Footprint footprint, DriveLimits limits, double margin, double reaction) {
+        int corners = footprint.corners().size();
+        this.edgeX = new double[corners];
+        this.edgeY = new double[corners];
+        this.edgeDistance = new double[corners];
+        for (int i = 0; i < corners; i++) {
+            Point2d a = footprint.corners().get(i);
+            Point2d b = footprint.corners().get((i + 1) % corners);
+            double length = a.distanceTo(b);
+            edgeX[i] = (b.y() - a.y()) / length; // the outward normal
+            edgeY[i] = (a.x() - b.x()) / length;
+            edgeDistance[i] = edgeX[i] * a.x() + edgeY[i] * a.y();
+        }
+        this.radius = footprint.circumscribedRadius();
+        this.limits = limits;
+        this.margin = margin;
+        this.reaction = reaction;
+    }
+
+    /// The wanted command or what of it is safe.
+    public Twist2d limit(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
+        gather(wanted, velocity, obstacles);
+        for (double share : SHARES) {
+            double forward = share * wanted.vx();
+            double omega = share * wanted.omega();
+            if (isSafe(forward, omega, velocity)) {
+                return Twist2d.drive(forward, omega);
+            }
+        }
+        return isSafe(0, wanted.omega(), velocity) ? Twist2d.drive(0, wanted.omega()) : Twist2d.STOP;
+    }
+
+    /// How far a point is from the outline [m], negative inside: the greatest distance from one of its sides,
+    /// which beyond a corner is somewhat less than the true one.
+    double distance(double x, double y) {
+        double distance = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < edgeX.length; i++) {
+            distance = Math.max(distance, edgeX[i] * x + edgeY[i] * y - edgeDistance[i]);
+        }
+        return distance;
+    }
+
+    /// The points that the robot could come to at all, each with the margin that it must keep.
+    private void gather(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
+        double speed = Math.max(Math.abs(wanted.vx()), Math.abs(velocity.vx()));
+        double reach = radius + margin + speed * (reaction + STEP) + speed * speed / (2 * limits.acceleration());
+        near = 0;
+        if (nearX.length < obstacles.count()) {
+            nearX = new double[obstacles.count()];
+            nearY = new double[obstacles.count()];
+            nearMargin = new double[obstacles.count()];
+        }
+        for (int i = 0; i < obstacles.count(); i++) {
+            double x = obstacles.x(i);
+            double y = obstacles.y(i);
+            if (x * x + y * y <= reach * reach) {
+                nearX[near] = x;
+                nearY[near] = y;
+                nearMargin[near] = Math.min(margin, distance(x, y) - CREEP);
+                near++;
+            }
+        }
+    }
+
+    /// Follows a command for the reaction time and brakes then.
+    private boolean isSafe(double forward, double omega, Twist2d velocity) {
+        double v = velocity.vx();
+        double w = velocity.omega();
+        double x = 0;
+        double y = 0;
+        double theta = 0;
+        double time = 0;
+        while (time < reaction || Math.abs(v) > 1e-3 || Math.abs(w) > 1e-3) {
+            boolean braking = time >= reaction;
+            v = approach(v, braking ? 0 : forward, limits.acceleration() * STEP);
+            w = approach(w, braking ? 0 : omega, limits.turnAcceleration() * STEP);
+            double middle = theta + w * STEP / 2;
+            x += v * STEP * Math.cos(middle);
+            y += v * STEP * Math.sin(middle);
+            theta += w * STEP;
+            time += STEP;
+            if (touches(x, y, theta)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean touches(double x, double y, double theta) {
+        double cos = Math.cos(theta);
+        double sin = Math.sin(theta);
+        for (int i = 0; i < near; i++) {
+            double dx = nearX[i] - x;
+            double dy = nearY[i] - y;
+            if (distance(cos * dx + sin * dy, cos * dy - sin * dx) < nearMargin[i]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static double approach(double from, double to, double most) {
+        return from + Math.clamp(to - from, -most, most);
+    }
+}

@@ -1,0 +1,110 @@
+package rsal.navigation.vfh;
+
+import java.util.Arrays;
+import java.util.function.DoublePredicate;
+import rsal.data.Angles;
+import rsal.data.LaserScan;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.RangeArray;
+
+/// Points around a robot that are not free, in its base frame [m]. Filled anew for each step; reused, so that
+/// nothing is allocated.
+public final class Obstacles {
+    private static final double APART = 0.03; // m; points that are nearer to each other say nothing new
+
+    private static final Point2d ORIGIN = new Point2d(0, 0);
+
+    private final double reach;
+    private float[] x = new float[512];
+    private float[] y = new float[512];
+    private int count;
+
+    /// @param reach points farther than this from the base are of no interest [m]
+    public Obstacles(double reach) {
+        this.reach = reach;
+    }
+
+    public int count() {
+        return count;
+    }
+
+    public double x(int i) {
+        return x[i];
+    }
+
+    public double y(int i) {
+        return y[i];
+    }
+
+    public Point2d at(int i) {
+        return new Point2d(x[i], y[i]);
+    }
+
+    public void clear() {
+        count = 0;
+    }
+
+    /// A range under the scanner's least counts as that least one.
+    public void add(LaserScan scan) {
+        Pose2d mount = scan.baseFromLaser();
+        float[] ranges = scan.ranges();
+        for (int i = 0; i < ranges.length; i++) {
+            double range = ranges[i];
+            if (range == Double.NEGATIVE_INFINITY || range < scan.rangeMin()) {
+                range = scan.rangeMin();
+            }
+            if (range <= reach + mount.position().distanceTo(ORIGIN) && range <= scan.rangeMax()) {
+                add(mount, scan.angle(i), range);
+            }
+        }
+    }
+
+    /// Each hit counts as three points across its cone.
+    public void add(RangeArray sonars) {
+        add(sonars, _ -> false);
+    }
+
+    /// Only of sonars that look where a laser scan does not reach.
+    public void addBeside(LaserScan scan, RangeArray sonars) {
+        add(sonars, direction -> {
+            double angle = Angles.difference(scan.baseFromLaser().theta() + scan.angleMin(), direction);
+            return (angle < 0 ? angle + 2 * Math.PI : angle) <= (scan.count() - 1) * scan.angleIncrement();
+        });
+    }
+
+    private void add(RangeArray sonars, DoublePredicate covered) {
+        for (int i = 0; i < sonars.count(); i++) {
+            if (covered.test(sonars.baseFromSensors().get(i).theta())) {
+                continue;
+            }
+            double range = sonars.ranges()[i] < sonars.rangeMin() ? sonars.rangeMin() : sonars.ranges()[i];
+            if (range <= sonars.rangeMax()) {
+                Pose2d mount = sonars.baseFromSensors().get(i);
+                add(mount, -sonars.fieldOfView() / 3, range);
+                add(mount, 0, range);
+                add(mount, sonars.fieldOfView() / 3, range);
+            }
+        }
+    }
+
+    private void add(Pose2d mount, double angle, double range) {
+        double direction = mount.theta() + angle;
+        add(mount.x() + range * Math.cos(direction), mount.y() + range * Math.sin(direction));
+    }
+
+    public void add(double px, double py) {
+        boolean near = px * px + py * py <= reach * reach;
+        boolean news = count == 0 || Math.hypot(px - x[count - 1], py - y[count - 1]) >= APART;
+        if (!near || !news) {
+            return;
+        }
+        if (count == x.length) {
+            x = Arrays.copyOf(x, 2 * count);
+            y = Arrays.copyOf(y, 2 * count);
+        }
+        x[count] = (float) px;
+        y[count] = (float) py;
+        count++;
+    }
+}

@@ -1,0 +1,119 @@
+package rsal.navigation.wavefront;
+
+import java.util.List;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.navigation.grid.DistanceField;
+
+/// Where the middle of a robot may be on a map, and how dear it is to be there. Immutable; robots of the same
+/// size that share a map share it.
+public final class CostMap {
+    /// Cost of crossing a cell far from everything, along a side of it.
+    static final int STRAIGHT = 10;
+
+    /// Most a cell can cost.
+    static final int DEAREST = 60;
+
+    static final byte BLOCKED = 0;
+
+    private final OccupancyGrid grid;
+    private final double radius;
+    private final byte[] costs;
+
+    /// What distances from walls cost.
+    ///
+    /// @param radius nearer than this the robot's middle never comes to an obstacle or the unknown [m]
+    /// @param comfort from here on nearness costs nothing [m]
+    /// @param weight how many times dearer a way at `radius` is than one beyond `comfort`, less one; 0–5
+    public record Clearance(double radius, double comfort, double weight) {
+        public Clearance {
+            if (!(radius >= 0 && comfort >= radius && weight >= 0 && weight <= 5)) {
+                throw new IllegalArgumentException(
+                        "A clearance needs 0 ≤ radius (%s) ≤ comfort (%s) and 0 ≤ weight (%s) ≤ 5."
+                                .formatted(radius, comfort, weight));
+            }
+        }
+
+        /// Costs rise with the square of what is missing to comfort.
+        private int cost(double distance) {
+            double missing = comfort > radius ? Math.clamp((comfort - distance) / (comfort - radius), 0, 1) : 0;
+            return (int) Math.round(STRAIGHT * (1 + weight * missing * missing));
+        }
+    }
+
+    private CostMap(OccupancyGrid grid, double radius, byte[] costs) {
+        this.grid = grid;
+        this.radius = radius;
+        this.costs = costs;
+    }
+
+    /// The outermost cells of the map are blocked: nobody knows what lies beyond.
+    public static CostMap of(OccupancyGrid grid, DistanceField toNotFree, Clearance clearance) {
+        int width = grid.width();
+        var costs = new byte[width * grid.height()];
+        double halfCell = grid.resolution() / 2; // from the middle of the obstacle's cell to its side
+        for (int row = 1; row < grid.height() - 1; row++) {
+            for (int column = 1; column < width - 1; column++) {
+                int cell = row * width + column;
+                double distance = toNotFree.at(cell) - halfCell;
+                if (distance > 0 && distance >= clearance.radius()) {
+                    costs[cell] = (byte) clearance.cost(distance);
+                }
+            }
+        }
+        return new CostMap(grid, clearance.radius(), costs);
+    }
+
+    /// The same map with obstacles in it that are not on the map [m], each as far as the robot's radius.
+    public CostMap with(List<Point2d> obstacles) {
+        byte[] changed = costs.clone();
+        int reach = (int) Math.ceil(radius / grid.resolution());
+        double square = radius * radius / (grid.resolution() * grid.resolution());
+        for (Point2d obstacle : obstacles) {
+            int column = grid.column(obstacle.x());
+            int row = grid.row(obstacle.y());
+            for (int dy = -reach; dy <= reach; dy++) {
+                for (int dx = -reach; dx <= reach; dx++) {
+                    if (dx * dx + dy * dy <= square && grid.contains(column + dx, row + dy)) {
+                        changed[(row + dy) * grid.width() + column + dx] = BLOCKED;
+                    }
+                }
+            }
+        }
+        return new CostMap(grid, radius, changed);
+    }
+
+    public OccupancyGrid grid() {
+        return grid;
+    }
+
+    /// Costs of the cells, row by row, [#STRAIGHT] to [#DEAREST] or [#BLOCKED]. Not to be written to.
+    byte[] costs() {
+        return costs;
+    }
+
+    /// Whether the robot may be at a place in the map frame.
+    public boolean isPassable(Point2d place) {
+        int column = grid.column(place.x());
+        int row = grid.row(place.y());
+        return grid.contains(column, row) && costs[row * grid.width() + column] != BLOCKED;
+    }
+
+    /// What going straight from one place to another costs, in meters of undisturbed way; +∞ when it is blocked.
+    public double straightCost(Point2d from, Point2d to) {
+        double length = from.distanceTo(to);
+        int samples = Math.max(1, (int) Math.ceil(2 * length / grid.resolution()));
+        long sum = 0;
+        for (int i = 0; i <= samples; i++) {
+            double share = (double) i / samples;
+            int column = grid.column(from.x() + share * (to.x() - from.x()));
+            int row = grid.row(from.y() + share * (to.y() - from.y()));
+            int cost = grid.contains(column, row) ? costs[row * grid.width() + column] : BLOCKED;
+            if (cost == BLOCKED) {
+                return Double.POSITIVE_INFINITY;
+            }
+            sum += cost;
+        }
+        return length * sum / (samples + 1) / STRAIGHT;
+    }
+}

@@ -1,0 +1,50 @@
+package rsal.navigation.amcl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import rsal.data.Pose2d;
+import rsal.navigation.grid.DistanceField;
+import rsal.testkit.DrawnMap;
+
+class LikelihoodFieldTest {
+    private static final DrawnMap ROOM = DrawnMap.grid(0.1, """
+            ####################
+            #..................#
+            #..................#
+            #..................#
+            #.........@........#
+            #..................#
+            #..................#
+            ####################""");
+    private static final LikelihoodField FIELD =
+            new LikelihoodField(ROOM.grid(), DistanceField.toOccupied(ROOM.grid()), 0.1, 0.05);
+
+    @Test
+    void wallsAreMostLikely() {
+        assertThat(FIELD.log(0.05, 0.35)).isCloseTo(0, within(1e-6));
+    }
+
+    @Test
+    void besideAWallItIsTheBellOfTheDistanceOverTheRandomShare() {
+        double oneDeviation = Math.log(0.95 * Math.exp(-0.5) + 0.05);
+        assertThat(FIELD.log(0.15, 0.35)).isCloseTo(oneDeviation, within(1e-6));
+    }
+
+    @Test
+    void nothingIsLessLikelyThanTheRandomShare() {
+        assertThat(FIELD.log(-5, 3)).isCloseTo(Math.log(0.05), within(1e-6));
+        assertThat(FIELD.unlikely()).isCloseTo(Math.log(0.05), within(1e-6));
+    }
+
+    @Test
+    void beamsCountFromWhereTheBaseIs() {
+        Pose2d mapFromBase = ROOM.pose('@', 90);
+        // Ahead to the upper wall, to the left to the left wall: 0.35 m and 1 m from the middles of cells.
+        var beams = new Beams(new float[] {0.4f, 0}, new float[] {0, 1.0f}, new float[2], new float[2]);
+        assertThat(FIELD.log(beams, mapFromBase.x(), mapFromBase.y(), mapFromBase.theta()))
+                .isCloseTo(0, within(1e-5));
+        assertThat(FIELD.log(beams, mapFromBase.x(), mapFromBase.y(), 0)).isLessThan(-3);
+    }
+}

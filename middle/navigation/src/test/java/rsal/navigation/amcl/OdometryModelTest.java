@@ -1,0 +1,80 @@
+package rsal.navigation.amcl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import rsal.data.Angles;
+import rsal.data.Pose2d;
+
+class OdometryModelTest {
+    private static final int COUNT = 20_000;
+    private static final OdometryModel MODEL = new OdometryModel(0.1, 0.05, 0.2);
+    private static final OdometryModel EXACT = new OdometryModel(0, 0, 0);
+
+    @Test
+    void withoutNoiseAllGoTheWayThatOdometryTells() {
+        Pose2d old = new Pose2d(1, 2, 0.5);
+        for (Pose2d way : new Pose2d[] {
+            new Pose2d(0.3, 0.1, 0.4), new Pose2d(-0.2, 0.05, -0.3), new Pose2d(0, 0, 3), new Pose2d(0, 0, 0)
+        }) {
+            Particles particles = at(new Pose2d(-3, 4, 2), 1);
+            EXACT.move(old, old.compose(way), particles, new SplittableRandom(1));
+            Pose2d expected = new Pose2d(-3, 4, 2).compose(way);
+            assertThat(particles.x[0]).isCloseTo(expected.x(), within(1e-9));
+            assertThat(particles.y[0]).isCloseTo(expected.y(), within(1e-9));
+            assertThat(Angles.difference(particles.theta[0], expected.theta())).isCloseTo(0, within(1e-9));
+        }
+    }
+
+    @Test
+    void errorsOfAStraightWayGrowWithItsRoot() {
+        assertThat(deviationAlong(new Pose2d(1, 0, 0), 1)).isCloseTo(0.1, within(0.005));
+        assertThat(deviationAlong(new Pose2d(4, 0, 0), 1)).isCloseTo(0.2, within(0.01));
+        assertThat(deviationAlong(new Pose2d(-1, 0, 0), 1)).isCloseTo(0.1, within(0.005));
+    }
+
+    @Test
+    void manyStepsAreAsUncertainAsOne() {
+        assertThat(deviationAlong(new Pose2d(0.1, 0, 0), 10)).isCloseTo(0.1, within(0.005));
+    }
+
+    @Test
+    void errorsOfATurnGrowWithItsRoot() {
+        Particles particles = at(Pose2d.ORIGIN, COUNT);
+        MODEL.move(Pose2d.ORIGIN, new Pose2d(0, 0, 2), particles, new SplittableRandom(3));
+        double squares = 0;
+        for (int i = 0; i < COUNT; i++) {
+            double error = Angles.difference(2, particles.theta[i]);
+            squares += error * error;
+        }
+        assertThat(Math.sqrt(squares / COUNT)).isCloseTo(0.2 * Math.sqrt(2), within(0.01));
+    }
+
+    private static double deviationAlong(Pose2d step, int steps) {
+        Particles particles = at(Pose2d.ORIGIN, COUNT);
+        var random = new SplittableRandom(2);
+        var noTurns = new OdometryModel(MODEL.distancePerMeter(), 0, 0);
+        Pose2d from = Pose2d.ORIGIN;
+        for (int i = 0; i < steps; i++) {
+            Pose2d to = from.compose(step);
+            noTurns.move(from, to, particles, random);
+            from = to;
+        }
+        double squares = 0;
+        for (int i = 0; i < COUNT; i++) {
+            squares += (particles.x[i] - from.x()) * (particles.x[i] - from.x());
+        }
+        return Math.sqrt(squares / COUNT);
+    }
+
+    private static Particles at(Pose2d pose, int count) {
+        var particles = new Particles(count);
+        for (int i = 0; i < count; i++) {
+            particles.add(pose.x(), pose.y(), pose.theta());
+        }
+        particles.weighEqually();
+        return particles;
+    }
+}

@@ -1,0 +1,19 @@
+package rsal.navigation.device;
+
+import java.util.List;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotSystemProvider;
+import rsal.sim.SimProvider;
+import rsal.testkit.contract.PlannerContract;
+
+class WavefrontPlannerTest extends PlannerContract {
+    @Override
+    protected RobotSystemProvider provider() {
+        return new SimProvider();
+    }
+
+    @Override
+    protected List<DeviceDriver> drivers() {
+        return List.of(new WavefrontDriver());
+    }
+}

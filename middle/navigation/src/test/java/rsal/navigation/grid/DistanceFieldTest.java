@@ -1,0 +1,87 @@
+package rsal.navigation.grid;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.testkit.DrawnMap;
+import rsal.testkit.Rays;
+
+class DistanceFieldTest {
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void agreesWithLookingAtEveryCell(long seed) {
+        var random = new SplittableRandom(seed);
+        int width = random.nextInt(1, 50);
+        int height = random.nextInt(1, 50);
+        OccupancyGrid map = RandomMaps.of(random, width, height, random.nextDouble() * random.nextDouble());
+        var toOccupied = DistanceField.toOccupied(map);
+        var toNotFree = DistanceField.toNotFree(map);
+        for (int cell = 0; cell < width * height; cell++) {
+            assertThat((double) toOccupied.at(cell))
+                    .as("seed %d, cell %d", seed, cell)
+                    .isCloseTo(nearest(map, cell, false), within(1e-5));
+            assertThat((double) toNotFree.at(cell))
+                    .as("seed %d, cell %d", seed, cell)
+                    .isCloseTo(nearest(map, cell, true), within(1e-5));
+        }
+    }
+
+    @Test
+    void nothingIsInfinitelyFar() {
+        var empty = new OccupancyGrid(7, 5, 0.1, 0, 0, new byte[35]);
+        assertThat(DistanceField.toOccupied(empty).at(17)).isEqualTo(Float.POSITIVE_INFINITY);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void seesAsFarAsARayThatIsCutWithEveryWall(long seed) {
+        var random = new SplittableRandom(seed);
+        var map = DrawnMap.grid(0.1, """
+                ##############################
+                #............................#
+                #...####.....................#
+                #...####..........#..........#
+                #.................#..........#
+                #.........@.......#..........#
+                #............................#
+                #.......................###..#
+                #............................#
+                ##############################""");
+        var field = DistanceField.toOccupied(map.grid());
+        var rays = new Rays(map.grid());
+        int grazed = 0;
+        for (int i = 0; i < 400; i++) {
+            Pose2d from = map.pose('@', 360 * random.nextDouble());
+            double seen = field.castRay(from.x(), from.y(), from.theta(), 10);
+            double exact = rays.range(from);
+            assertThat(seen).as("seed %d, direction %s", seed, from.theta()).isGreaterThan(exact - 0.05);
+            grazed += seen > exact + 0.05 ? 1 : 0;
+        }
+        assertThat(grazed).as("corners overlooked, seed %d", seed).isLessThan(8);
+    }
+
+    @Test
+    void seesNoFartherThanTheLimit() {
+        var empty = new OccupancyGrid(100, 100, 0.1, 0, 0, new byte[10_000]);
+        assertThat(DistanceField.toOccupied(empty).castRay(5, 5, 1, 2)).isEqualTo(2);
+    }
+
+    private static double nearest(OccupancyGrid map, int cell, boolean unknownToo) {
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int other = 0; other < map.cells().length; other++) {
+            byte value = map.cells()[other];
+            if (value == OccupancyGrid.OCCUPIED || (unknownToo && value == OccupancyGrid.UNKNOWN)) {
+                int dx = other % map.width() - cell % map.width();
+                int dy = other / map.width() - cell / map.width();
+                nearest = Math.min(nearest, map.resolution() * Math.hypot(dx, dy));
+            }
+        }
+        return nearest;
+    }
+}
