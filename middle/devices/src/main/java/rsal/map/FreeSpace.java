@@ -85,11 +85,6 @@ public final class FreeSpace {
         return end;
     }
 
-    /// Area [m²].
-    public double area() {
-        return cells.length * map.resolution() * map.resolution();
-    }
-
     /// The place nearest to another that suits, with the other's heading; empty when none of the thousand nearest
     /// does.
     public Optional<Pose2d> nearest(Pose2d other, Predicate<Pose2d> suits) {

@@ -38,9 +38,10 @@ final class Lineup {
         for (RobotSpec robot : robots) {
             robot.mapFromBase().ifPresent(pose -> addAt(robot, pose));
         }
+        boolean room = true;
         for (RobotSpec robot : robots) {
-            if (robot.mapFromBase().isEmpty()) {
-                addSomewhere(robot);
+            if (room && robot.mapFromBase().isEmpty()) {
+                room = addSomewhere(robot); // where one finds no place, the next would not either
             }
         }
     }
@@ -92,18 +93,16 @@ final class Lineup {
         }
     }
 
-    private void addSomewhere(RobotSpec robot) {
+    private boolean addSomewhere(RobotSpec robot) {
         Footprint footprint = robot.model().footprint();
         Optional<Pose2d> pose = space(footprint)
                 .choose(seeds.stream(robot.id() + "/start"), p -> world.hasRoom(footprint, p, CLEARANCE));
-        if (pose.isPresent()) {
-            bodies.put(robot.id(), world.add(robot.id(), footprint, pose.get()));
-        } else {
-            refuse(
-                    robot,
-                    "There is no free place left for it that is %.1f m from walls and other robots.%s"
-                            .formatted(CLEARANCE, " Maybe take fewer robots, a larger map, or name a start pose."));
-        }
+        pose.ifPresentOrElse(
+                place -> bodies.put(robot.id(), world.add(robot.id(), footprint, place)),
+                () -> refuse(robot, """
+                        There is no free place left for it that is %.1f m from walls and from all other robots. \
+                        Maybe take fewer robots or a larger map, or name a start pose.""".formatted(CLEARANCE)));
+        return pose.isPresent();
     }
 
     private void refuse(RobotSpec robot, String message) {

@@ -12,7 +12,7 @@ import rsal.data.Twist2d;
 import rsal.device.SimulationControl.Contact;
 
 class SimDriveTest {
-    private final SimRun run = SimRun.of(Drawn.room(10, 4), robot("r1", Models.box(), new Pose2d(2, 2, 0)));
+    private final SimRun run = SimRun.of(SimRun.room(10, 4), robot("r1", Models.box(), new Pose2d(2, 2, 0)));
 
     private Odometry odometry() {
         return run.base("r1").latest().orElseThrow().value();

@@ -19,6 +19,7 @@ import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystem;
 import rsal.robot.RobotSystemProvider.Config;
 import rsal.settings.Arguments;
+import rsal.testkit.DrawnMap;
 import rsal.time.LockstepScheduler;
 
 /// A simulation under test, and the clock that drives it.
@@ -47,6 +48,15 @@ final class SimRun {
 
     static SimRun seeded(OccupancyGrid map, long seed, Executor workers, List<RobotSpec> robots) {
         return new SimRun(map, Map.of(), seed, workers, robots);
+    }
+
+    /// An empty room with walls of 0.1 m; its outer lower left corner is the origin.
+    static OccupancyGrid room(double length, double depth) {
+        int columns = (int) Math.round(length * 10);
+        int rows = (int) Math.round(depth * 10);
+        String wall = "#".repeat(columns) + "\n";
+        String between = "#" + ".".repeat(columns - 2) + "#\n";
+        return DrawnMap.grid(0.1, wall + between.repeat(rows - 2) + wall).grid();
     }
 
     static RobotSpec robot(String id, RobotModel model, Pose2d mapFromBase) {

@@ -28,7 +28,7 @@ class SimSensorsTest {
 
     @Test
     void theLaserMeasuresToTheWallFromWhereItIsMounted() {
-        var run = SimRun.of(Drawn.room(6, 4), robot("r1", Models.box(), new Pose2d(2, 1.5, 0)));
+        var run = SimRun.of(SimRun.room(6, 4), robot("r1", Models.box(), new Pose2d(2, 1.5, 0)));
         run.advance(0.1);
         LaserScan scan = scan(run, "r1");
         assertThat(scan.ranges()[AHEAD]).isCloseTo(5.9f - 2.1f, within(1e-5f));
@@ -39,7 +39,7 @@ class SimSensorsTest {
 
     @Test
     void sonarsSeeTheNearestThingInTheirCone() {
-        var run = SimRun.of(Drawn.room(6, 4), robot("r1", Models.box(), new Pose2d(2, 1.5, Math.toRadians(10))));
+        var run = SimRun.of(SimRun.room(6, 4), robot("r1", Models.box(), new Pose2d(2, 1.5, Math.toRadians(10))));
         run.advance(0.1);
         RangeArray sonar =
                 run.robot("r1").require(SonarArray.class).latest().orElseThrow().value();
@@ -49,7 +49,7 @@ class SimSensorsTest {
 
     @Test
     void readingsSayWhenAndInWhichFrame() {
-        var run = SimRun.of(Drawn.room(6, 4), robot("r1", Models.box(), new Pose2d(2, 2, 0)));
+        var run = SimRun.of(SimRun.room(6, 4), robot("r1", Models.box(), new Pose2d(2, 2, 0)));
         run.advance(0.3);
         var at = Instant.EPOCH.plusMillis(300);
         assertThat(run.base("r1").latest().orElseThrow())
@@ -66,7 +66,7 @@ class SimSensorsTest {
     @Test
     void robotsSeeEachOther() {
         var run = SimRun.of(
-                Drawn.room(8, 4),
+                SimRun.room(8, 4),
                 robot("r1", Models.box(), new Pose2d(2, 2, 0)),
                 robot("r2", Models.box(), new Pose2d(4, 2, Math.PI)));
         run.advance(0.1);
@@ -86,7 +86,7 @@ class SimSensorsTest {
 
     @Test
     void rangesThatCannotBeMeasuredAreInfinite() {
-        var run = SimRun.of(Drawn.room(20, 0.8), robot("r1", Models.box(), new Pose2d(2, 0.4, 0)));
+        var run = SimRun.of(SimRun.room(20, 0.8), robot("r1", Models.box(), new Pose2d(2, 0.4, 0)));
         run.advance(0.1);
         assertThat(scan(run, "r1").ranges()[AHEAD]).isEqualTo(Float.POSITIVE_INFINITY); // wall is farther than 8 m
         float nearest = run.robot("r1")
@@ -101,7 +101,7 @@ class SimSensorsTest {
     @Test
     void eachSensorHasItsOwnPeriod() {
         var slow = Models.box(Models.DRIVE, Models.laser(0, Duration.ofMillis(250)), Models.SONARS);
-        var run = SimRun.of(Drawn.room(6, 4), robot("r1", slow, new Pose2d(2, 2, 0)));
+        var run = SimRun.of(SimRun.room(6, 4), robot("r1", slow, new Pose2d(2, 2, 0)));
         var times = new ArrayList<Long>();
         run.robot("r1")
                 .require(LaserScanner.class)
@@ -113,7 +113,7 @@ class SimSensorsTest {
     @Test
     void noiseHasTheModelsDeviation() {
         var noisy = Models.box(Models.DRIVE, Models.laser(0.02, Duration.ofMillis(100)));
-        var run = SimRun.of(Drawn.room(6, 4), robot("r1", noisy, new Pose2d(2, 2, 0)));
+        var run = SimRun.of(SimRun.room(6, 4), robot("r1", noisy, new Pose2d(2, 2, 0)));
         double truth = 5.9 - 2.1;
         double[] sums = new double[3];
         run.robot("r1").require(LaserScanner.class).subscribe(s -> {

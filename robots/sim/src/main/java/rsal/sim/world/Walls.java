@@ -125,7 +125,7 @@ public final class Walls {
         int lastColumn = column(outline.maxX() + reach);
         int firstRow = row(outline.minY() - reach);
         int lastRow = row(outline.maxY() + reach);
-        double least = reach;
+        double least = Math.min(reach, fromFence(outline));
         for (int row = firstRow; row <= lastRow; row++) {
             int empty;
             for (int column = firstColumn; column <= lastColumn; column += Math.max(1, empty)) {
@@ -138,6 +138,14 @@ public final class Walls {
             }
         }
         return least;
+    }
+
+    private double fromFence(Outline outline) {
+        double right = left + width * resolution;
+        double top = bottom + height * resolution;
+        double fromSides = Math.min(outline.minX() - left, right - outline.maxX());
+        double fromEnds = Math.min(outline.minY() - bottom, top - outline.maxY());
+        return Math.min(fromSides, fromEnds) - resolution;
     }
 
     private int column(double x) {

@@ -1,0 +1,9 @@
+package rsal.sim;
+
+import rsal.testkit.architecture.ArchitectureRules;
+
+class SimArchitectureTest extends ArchitectureRules {
+    SimArchitectureTest() {
+        super(SimProvider.class);
+    }
+}

@@ -1,0 +1,56 @@
+package rsal.sim.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import rsal.data.Pose2d;
+import rsal.testkit.DrawnMap;
+
+class FreeSpaceTest {
+    private static final DrawnMap MAP = DrawnMap.grid(0.5, """
+            ################?????
+            #..............#.....
+            #..............#.....
+            #.........##...#.....
+            #.........##.........
+            #..............#.....
+            #..............#?????
+            ################?????""");
+
+    @Test
+    void choosesOnlyPlacesWithClearanceInTheLargestPart() {
+        var space = new FreeSpace(MAP.grid(), 0.75);
+        var random = new SplittableRandom(1);
+        for (int i = 0; i < 200; i++) {
+            Pose2d pose = space.choose(random, _ -> true).orElseThrow();
+            assertThat(pose.x()).isBetween(1.25, 4.25); // the table leaves too little room to pass
+            assertThat(pose.y()).isBetween(1.25, 2.75);
+        }
+    }
+
+    @Test
+    void withLessClearanceBothSidesOfADoorBelongTogether() {
+        var space = new FreeSpace(MAP.grid(), 0.25);
+        var random = new SplittableRandom(1);
+        int east = 0;
+        for (int i = 0; i < 200; i++) {
+            east += space.choose(random, _ -> true).orElseThrow().x() > 8 ? 1 : 0;
+        }
+        assertThat(east).isBetween(20, 120);
+    }
+
+    @Test
+    void findsTheNearestPlaceThatSuits() {
+        var space = new FreeSpace(MAP.grid(), 0.75);
+        assertThat(space.nearest(new Pose2d(0.1, 2, 1), _ -> true)).contains(new Pose2d(1.25, 1.75, 1));
+        assertThat(space.nearest(new Pose2d(0.1, 2, 1), p -> p.x() > 4)).contains(new Pose2d(4.25, 1.75, 1));
+        assertThat(space.nearest(new Pose2d(0.1, 2, 1), _ -> false)).isEmpty();
+    }
+
+    @Test
+    void aMapWithoutRoomHasNoPlaces() {
+        var space = new FreeSpace(DrawnMap.grid(0.5, "#.#").grid(), 1);
+        assertThat(space.choose(new SplittableRandom(1), _ -> true)).isEmpty();
+    }
+}
