@@ -85,6 +85,11 @@ public final class FreeSpace {
         return end;
     }
 
+    /// How many cells it has.
+    int area() {
+        return cells.length;
+    }
+
     /// The place nearest to another that suits, with the other's heading; empty when none of the thousand nearest
     /// does.
     public Optional<Pose2d> nearest(Pose2d other, Predicate<Pose2d> suits) {
