@@ -1,6 +1,8 @@
 package rsal.scenario.condition;
 
-/// What can be true of a run: `allCaught(prey) and not time < 10`.
+import java.math.BigDecimal;
+
+/// What can be true of a run: `allCaught(prey) and not time < 10`. As text it is as people write it.
 public sealed interface Condition {
     boolean holds(Facts facts);
 
@@ -18,6 +20,15 @@ public sealed interface Condition {
                 case OTHER -> value != right;
             };
         }
+
+        @Override
+        public String toString() {
+            return "%s %s %s"
+                    .formatted(
+                            left,
+                            relation.sign(),
+                            BigDecimal.valueOf(right).stripTrailingZeros().toPlainString());
+        }
     }
 
     /// `allCaught(prey)`.
@@ -26,12 +37,26 @@ public sealed interface Condition {
         public boolean holds(Facts facts) {
             return facts.caught(role) >= facts.robots(role);
         }
+
+        @Override
+        public String toString() {
+            return "allCaught(" + role + ")";
+        }
     }
 
     record And(Condition left, Condition right) implements Condition {
         @Override
         public boolean holds(Facts facts) {
             return left.holds(facts) && right.holds(facts);
+        }
+
+        @Override
+        public String toString() {
+            return operand(left) + " and " + operand(right);
+        }
+
+        private static String operand(Condition condition) {
+            return condition instanceof Or ? "(" + condition + ")" : condition.toString();
         }
     }
 
@@ -40,12 +65,26 @@ public sealed interface Condition {
         public boolean holds(Facts facts) {
             return left.holds(facts) || right.holds(facts);
         }
+
+        @Override
+        public String toString() {
+            return left + " or " + right;
+        }
     }
 
     record Not(Condition inner) implements Condition {
         @Override
         public boolean holds(Facts facts) {
             return !inner.holds(facts);
+        }
+
+        @Override
+        public String toString() {
+            return "not " + operand(inner);
+        }
+
+        private static String operand(Condition condition) {
+            return condition instanceof Or || condition instanceof And ? "(" + condition + ")" : condition.toString();
         }
     }
 

@@ -2,7 +2,7 @@ package rsal.scenario.condition;
 
 import java.util.Optional;
 
-/// What to measure over a whole run: `p95(poseError)`.
+/// What to measure over a whole run: `p95(poseError)`. As text it is as people write it.
 public sealed interface Measure {
     /// Whether each robot can have a value of its own.
     default boolean canBePerRobot() {
@@ -10,10 +10,20 @@ public sealed interface Measure {
     }
 
     /// `firstTime(allCaught(prey))`: when a condition held first [s]; nothing when it never did.
-    record FirstTime(Condition condition) implements Measure {}
+    record FirstTime(Condition condition) implements Measure {
+        @Override
+        public String toString() {
+            return "firstTime(" + condition + ")";
+        }
+    }
 
     /// `count(collisions)`: what a quantity is at the end.
-    record Count(Quantity quantity) implements Measure {}
+    record Count(Quantity quantity) implements Measure {
+        @Override
+        public String toString() {
+            return "count(" + quantity + ")";
+        }
+    }
 
     /// `distance`, `distance(hunter)`: the way that robots really made, all together [m].
     ///
@@ -22,6 +32,11 @@ public sealed interface Measure {
         @Override
         public boolean canBePerRobot() {
             return true;
+        }
+
+        @Override
+        public String toString() {
+            return "distance" + inParentheses(role);
         }
     }
 
@@ -34,6 +49,15 @@ public sealed interface Measure {
         public boolean canBePerRobot() {
             return true;
         }
+
+        @Override
+        public String toString() {
+            return "%s(%s%s)".formatted(function.word(), signal.word(), inParentheses(role));
+        }
+    }
+
+    private static String inParentheses(Optional<String> role) {
+        return role.map(name -> "(" + name + ")").orElse("");
     }
 
     /// Percentiles are by nearest rank: the least sample that at least so many percent are not above.

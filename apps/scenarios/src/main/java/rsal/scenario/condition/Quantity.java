@@ -1,6 +1,6 @@
 package rsal.scenario.condition;
 
-/// A number that a run has at any instant.
+/// A number that a run has at any instant. As text it is as people write it.
 public sealed interface Quantity {
     double of(Facts facts);
 
@@ -10,6 +10,11 @@ public sealed interface Quantity {
         public double of(Facts facts) {
             return facts.time();
         }
+
+        @Override
+        public String toString() {
+            return "time";
+        }
     }
 
     /// `collisions`.
@@ -17,6 +22,11 @@ public sealed interface Quantity {
         @Override
         public double of(Facts facts) {
             return facts.collisions();
+        }
+
+        @Override
+        public String toString() {
+            return "collisions";
         }
     }
 
@@ -26,6 +36,11 @@ public sealed interface Quantity {
         public double of(Facts facts) {
             return facts.wallCollisions();
         }
+
+        @Override
+        public String toString() {
+            return "wallCollisions";
+        }
     }
 
     /// `caught(prey)`.
@@ -33,6 +48,11 @@ public sealed interface Quantity {
         @Override
         public double of(Facts facts) {
             return facts.caught(role);
+        }
+
+        @Override
+        public String toString() {
+            return "caught(" + role + ")";
         }
     }
 }

@@ -1,0 +1,40 @@
+package rsal.scenario.condition;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class WrittenFormTest {
+    private static final List<String> ROLES = List.of("prey", "hunter");
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "time > 300",
+                "collisions != 0.25",
+                "wallCollisions >= 12345678",
+                "caught(prey) < 2 and not time <= 10",
+                "allCaught(prey) or caught(hunter) == 1 and time > 5",
+                "(allCaught(prey) or time > 5) and collisions > 3",
+                "not (allCaught(prey) and not time < 2)"
+            })
+    void conditionsAreAsTheyWereWritten(String text) {
+        assertThat(Grammar.condition(text, ROLES)).hasToString(text);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "firstTime(allCaught(prey))",
+                "count(wallCollisions)",
+                "distance",
+                "distance(hunter)",
+                "p95(poseError)",
+                "max(captureDistance(prey))"
+            })
+    void measuresAreAsTheyWereWritten(String text) {
+        assertThat(Grammar.measure(text, ROLES)).hasToString(text);
+    }
+}
