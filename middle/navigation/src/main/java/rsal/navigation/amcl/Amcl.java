@@ -28,8 +28,9 @@ public final class Amcl {
     private static final double INJECTED_SHARE = 0.2;
     private static final double SLOW = 0.02; // α_slow in the book
     private static final double FAST = 0.2; // α_fast in the book
-    private static final double WORSE = 0.75; // of what it was
-    private static final double BAD = 0.45;
+    private static final double LEAST_FIT = 0.6;
+    private static final double MOST_SHORT = 0.7;
+    private static final double BETTER = 0.1; // mean logarithm of a beam's likelihood
 
     /// @param minParticles tracked with at least
     /// @param maxParticles never more than
@@ -62,8 +63,8 @@ public final class Amcl {
     private boolean anywhere = true;
     private boolean settled;
     private int updatesSinceSearch;
-    private double slowFit;
-    private double fastFit;
+    private double fit;
+    private double shortShare;
 
     /// Knows nothing yet: starts anywhere on the map.
     public Amcl(LocalizationMap map, Settings settings, RandomGenerator random) {
@@ -136,8 +137,8 @@ public final class Amcl {
         fresh = true;
         settled = !anywhere;
         updatesSinceSearch = 0;
-        slowFit = 1;
-        fastFit = 1;
+        fit = 1;
+        shortShare = 0;
     }
 
     private Hypothesis draw(List<Hypothesis> hypotheses) {
@@ -232,13 +233,25 @@ public final class Amcl {
         }
     }
 
-    /// Follows how well scans fit the estimate, slowly and fast: the share of beams that end at walls of the map.
+    /// Follows how well scans fit the estimate. Beams that end short of the map's walls do not count, since
+    /// something may stand there, unless most do so for long; beams that went through walls can't be explained at
+    /// all.
     private boolean fits(Beams beams, Pose2d mapFromBase) {
-        double perBeam = map.walls.log(beams, mapFromBase.x(), mapFromBase.y(), mapFromBase.theta()) / beams.count();
-        double fit = 1 - perBeam / map.walls.unlikely();
-        slowFit += SLOW * (fit - slowFit);
-        fastFit += FAST * (fit - fastFit);
-        return fastFit >= WORSE * slowFit && fastFit >= BAD;
+        int hits = 0;
+        int through = 0;
+        for (int i = 0; i < beams.count(); i++) {
+            switch (search.verdict(beams, i, mapFromBase)) {
+                case HIT -> hits++;
+                case THROUGH -> through++;
+                case SHORT -> {}
+            }
+        }
+        int told = hits + through;
+        shortShare += SLOW * ((double) (beams.count() - told) / beams.count() - shortShare);
+        if (told >= FEWEST_BEAMS) {
+            fit += FAST * ((double) hits / told - fit);
+        }
+        return fit >= LEAST_FIT && shortShare <= MOST_SHORT;
     }
 
     private boolean wrongSize() {
@@ -283,7 +296,7 @@ public final class Amcl {
     /// Puts some particles where the scan fits better than at the estimate.
     private void inject(Beams beams, Pose2d estimate) {
         updatesSinceSearch = 0;
-        double toBeat = settled ? search.score(beams, estimate) : Double.NEGATIVE_INFINITY;
+        double toBeat = search.score(beams, estimate) + (settled ? BETTER : 0);
         var better = search.candidates(beams, CANDIDATES / 4).stream()
                 .filter(c -> c.score() > toBeat && !c.mapFromBase().isNear(estimate, 0.5, 0.3))
                 .toList();

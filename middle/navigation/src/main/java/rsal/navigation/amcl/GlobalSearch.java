@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.PriorityQueue;
 import rsal.data.Angles;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 
 /// Where on the whole map a scan could have been taken: tries poses on a grid against a blurred likelihood field,
@@ -50,20 +51,41 @@ final class GlobalSearch {
 
     /// How well a scan fits a place, when walls hide what is behind them.
     double score(Beams beams, Pose2d mapFromBase) {
-        double cos = Math.cos(mapFromBase.theta());
-        double sin = Math.sin(mapFromBase.theta());
         double sum = 0;
         for (int i = 0; i < beams.count(); i++) {
-            double fromX = mapFromBase.x() + cos * beams.originX()[i] - sin * beams.originY()[i];
-            double fromY = mapFromBase.y() + sin * beams.originX()[i] + cos * beams.originY()[i];
-            double toX = mapFromBase.x() + cos * beams.x()[i] - sin * beams.y()[i];
-            double toY = mapFromBase.y() + sin * beams.x()[i] + cos * beams.y()[i];
-            double measured = Math.hypot(toX - fromX, toY - fromY);
-            double seen = map.toOccupied.castRay(fromX, fromY, Math.atan2(toY - fromY, toX - fromX), measured);
-            double through = measured - seen;
-            sum += through > 4 * map.deviation ? 2 * map.walls.unlikely() : map.walls.log(toX, toY);
+            sum += switch (verdict(beams, i, mapFromBase)) {
+                case HIT -> log(beams, i, mapFromBase);
+                case SHORT -> map.walls.unlikely();
+                case THROUGH -> 2 * map.walls.unlikely();
+            };
         }
         return beams.count() == 0 ? map.walls.unlikely() : sum / beams.count();
+    }
+
+    /// What became of a beam.
+    enum Verdict {
+        /// It ended at a wall of the map.
+        HIT,
+        /// It ended before one.
+        SHORT,
+        /// It ended behind one.
+        THROUGH
+    }
+
+    Verdict verdict(Beams beams, int beam, Pose2d mapFromBase) {
+        Point2d from = mapFromBase.transform(new Point2d(beams.originX()[beam], beams.originY()[beam]));
+        Point2d to = mapFromBase.transform(new Point2d(beams.x()[beam], beams.y()[beam]));
+        double measured = from.distanceTo(to);
+        double direction = Math.atan2(to.y() - from.y(), to.x() - from.x());
+        if (map.toOccupied.castRay(from.x(), from.y(), direction, measured) < measured - 4 * map.deviation) {
+            return Verdict.THROUGH;
+        }
+        return map.toOccupied.at(to.x(), to.y()) <= 3 * map.deviation ? Verdict.HIT : Verdict.SHORT;
+    }
+
+    private double log(Beams beams, int beam, Pose2d mapFromBase) {
+        Point2d to = mapFromBase.transform(new Point2d(beams.x()[beam], beams.y()[beam]));
+        return map.walls.log(to.x(), to.y());
     }
 
     private List<Candidate> coarse(Beams beams) {
