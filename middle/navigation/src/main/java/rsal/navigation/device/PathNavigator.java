@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Path2d;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.Stamped;
@@ -23,6 +24,7 @@ import rsal.device.Navigator;
 import rsal.device.Sensor;
 import rsal.device.SonarArray;
 import rsal.navigation.grid.DistanceField;
+import rsal.navigation.vfh.BlindSpot;
 import rsal.navigation.vfh.DriveLimits;
 import rsal.navigation.vfh.Obstacles;
 import rsal.navigation.vfh.Vfh;
@@ -36,6 +38,10 @@ final class PathNavigator extends DeviceCore implements Navigator {
     static final double BEAT_SECONDS = 0.1;
     private static final Duration BEAT = Duration.ofMillis(100);
     private static final Duration FRESH = Duration.ofMillis(700); // older readings are not driven by
+
+    private static final double STRANGE = 0.3; // m from the next wall of the map
+    private static final double STRANGER_ROOM = 0.2; // m; what another robot drives before it can stop
+    private static final Duration STRANGERS_FADE = Duration.ofSeconds(5);
 
     /// What it is made of.
     ///
@@ -81,6 +87,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private final Scheduler scheduler;
     private final RandomGenerator random;
     private final Obstacles obstacles;
+    private final BlindSpot blindSpot;
     private @Nullable Trip trip;
     private boolean paused;
 
@@ -91,6 +98,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         this.scheduler = scheduler;
         this.random = random;
         this.obstacles = new Obstacles(settings.lookahead() + 2 * settings.bodyRadius());
+        this.blindSpot = new BlindSpot(3 * settings.bodyRadius(), STRANGERS_FADE);
     }
 
     void start() {
@@ -182,17 +190,47 @@ final class PathNavigator extends DeviceCore implements Navigator {
             return Optional.empty();
         }
         health(Health.ok());
+        Pose2d odomFromBase = odometry.get().value().odomFromBase();
         obstacles.clear();
         scan.ifPresent(s -> obstacles.add(s.value()));
         ranges.ifPresent(r ->
                 scan.ifPresentOrElse(s -> obstacles.addBeside(s.value(), r.value()), () -> obstacles.add(r.value())));
+        keepOffStrangers(estimate.get().value().mapFromBase());
+        scan.ifPresent(s -> {
+            int seen = obstacles.count();
+            blindSpot.recall(s.value(), odomFromBase, scheduler.instant(), STRANGER_ROOM, obstacles);
+            blindSpot.note(obstacles, seen, odomFromBase, scheduler.instant());
+            addWallsBehind(estimate.get().value().mapFromBase());
+        });
         return Optional.of(new Situation(
                 scheduler.instant(),
                 estimate.get().value(),
-                odometry.get().value().odomFromBase(),
+                odomFromBase,
                 odometry.get().value().velocity(),
                 odometry.get().value().stalled(),
                 obstacles));
+    }
+
+    /// The laser doesn't see behind the robot, but the map knows of walls there.
+    private void addWallsBehind(Pose2d mapFromBase) {
+        double reach = 2 * settings.bodyRadius();
+        for (double direction = Math.PI - 0.5; direction < Math.PI + 0.6; direction += 0.5) {
+            double range =
+                    parts.toNotFree().castRay(mapFromBase.x(), mapFromBase.y(), mapFromBase.theta() + direction, reach);
+            if (range < reach) {
+                obstacles.add(range * Math.cos(direction), range * Math.sin(direction));
+            }
+        }
+    }
+
+    /// What is not on the map may move, and towards the robot.
+    private void keepOffStrangers(Pose2d mapFromBase) {
+        for (int i = 0; i < obstacles.count(); i++) {
+            Point2d place = mapFromBase.transform(obstacles.at(i));
+            if (parts.toNotFree().at(place.x(), place.y()) > STRANGE) {
+                obstacles.keepRoom(i, STRANGER_ROOM);
+            }
+        }
     }
 
     private <T> Optional<Stamped<T>> fresh(Sensor<T> sensor) {

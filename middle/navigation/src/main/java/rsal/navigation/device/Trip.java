@@ -250,7 +250,8 @@ final class Trip {
             end(new Result.Stuck(mapFromBase, Duration.between(started, now.now())));
             return;
         }
-        if (manoeuvre != Manoeuvre.NONE && now.now().isAfter(manoeuvreEnds)) {
+        boolean hitsBehind = manoeuvre == Manoeuvre.BACK_OFF && now.stalled();
+        if (hitsBehind || (manoeuvre != Manoeuvre.NONE && now.now().isAfter(manoeuvreEnds))) {
             endManoeuvre(now);
         } else if (manoeuvre == Manoeuvre.NONE && (now.stalled() || heldUp(now).compareTo(HELD_UP) > 0)) {
             begin(Manoeuvre.BACK_OFF, settings.escapeTime(), now);
@@ -279,12 +280,8 @@ final class Trip {
     }
 
     private Twist2d backOff(Situation now) {
-        Pose2d behind = mapFromBase.compose(new Pose2d(-settings.escapeSpeed(), 0, 0));
-        boolean room = parts.toNotFree().at(behind.x(), behind.y()) > settings.bodyRadius()
-                || parts.toNotFree().at(behind.x(), behind.y())
-                        > parts.toNotFree().at(mapFromBase.x(), mapFromBase.y());
         Twist2d back = Twist2d.drive(-settings.escapeSpeed(), 0);
-        Twist2d safe = room ? parts.vfh().guarded(back, now.velocity(), now.obstacles()) : Twist2d.STOP;
+        Twist2d safe = parts.vfh().guarded(back, now.velocity(), now.obstacles());
         if (safe.equals(Twist2d.STOP)) {
             endManoeuvre(now);
         }

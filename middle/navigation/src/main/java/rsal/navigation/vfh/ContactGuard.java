@@ -14,7 +14,7 @@ import rsal.data.Twist2d;
 public final class ContactGuard {
     private static final double STEP = 0.05; // s
     private static final double[] SHARES = {1, 0.75, 0.5, 0.3, 0.15};
-    private static final double CREEP = 0.005; // m; nearer than this per arc is not "nearer"
+    private static final double ROUNDING = 1e-3; // m; so much nearer is not "nearer"
 
     private final double[] edgeX;
     private final double[] edgeY;
@@ -85,10 +85,11 @@ public final class ContactGuard {
         for (int i = 0; i < obstacles.count(); i++) {
             double x = obstacles.x(i);
             double y = obstacles.y(i);
-            if (x * x + y * y <= reach * reach) {
+            double farthest = reach + obstacles.room(i);
+            if (x * x + y * y <= farthest * farthest) {
                 nearX[near] = x;
                 nearY[near] = y;
-                nearMargin[near] = Math.min(margin, distance(x, y) - CREEP);
+                nearMargin[near] = Math.min(margin + obstacles.room(i), distance(x, y) - ROUNDING);
                 near++;
             }
         }

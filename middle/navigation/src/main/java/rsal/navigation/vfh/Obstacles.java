@@ -18,6 +18,7 @@ public final class Obstacles {
     private final double reach;
     private float[] x = new float[512];
     private float[] y = new float[512];
+    private float[] room = new float[512];
     private int count;
 
     /// @param reach points farther than this from the base are of no interest [m]
@@ -35,6 +36,16 @@ public final class Obstacles {
 
     public double y(int i) {
         return y[i];
+    }
+
+    /// Room to keep from a point beside what is kept from any [m].
+    public double room(int i) {
+        return room[i];
+    }
+
+    /// Keeps more room from a point, as from one that may move.
+    public void keepRoom(int i, double meters) {
+        room[i] = (float) meters;
     }
 
     public Point2d at(int i) {
@@ -67,10 +78,13 @@ public final class Obstacles {
 
     /// Only of sonars that look where a laser scan does not reach.
     public void addBeside(LaserScan scan, RangeArray sonars) {
-        add(sonars, direction -> {
-            double angle = Angles.difference(scan.baseFromLaser().theta() + scan.angleMin(), direction);
-            return (angle < 0 ? angle + 2 * Math.PI : angle) <= (scan.count() - 1) * scan.angleIncrement();
-        });
+        add(sonars, direction -> covers(scan, direction));
+    }
+
+    /// Whether a laser scan looks in a direction of the base frame [rad].
+    static boolean covers(LaserScan scan, double direction) {
+        double angle = Angles.difference(scan.baseFromLaser().theta() + scan.angleMin(), direction);
+        return (angle < 0 ? angle + 2 * Math.PI : angle) <= (scan.count() - 1) * scan.angleIncrement();
     }
 
     private void add(RangeArray sonars, DoublePredicate covered) {
@@ -102,9 +116,11 @@ public final class Obstacles {
         if (count == x.length) {
             x = Arrays.copyOf(x, 2 * count);
             y = Arrays.copyOf(y, 2 * count);
+            room = Arrays.copyOf(room, 2 * count);
         }
         x[count] = (float) px;
         y[count] = (float) py;
+        room[count] = 0;
         count++;
     }
 }

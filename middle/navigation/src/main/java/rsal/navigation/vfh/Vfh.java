@@ -29,6 +29,8 @@ public final class Vfh {
     private static final double STEERING = 2.0; // 1/s; turn rate per angle that is missing
     private static final double TURN_FIRST = Math.toRadians(60); // no driving while so much is missing
     private static final double SLOWEST = 0.08; // m/s; slower than this it would never get through
+    private static final double CLOSE_BY = Math.toRadians(75); // closed to each side by what is nearer than allowed
+    private static final double MARGIN = 0.04; // m; about what odometry and scans are wrong within a robot's length
     private static final double COSTLY = 1e9;
 
     /// @param lookahead obstacles beyond this distance do not close a direction [m]
@@ -52,7 +54,7 @@ public final class Vfh {
         this.settings = settings;
         this.limits = limits;
         this.radius = footprint.inscribedRadius();
-        this.guard = new ContactGuard(footprint, limits, settings.safetyDistance() / 2, reaction);
+        this.guard = new ContactGuard(footprint, limits, MARGIN, reaction);
     }
 
     /// Forgets what it did, as when the robot has been carried away.
@@ -86,14 +88,31 @@ public final class Vfh {
         if (arriving) {
             speed = Math.min(speed, Math.sqrt(limits.acceleration() * distance)); // half of what braking can do
         }
-        return guard.limit(Twist2d.drive(speed, omega), velocity, obstacles);
+        return safely(Twist2d.drive(speed, omega), turn, velocity, obstacles);
     }
 
     /// The command that turns the robot in place by an angle [rad].
     public Twist2d turn(Obstacles obstacles, double angle, Twist2d velocity) {
         double most = Math.min(limits.turnRate(), Math.sqrt(limits.turnAcceleration() * Math.abs(angle)));
         double omega = Math.clamp(STEERING * angle, -most, most);
-        return guard.limit(Twist2d.drive(0, omega), velocity, obstacles);
+        return safely(Twist2d.drive(0, omega), angle, velocity, obstacles);
+    }
+
+    /// What of a command is safe. Where the robot is too long to turn, it creeps on or back a little first.
+    private Twist2d safely(Twist2d wanted, double turn, Twist2d velocity, Obstacles obstacles) {
+        Twist2d safe = guard.limit(wanted, velocity, obstacles);
+        boolean wedged = Math.abs(safe.vx()) < SLOWEST / 4 && Math.abs(safe.omega()) < Math.abs(wanted.omega()) / 2;
+        if (!wedged || Math.abs(turn) < SECTOR) {
+            return safe;
+        }
+        double first = Math.abs(turn) < Math.PI / 2 ? SLOWEST : -SLOWEST;
+        for (double creep : new double[] {first, -first}) {
+            Twist2d crept = guard.limit(Twist2d.drive(creep, 0), velocity, obstacles);
+            if (crept.vx() == creep) {
+                return crept;
+            }
+        }
+        return safe;
     }
 
     /// What of any other command is safe.
@@ -105,12 +124,13 @@ public final class Vfh {
     /// safety distance, before the target is reached.
     private void fill(Obstacles obstacles, double reach, double heading) {
         Arrays.fill(nearest, Double.POSITIVE_INFINITY);
-        double grown = radius + settings.safetyDistance();
+        double least = radius + settings.safetyDistance();
         for (int i = 0; i < obstacles.count(); i++) {
             double x = obstacles.x(i);
             double y = obstacles.y(i);
+            double grown = least + obstacles.room(i);
             double distance = Math.hypot(x, y);
-            double half = distance > grown ? Math.asin(grown / distance) : Math.PI / 2;
+            double half = distance > grown ? Math.min(CLOSE_BY, Math.asin(grown / distance)) : CLOSE_BY;
             double direction = heading + Math.atan2(y, x);
             int first = (int) Math.ceil((direction - half) / SECTOR);
             int last = (int) Math.floor((direction + half) / SECTOR);
@@ -119,9 +139,9 @@ public final class Vfh {
                 nearest[sector] = Math.min(nearest[sector], distance);
             }
         }
-        double closes = reach + grown;
+        double closes = reach + least;
         for (int s = 0; s < SECTORS; s++) {
-            closed[s] = nearest[s] < (closed[s] ? Math.min(reach * OPENS, settings.lookahead()) + grown : closes);
+            closed[s] = nearest[s] < (closed[s] ? Math.min(reach * OPENS, settings.lookahead()) + least : closes);
         }
     }
 
@@ -129,12 +149,12 @@ public final class Vfh {
     private void mask(Obstacles obstacles, double heading, Twist2d velocity) {
         System.arraycopy(closed, 0, masked, 0, SECTORS);
         double turning = Math.abs(velocity.vx()) / limits.turnRate();
-        double grown = radius + settings.safetyDistance();
         double left = Math.PI; // how far it can turn to the left
         double right = Math.PI;
         for (int i = 0; i < obstacles.count() && turning > SLOWEST; i++) {
             double x = obstacles.x(i);
             double y = obstacles.y(i);
+            double grown = radius + settings.safetyDistance() + obstacles.room(i);
             double angle = Math.atan2(y, x);
             if (x > 0 && y > 0 && Math.hypot(x, y - turning) < turning + grown) {
                 left = Math.min(left, angle);
@@ -208,10 +228,10 @@ public final class Vfh {
         for (int i = 0; i < obstacles.count(); i++) {
             double ahead = cos * obstacles.x(i) + sin * obstacles.y(i);
             double beside = Math.abs(cos * obstacles.y(i) - sin * obstacles.x(i));
-            if (ahead <= 0 || beside >= wide) {
+            if (ahead <= 0 || beside >= wide + obstacles.room(i)) {
                 continue;
             }
-            double room = beside - radius - settings.safetyDistance();
+            double room = beside - radius - settings.safetyDistance() - obstacles.room(i);
             double allowed = Math.max(SLOWEST, room / settings.safetyDistancePerSpeed());
             // What is farther ahead need not be obeyed before one is there.
             double gap = Math.max(0, ahead - radius);
