@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import rsal.data.Footprint;
@@ -69,15 +70,12 @@ final class Lineup {
         if (!pose.isFinite()) {
             refuse(robot, "The start pose (%s) must be finite.".formatted(pose));
         } else if (!map.contains(map.column(pose.x()), map.row(pose.y()))) {
+            double right = map.originX() + map.width() * map.resolution();
+            double top = map.originY() + map.height() * map.resolution();
             refuse(
                     robot,
-                    "The start pose %s is outside the map, which spans x from %.2f to %.2f and y from %.2f to %.2f."
-                            .formatted(
-                                    at(pose.x(), pose.y()),
-                                    map.originX(),
-                                    map.originX() + map.width() * map.resolution(),
-                                    map.originY(),
-                                    map.originY() + map.height() * map.resolution()));
+                    "The start pose %s is outside the map, which reaches from %s to %s."
+                            .formatted(at(pose.x(), pose.y()), at(map.originX(), map.originY()), at(right, top)));
         } else if (!walls.isFree(pose.x(), pose.y())) {
             refuse(
                     robot,
@@ -100,7 +98,7 @@ final class Lineup {
         pose.ifPresentOrElse(
                 place -> bodies.put(robot.id(), world.add(robot.id(), footprint, place)),
                 () -> refuse(robot, """
-                        There is no free place left for it that is %.1f m from walls and from all other robots. \
+                        There is no free place left for it that is %s m from walls and from all other robots. \
                         Maybe take fewer robots or a larger map, or name a start pose.""".formatted(CLEARANCE)));
         return pose.isPresent();
     }
@@ -125,7 +123,7 @@ final class Lineup {
                 .orElse("");
     }
 
-    private static String at(double x, double y) {
-        return "(%.2f, %.2f)".formatted(x, y);
+    static String at(double x, double y) {
+        return String.format(Locale.ROOT, "(%.2f, %.2f)", x, y);
     }
 }

@@ -43,8 +43,8 @@ final class SimControl extends DeviceCore implements SimulationControl {
             return new Placement.Refused("A pose must be finite, not (%s).".formatted(mapFromEntity));
         }
         if (!world.place(robot.body(), mapFromEntity)) {
-            return new Placement.Refused("(%s) does not fit at (%.2f, %.2f): (%s) is in the way."
-                    .formatted(entity, mapFromEntity.x(), mapFromEntity.y(), world.obstacle()));
+            return new Placement.Refused("(%s) does not fit at %s: (%s) is in the way."
+                    .formatted(entity, Lineup.at(mapFromEntity.x(), mapFromEntity.y()), world.obstacle()));
         }
         robot.drive().standStill();
         touches.update(world);

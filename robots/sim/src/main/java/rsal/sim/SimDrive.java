@@ -72,7 +72,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
         if (!enabled) {
             wheels.block();
         }
-        wheels.turn(command, dt);
+        wheels.spin(command, dt);
         return wheels;
     }
 

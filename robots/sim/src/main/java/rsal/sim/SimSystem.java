@@ -99,7 +99,9 @@ final class SimSystem implements RobotSystem {
                 rays = 0;
             }
         }
-        look(List.copyOf(together), now);
+        if (!together.isEmpty()) {
+            look(List.copyOf(together), now);
+        }
     }
 
     private void look(List<SimRobot> some, Instant now) {

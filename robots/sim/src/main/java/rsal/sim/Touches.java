@@ -24,7 +24,6 @@ final class Touches {
         if (lasting.stream().noneMatch(touch -> touch.joins(robot, other))) {
             lasting.add(new Touch(robot, other));
             contacts.add(new Contact(now, robot.name(), other));
-            shown = List.copyOf(contacts);
         }
     }
 
@@ -36,6 +35,9 @@ final class Touches {
     }
 
     List<Contact> contacts() {
+        if (shown.size() < contacts.size()) {
+            shown = List.copyOf(contacts);
+        }
         return shown;
     }
 }

@@ -19,7 +19,7 @@ final class Wheels {
     /// holds it. Speeds beyond the limits are cut by the same factor, which keeps the curvature.
     ///
     /// @param dt [s]
-    void turn(Twist2d wanted, double dt) {
+    void spin(Twist2d wanted, double dt) {
         double cut = Math.min(
                 1,
                 Math.min(limits.maxSpeed() / Math.abs(wanted.vx()), limits.maxTurnRate() / Math.abs(wanted.omega())));

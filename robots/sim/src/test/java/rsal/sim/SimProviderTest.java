@@ -55,7 +55,7 @@ class SimProviderTest {
     void refusesAStartOutsideTheMap() {
         assertRefused(
                 "pose",
-                "(7.00, 2.00) is outside the map, which spans x from 0.00 to 6.00",
+                "(7.00, 2.00) is outside the map, which reaches from (0.00, 0.00) to (6.00, 4.00)",
                 robot("r1", Models.box(), new Pose2d(7, 2, 0)));
     }
 

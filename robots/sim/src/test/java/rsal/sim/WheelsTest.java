@@ -17,7 +17,7 @@ class WheelsTest {
         double way = 0;
         double turned = 0;
         for (int i = 0; i < Math.round(4 / dt); i++) {
-            wheels.turn(Twist2d.drive(0.7, 1), dt);
+            wheels.spin(Twist2d.drive(0.7, 1), dt);
             way += wheels.distance();
             turned += wheels.turn();
         }
@@ -31,7 +31,7 @@ class WheelsTest {
         var wheels = new Wheels(Models.DRIVE);
         Twist2d before = wheels.velocity();
         for (int i = 0; i < 5000; i++) {
-            wheels.turn(Twist2d.drive(random.nextDouble(-5, 5), random.nextDouble(-9, 9)), 0.1);
+            wheels.spin(Twist2d.drive(random.nextDouble(-5, 5), random.nextDouble(-9, 9)), 0.1);
             Twist2d now = wheels.velocity();
             assertThat(Math.abs(now.vx())).isLessThanOrEqualTo(0.8 + 1e-12);
             assertThat(Math.abs(now.omega())).isLessThanOrEqualTo(2 + 1e-12);
@@ -44,7 +44,7 @@ class WheelsTest {
     @Test
     void standsStillWithoutACommand() {
         var wheels = new Wheels(Models.DRIVE);
-        wheels.turn(Twist2d.STOP, 0.1);
+        wheels.spin(Twist2d.STOP, 0.1);
         assertThat(wheels.velocity()).isEqualTo(Twist2d.STOP);
         assertThat(wheels.distance()).isZero();
     }
