@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.device.Health;
 import rsal.device.LaserScanner;
 import rsal.device.SimulationControl.Contact;
 import rsal.device.SimulationControl.Placement;
@@ -123,5 +124,28 @@ class SimSystemTest {
                 .isInstanceOfSatisfying(
                         Placement.Refused.class, r -> assertThat(r.why()).contains("(r2) is in the way"));
         assertThat(run.simulation.place("r1", new Pose2d(5.6, 2, 0))).isEqualTo(new Placement.Placed());
+    }
+
+    @Test
+    void whoeverHoldsADeviceIsToldWhenTheSimulationCloses() {
+        var run = SimRun.of(SimRun.room(8, 4), robot("r1", Models.box(), new Pose2d(2, 2, 0)));
+        run.advance(1);
+        var told = new ArrayList<Health>();
+        run.robot("r1").devices().forEach(device -> device.onHealth(told::add));
+        run.system.close();
+        assertThat(told).hasSize(3).containsOnly(new Health.Lost("The simulation was closed."));
+        assertThat(run.system.discover().toCompletableFuture()).isCompletedExceptionally();
+    }
+
+    @Test
+    void aListenerMayCloseTheSimulation() {
+        var run = SimRun.of(
+                SimRun.room(8, 4),
+                robot("r1", Models.box(), new Pose2d(2, 2, 0)),
+                robot("r2", Models.box(), new Pose2d(5, 2, 0)));
+        run.base("r1").subscribe(_ -> run.system.close());
+        run.advance(1);
+        assertThat(run.base("r2").latest()).isEmpty();
+        assertThat(run.base("r2").health().isOk()).isFalse();
     }
 }
