@@ -36,13 +36,13 @@ final class ArgumentReader {
     }
 
     private static Parameter declared(String name, Section section) {
-        var type = Parameter.choice("type", "number", Format.ARGUMENT_TYPES, "The argument's type.");
-        Parameter.Kind kind = switch (String.valueOf(section.value(type).orElse("number"))) {
-            case "integer" -> Parameter.Kind.INTEGER;
-            case "string" -> Parameter.Kind.TEXT;
-            case "boolean" -> Parameter.Kind.FLAG;
-            default -> Parameter.Kind.NUMBER;
-        };
+        Parameter.Kind kind =
+                switch (String.valueOf(section.value(Format.ARGUMENT_TYPE).orElse(""))) {
+                    case "integer" -> Parameter.Kind.INTEGER;
+                    case "string" -> Parameter.Kind.TEXT;
+                    case "boolean" -> Parameter.Kind.FLAG;
+                    default -> Parameter.Kind.NUMBER;
+                };
         boolean bounded = kind == Parameter.Kind.NUMBER || kind == Parameter.Kind.INTEGER;
         var parameter = new Parameter(
                 name,

@@ -22,7 +22,8 @@ final class Format {
     static final String DEFAULT_MRS = "sim";
     static final String DEFAULT_MAS = "plain";
 
-    static final List<String> ARGUMENT_TYPES = List.of("integer", "number", "string", "boolean");
+    static final Parameter ARGUMENT_TYPE = required(Parameter.choice(
+            "type", "", List.of("integer", "number", "string", "boolean"), "What kind of value the argument takes."));
 
     static final Parameter COUNT = Parameter.integer(
             "count", 1, 1, MAX_ROBOTS, "", "How many robots of the role there are; they are called role-1, role-2…");
@@ -42,17 +43,32 @@ final class Format {
             Parameter.choice("mode", "simulated", List.of("simulated", "wall"), "Whether time is simulated or real.");
     static final Parameter SPEED =
             Parameter.number("speed", 1, 0.01, 1000, "", "Simulated over real time; max for as fast as it can.");
-    static final Parameter OUTCOME = Parameter.choice(
+    static final Parameter OUTCOME = required(Parameter.choice(
             "outcome",
-            "success",
+            "",
             words(RunPlan.Outcome.values(), RunPlan.Outcome::word),
-            "How the run ends when the condition holds.");
+            "How the run ends when the condition holds."));
+    static final Parameter AFTER =
+            Parameter.number("after", 0, 0, 3600, "s", "How long the run still goes on once its outcome is decided.");
     static final Parameter BETTER = Parameter.choice(
             "better", "neither", words(RunPlan.Better.values(), RunPlan.Better::word), "Which values are better.");
     static final Parameter PER = Parameter.choice(
             "per", "run", List.of("run", "robot"), "Whether the run has one value or each robot its own.");
 
     private Format() {}
+
+    /// The same without a value to fall back on.
+    private static Parameter required(Parameter parameter) {
+        return new Parameter(
+                parameter.name(),
+                parameter.kind(),
+                Optional.empty(),
+                parameter.min(),
+                parameter.max(),
+                parameter.options(),
+                parameter.unit(),
+                parameter.description());
+    }
 
     private static <E> List<String> words(E[] values, Function<E, String> word) {
         return Arrays.stream(values).map(word).toList();

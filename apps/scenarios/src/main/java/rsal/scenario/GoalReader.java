@@ -1,5 +1,6 @@
 package rsal.scenario;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -32,14 +33,10 @@ final class GoalReader {
         for (Section stop : groups(run, "stop")) {
             Optional<Condition> when = expression(stop, "when", Grammar::condition);
             var word = stop.value(Format.OUTCOME).orElse("");
-            if (!stop.has("outcome")) {
-                stop.problem(
-                        stop.location(),
-                        "(%s) is missing: %s.".formatted(stop.path("outcome"), Format.OUTCOME.expected()),
-                        "");
-            }
-            when.ifPresent(
-                    condition -> stops.add(new Stop(condition, Format.of(Outcome.values(), Outcome::word, word))));
+            var outcome = Format.of(Outcome.values(), Outcome::word, word);
+            var after = Duration.ofMillis(
+                    Math.round(1000 * (Double) stop.value(Format.AFTER).orElse(0.0)));
+            when.ifPresent(condition -> stops.add(new Stop(condition, outcome, after)));
             stop.done();
         }
         return stops;

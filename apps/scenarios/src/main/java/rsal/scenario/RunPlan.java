@@ -91,7 +91,9 @@ public record RunPlan(
             String name, String role, AgentType type, Arguments arguments, Optional<String> robot, long seed) {}
 
     /// An end of the run.
-    public record Stop(Condition when, Outcome outcome) {}
+    ///
+    /// @param after how long it still goes on once that is decided
+    public record Stop(Condition when, Outcome outcome, Duration after) {}
 
     /// How a scenario can say that a run ends.
     public enum Outcome {

@@ -203,6 +203,9 @@ public final class Grammar {
             throw expected("a number");
         }
         double number = Double.parseDouble(token.text);
+        if (!Double.isFinite(number)) {
+            throw new InvalidExpression(token.start, "This number is too large.", "");
+        }
         token = read(token.end);
         return number;
     }

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import rsal.agent.message.Caught;
 import rsal.data.Pose2d;
 import rsal.device.Localizer;
@@ -36,6 +37,8 @@ final class Observer implements Facts {
     private final Set<String> caught = new LinkedHashSet<>();
     private final Map<Measured, OptionalDouble> firstTimes = new HashMap<>();
     private int contacts;
+    private RunPlan.@Nullable Stop decided;
+    private Duration endsAt = Duration.ZERO;
     private long wallCollisions;
 
     Observer(RunPlan plan, Journal journal, InstantSource clock) {
@@ -64,14 +67,36 @@ final class Observer implements Facts {
             });
         });
         noteFirstTimes();
-        return plan.stops().stream()
-                .filter(stop -> stop.when().holds(this))
-                .map(stop -> stop.outcome().word())
-                .findFirst()
-                .or(() -> plan.options()
-                        .limit()
-                        .filter(limit -> elapsed().compareTo(limit) >= 0)
-                        .map(_ -> "limit"));
+        return ending();
+    }
+
+    /// The first condition that holds decides the outcome, even if the run then goes on for a while.
+    private Optional<String> ending() {
+        if (decided == null) {
+            plan.stops().stream()
+                    .filter(stop -> stop.when().holds(this))
+                    .findFirst()
+                    .ifPresent(this::decide);
+        }
+        boolean over = decided != null && elapsed().compareTo(endsAt) >= 0;
+        boolean limit =
+                plan.options().limit().filter(l -> elapsed().compareTo(l) >= 0).isPresent();
+        if (!over && !limit) {
+            return Optional.empty();
+        }
+        return Optional.of(decided == null ? "limit" : decided.outcome().word());
+    }
+
+    private void decide(RunPlan.Stop stop) {
+        decided = stop;
+        endsAt = elapsed().plus(stop.after());
+        if (stop.after().isPositive()) {
+            journal.event(
+                    "run",
+                    "",
+                    stop.outcome().word()
+                            + "; goes on for %d s".formatted(stop.after().toSeconds()));
+        }
     }
 
     private void noteContacts(List<Contact> all) {

@@ -18,6 +18,7 @@ import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
+import rsal.behavior.Pilot;
 import rsal.data.Covariance2d;
 import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
@@ -55,6 +56,7 @@ final class Stage implements AutoCloseable {
             Localizer.class,
             Navigator.class,
             Planner.class,
+            Pilot.class,
             SimulationControl.class);
 
     private static final Covariance2d PLACED_BY_HAND = Covariance2d.ofDeviations(0.1, 0.1, Math.toRadians(5));
@@ -196,7 +198,7 @@ final class Stage implements AutoCloseable {
 
     private void changed(Society.View view) {
         String words = switch (view.status()) {
-            case RUNNING -> view.state();
+            case RUNNING -> view.state().isEmpty() ? "has started" : view.state();
             case ENDED -> "has ended";
             case FAILED -> "has failed: " + view.state();
         };
@@ -218,15 +220,13 @@ final class Stage implements AutoCloseable {
     }
 
     List<RobotView> robotViews() {
-        List<AgentView> agents = agentViews();
         return plan.robots().stream()
                 .map(PlannedRobot::spec)
-                .flatMap(spec ->
-                        Optional.ofNullable(robots.get(spec.id())).map(robot -> view(spec, robot, agents)).stream())
+                .flatMap(spec -> Optional.ofNullable(robots.get(spec.id())).map(robot -> view(spec, robot)).stream())
                 .toList();
     }
 
-    private RobotView view(RobotSpec spec, Robot robot, List<AgentView> agents) {
+    private RobotView view(RobotSpec spec, Robot robot) {
         Optional<Localizer> localizer = robot.find(Localizer.class);
         Optional<Navigator> navigator = robot.find(Navigator.class);
         return new RobotView(
@@ -242,7 +242,7 @@ final class Stage implements AutoCloseable {
                 robot.find(SonarArray.class).flatMap(SonarArray::latest),
                 navigator.map(Navigator::path).orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
-                inCharge(robot.id(), agents),
+                inCharge(robot),
                 robot.devices().stream().map(Stage::view).toList());
     }
 
@@ -259,15 +259,11 @@ final class Stage implements AutoCloseable {
                 .orElse("Device");
     }
 
-    /// What a robot's agent shows to be in charge.
-    private static String inCharge(String robot, List<AgentView> agents) {
-        return agents.stream()
-                .map(AgentView::view)
-                .filter(view -> view.agent().robot().equals(robot))
-                .filter(view -> view.status() == Society.Status.RUNNING)
-                .map(view -> view.beliefs().getOrDefault("behavior", ""))
-                .filter(behavior -> !behavior.isEmpty())
-                .findFirst()
+    private static String inCharge(Robot robot) {
+        return robot.find(Pilot.class)
+                .filter(Pilot::engaged)
+                .flatMap(Pilot::latest)
+                .map(decision -> decision.value().inCharge())
                 .orElse("");
     }
 

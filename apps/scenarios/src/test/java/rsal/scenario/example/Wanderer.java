@@ -50,7 +50,6 @@ public final class Wanderer implements AgentType {
         var robot = self.robot().orElseThrow();
         var base = robot.require(DriveBase.class);
         self.state("wandering");
-        self.show("behavior", "wander");
         self.scheduler()
                 .every(
                         Duration.ofMillis(200),

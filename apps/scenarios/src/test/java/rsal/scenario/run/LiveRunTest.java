@@ -129,7 +129,7 @@ class LiveRunTest {
             assertThat(prey.truth()).isPresent();
             assertThat(prey.scan()).isPresent();
             assertThat(prey.estimate()).isPresent();
-            assertThat(prey.inCharge()).isEqualTo("wander");
+            assertThat(prey.inCharge()).isEmpty(); // an agent drives, no behavior
             assertThat(prey.devices())
                     .extracting(DeviceView::name, DeviceView::driver, DeviceView::type)
                     .contains(

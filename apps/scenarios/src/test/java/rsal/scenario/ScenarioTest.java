@@ -1,0 +1,420 @@
+package rsal.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.fail;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.SplittableRandom;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Pose2d;
+import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.settings.InvalidSettings;
+
+class ScenarioTest {
+    static final String GOOD = """
+            rsal: 1
+            scenario: good
+            title: A good scenario
+            arguments:
+              hunters: {type: integer, default: 2, min: 1, max: 4, unit: robots, description: How many.}
+              way: {type: string, default: slow, enum: [slow, fast]}
+              start: {type: number, default: -12}
+              known: {type: boolean, default: true}
+            world: {map: office}
+            robots:
+              prey:
+                model: pioneer2dx
+                pose: [$start, -1.0, 180]
+                devices: {laser: urg04lx, localizer: {type: truthful, error: 0.1}}
+              hunter:
+                count: $hunters
+                model: pioneer3at
+                pose: {free: true, clearance: 0.5}
+                color: "#123456"
+            agents:
+              run: {type: wanderer, robot: prey, args: {speed: 0.2}}
+              chase: {type: wanderer, robot: hunter}
+              watch: {type: breaker}
+            mas: {use: plain}
+            mrs: {use: sim, step: 0.05}
+            run:
+              seed: 11
+              clock: {mode: simulated, speed: 2}
+              stop:
+                - {when: allCaught(prey), outcome: success, after: 2}
+                - {when: time > 30, outcome: timeout}
+            measure:
+              - {name: error, from: p95(poseError), per: robot, unit: m, better: less, bound: {max: 0.3}}
+            configurations:
+              first: {title: As it is}
+              second:
+                args: {hunters: 3}
+                robots: {prey: {pose: [-8, -1, 0]}}
+                mrs: {step: 0.1}
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private Scenario scenario(String text) {
+        try {
+            return Scenario.load(
+                    Files.writeString(folder.resolve("good.yaml"), text).toString());
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private RunPlan plan(String text, RunOptions options) {
+        return scenario(text).plan(options);
+    }
+
+    /// All mistakes of a text, without the folder.
+    private String mistakes(String text) {
+        try {
+            scenario(text).check();
+            return "";
+        } catch (InvalidSettings e) {
+            return String.valueOf(e.getMessage()).replace(folder + "/", "");
+        }
+    }
+
+    @Test
+    void becomesAPlan() {
+        Scenario scenario = scenario(GOOD);
+        assertThat(scenario.name()).isEqualTo("good");
+        assertThat(scenario.title()).isEqualTo("A good scenario");
+        assertThat(scenario.configurations())
+                .containsExactly(new Configuration("first", "As it is"), new Configuration("second", ""));
+        RunPlan plan = scenario.plan(RunOptions.NONE);
+        assertThat(plan.configuration()).isEqualTo("first");
+        assertThat(plan.seed()).isEqualTo(11);
+        assertThat(plan.speed()).isEqualTo(2);
+        assertThat(plan.step()).hasMillis(50);
+        assertThat(plan.arguments()).isEqualTo(Map.of("hunters", 2L, "way", "slow", "start", -12.0, "known", true));
+        assertThat(plan.robots()).extracting(r -> r.spec().id()).containsExactly("prey", "hunter-1", "hunter-2");
+        assertThat(plan.robots().getFirst().spec().mapFromBase()).contains(Pose2d.ofDegrees(-12, -1, 180));
+        assertThat(plan.robots().getFirst().drivers()).singleElement().satisfies(device -> {
+            assertThat(device.name()).isEqualTo("localizer");
+            assertThat(device.options().number("error")).isEqualTo(0.1);
+        });
+        assertThat(plan.robots().get(1).spec().color()).isEqualTo("#123456");
+        assertThat(plan.agents())
+                .extracting(RunPlan.PlannedAgent::name)
+                .containsExactly("run", "chase-1", "chase-2", "watch");
+        assertThat(plan.agents())
+                .extracting(RunPlan.PlannedAgent::robot)
+                .endsWith(Optional.of("hunter-2"), Optional.empty());
+        assertThat(plan.stops())
+                .first()
+                .satisfies(stop -> assertThat(stop.after()).hasSeconds(2));
+    }
+
+    @Test
+    void aConfigurationLiesOverItKeyByKey() {
+        RunPlan plan = plan(GOOD, RunOptions.NONE.withConfiguration("second"));
+        assertThat(plan.robots()).hasSize(4);
+        assertThat(plan.robots().getFirst().spec().mapFromBase()).contains(new Pose2d(-8, -1, 0));
+        assertThat(plan.robots().getFirst().drivers()).hasSize(1); // still there
+        assertThat(plan.step()).hasMillis(100);
+    }
+
+    @Test
+    void whoeverStartsItHasTheLastWord() {
+        var options = new RunOptions(
+                Optional.of("second"),
+                Map.of("hunters", "1", "start", "-11.5"),
+                OptionalLong.of(5),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                OptionalDouble.of(3));
+        RunPlan plan = plan(GOOD, options);
+        assertThat(plan.robots()).extracting(r -> r.spec().id()).containsExactly("prey", "hunter-1");
+        assertThat(plan.seed()).isEqualTo(5);
+        assertThat(plan.speed()).isEqualTo(3);
+    }
+
+    @Test
+    void freePlacesFollowFromTheSeed() {
+        var poses = starts(plan(GOOD, RunOptions.NONE));
+        assertThat(starts(plan(GOOD, RunOptions.NONE))).isEqualTo(poses);
+        assertThat(starts(plan(GOOD, RunOptions.NONE.withSeed(12)))).isNotEqualTo(poses);
+        // one more robot does not move the others
+        assertThat(starts(plan(GOOD, RunOptions.NONE.withArguments(Map.of("hunters", "3"))))
+                        .subList(0, 3))
+                .isEqualTo(poses);
+    }
+
+    @Test
+    void freePlacesAreInTheBoxAndApart() {
+        String crowded = GOOD.replace("clearance: 0.5", "clearance: 0.5, within: [-10, -2.4, 0, 0.4]");
+        for (long seed = 0; seed < 10; seed++) {
+            var poses = starts(plan(crowded, RunOptions.NONE.withSeed(seed).withArguments(Map.of("hunters", "4"))));
+            for (int i = 1; i < poses.size(); i++) {
+                assertThat(poses.get(i).x()).as("seed %d", seed).isBetween(-10.0, 0.0);
+                for (int j = 0; j < i; j++) {
+                    assertThat(poses.get(i).distanceTo(poses.get(j)))
+                            .as("seed %d", seed)
+                            .isGreaterThan(1);
+                }
+            }
+        }
+    }
+
+    @Test
+    void seedsOfOnePartDoNotDependOnTheOthers() {
+        RunPlan two = plan(GOOD, RunOptions.NONE);
+        RunPlan three = plan(GOOD, RunOptions.NONE.withArguments(Map.of("hunters", "3")));
+        assertThat(three.agents().get(2).seed()).isEqualTo(two.agents().get(2).seed());
+        assertThat(two.agents().stream().map(RunPlan.PlannedAgent::seed).distinct())
+                .hasSize(4);
+        assertThat(new Seeds(11).of("agent/run"))
+                .isEqualTo(two.agents().getFirst().seed());
+    }
+
+    private static List<Pose2d> starts(RunPlan plan) {
+        return plan.robots().stream()
+                .map(PlannedRobot::spec)
+                .map(spec -> spec.mapFromBase().orElseThrow())
+                .toList();
+    }
+
+    /// Each line: what to replace in the good scenario, by what, and what the message must hold.
+    static List<List<String>> wrong() {
+        return List.of(
+                List.of("title: A good", "titel: A good", "good.yaml:3:1: (titel) is not known here", "Maybe (title)"),
+                List.of("rsal: 1", "rsal: 2", "good.yaml:1:7", "(rsal) is the version of the format: 1"),
+                List.of("scenario: good\n", "", "(scenario) is missing"),
+                List.of("map: office", "map: ofice", "good.yaml:9:14", "There is no map (ofice)", "Maybe (office)"),
+                List.of("map: office", "map: lab/floor.yaml", "There is no file (lab/floor.yaml)"),
+                List.of("map: office", "map: ../floor.yaml", "lies outside"),
+                List.of("pioneer2dx", "pioneer2d", "There is no robot model (pioneer2d)", "Maybe (pioneer2dx)"),
+                List.of("urg04lx", "urg4lx", "good.yaml:14:22", "There is no part", "Maybe (urg04lx)"),
+                List.of("laser: urg04lx, ", "", "(truthful) needs a LaserScanner", "above (localizer)"),
+                List.of("type: truthful", "type: truthfull", "no device driver (truthfull)", "Maybe (truthful)"),
+                List.of(
+                        "error: 0.1",
+                        "error: 11",
+                        "(robots.prey.devices.localizer.error) must be a number from 0 to 10"),
+                List.of("error: 0.1", "eror: 0.1", "(eror) is not known", "Maybe (error)"),
+                List.of("[$start, -1.0, 180]", "[-12, -1]", "good.yaml:13:11", "a list of 3 numbers, not a list of 2"),
+                List.of("[$start, -1.0, 180]", "somewhere", "must be [x, y, degrees]"),
+                List.of("[$start, -1.0, 180]", "[-31.45, -1, 0]", "Robot (prey)", "good.yaml:13:11"),
+                List.of("[$start, -1.0, 180]", "[900, -1, 0]", "Robot (prey)", "outside the map"),
+                List.of("{free: true, clearance: 0.5}", "[-8, -1, 0]", "has 1 for 2 robots"),
+                List.of("{free: true, clearance: 0.5}", "{clearance: 0.5}", "{free: true}"),
+                List.of("clearance: 0.5", "clearance: 90", "There is no free place for robot (hunter-1)"),
+                List.of("clearance: 0.5", "within: [4, 4, 1, 1]", "[least x, least y, greatest x, greatest y]"),
+                List.of("$start", "$star", "There is no argument (star)", "Maybe (start)"),
+                List.of("A good scenario", "A $way scenario", "never inside other text"),
+                List.of("count: $hunters", "count: 5000", "must be a whole number from 1 to 1000, not (5000)"),
+                List.of("count: $hunters", "count: 2.5", "must be a whole number"),
+                List.of("\"#123456\"", "red", "must be like #1f77b4"),
+                List.of(
+                        "type: wanderer, robot: prey",
+                        "type: wandrer, robot: prey",
+                        "no type of agent (wandrer)",
+                        "Maybe (wanderer)"),
+                List.of("robot: hunter", "robot: huntr", "No robots have the role (huntr)", "Maybe (hunter)"),
+                List.of(
+                        "chase: {type: wanderer, robot: hunter}",
+                        "chase: {type: wanderer}",
+                        "needs a robot with a DriveBase"),
+                List.of("speed: 0.2", "speed: fast", "(agents.run.args.speed) must be a number from 0 to 1 [m/s]"),
+                List.of("use: plain", "use: plan", "no multi-agent system (plan)", "Maybe (plain)"),
+                List.of("use: plain", "use: wallclock", "can't follow simulated time", "run.clock.mode"),
+                List.of("use: sim", "use: simm", "no robot system (simm)", "Maybe (sim)"),
+                List.of("step: 0.05", "step: 5", "(mrs.step) must be"),
+                List.of("seed: 11", "seed: eleven", "(run.seed) must be a whole number, not (eleven)"),
+                List.of("speed: 2}", "speed: 0}", "(run.clock.speed) must be a number from 0.01"),
+                List.of("mode: simulated", "mode: real", "one of simulated, wall"),
+                List.of(
+                        "allCaught(prey)",
+                        "allCaught(pray)",
+                        "good.yaml:30:24",
+                        "No robots have the role (pray)",
+                        "Maybe (prey)"),
+                List.of("time > 30", "time >> 30", "good.yaml:31:20", "character 7"),
+                List.of("outcome: timeout", "outcome: late", "one of success, failure, timeout"),
+                List.of(", outcome: timeout", "", "(run.stop.outcome) is missing"),
+                List.of("p95(poseError)", "p95(poseErr)", "(poseErr) is not a signal", "Maybe (poseError)"),
+                List.of("from: p95(poseError)", "from: count(collisions)", "no value per robot"),
+                List.of("better: less", "better: smaller", "one of less, more, neither"),
+                List.of("bound: {max: 0.3}", "bound: 0.3", "must be a group of settings"),
+                List.of("args: {hunters: 3}", "args: {hunters: 9}", "(hunters) must be a whole number from 1 to 4"),
+                List.of("args: {hunters: 3}", "args: {hunter: 3}", "(hunter) is not known", "Maybe (hunters)"),
+                List.of("type: integer, default: 2", "type: integer, default: 9", "(hunters) must be"),
+                List.of(
+                        "type: integer, default: 2",
+                        "type: whole, default: 2",
+                        "one of integer, number, string, boolean"),
+                List.of("type: integer, default: 2,", "type: integer,", "(arguments.hunters.default) is missing"),
+                List.of("  prey:\n", "  all:\n", "(all) can't be the role of robots"),
+                List.of("first: {title: As it is}", "first: [1]", "must be a group of settings"),
+                List.of(
+                        "world: {map: office}",
+                        "faults: [{at: 60}]\nworld: {map: office}",
+                        "(faults) is not known here"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("wrong")
+    void everyMistakeSaysWhereWhatAndWhatToTry(List<String> example) {
+        assertThat(GOOD).contains(example.get(0));
+        String message = mistakes(GOOD.replace(example.get(0), example.get(1)));
+        assertThat(message).contains(example.subList(2, example.size())).doesNotContain("null", "Exception");
+    }
+
+    @Test
+    void tellsAllMistakesTogether() {
+        String text = GOOD.replace("title: A good", "titel: A good")
+                .replace("min: 1", "min: one")
+                .replace("[$start, -1.0, 180]", "[-31.45, -1, 0]")
+                .replace("speed: 0.2", "speed: fast")
+                .replace("time > 30", "time >> 30");
+        assertThat(mistakes(text))
+                .contains(
+                        "(titel)",
+                        "(arguments.hunters.min)",
+                        "Robot (prey)",
+                        "(agents.run.args.speed)",
+                        "(run.stop.when)");
+    }
+
+    @Test
+    void mistakesOfOptionsAreToldToo() {
+        Scenario scenario = scenario(GOOD);
+        assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withConfiguration("secnd")))
+                .hasMessageContaining("no configuration (secnd)")
+                .hasMessageContaining("Maybe (second)");
+        assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withArguments(Map.of("hunters", "many", "huntrs", "1"))))
+                .hasMessageContaining("hunters=many: (hunters) must be a whole number from 1 to 4")
+                .hasMessageContaining("huntrs=1: The scenario has no argument (huntrs).")
+                .hasMessageContaining("Maybe (hunters)");
+        var mas = new RunOptions(
+                Optional.empty(),
+                Map.of(),
+                OptionalLong.empty(),
+                Optional.of("jasn"),
+                Optional.empty(),
+                Optional.empty(),
+                OptionalDouble.empty());
+        assertThatThrownBy(() -> scenario.plan(mas)).hasMessageContaining("--mas jasn: There is no multi-agent system");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"hunt-and-pray", "nothing.yaml", "no/such/folder", "\0.yaml", ""})
+    void aScenarioThatIsNotThereIsSaidToBeMissing(String name) {
+        assertThatThrownBy(() -> Scenario.load(name)).isInstanceOf(InvalidSettings.class);
+    }
+
+    @Test
+    void guessesTheScenario() {
+        assertThatThrownBy(() -> Scenario.load("hunt-and-pray")).hasMessageContaining("Maybe (hunt-and-prey)");
+    }
+
+    @Test
+    void readsTheScenarioOfAFolder() throws IOException {
+        Files.writeString(folder.resolve("scenario.yaml"), GOOD);
+        assertThat(Scenario.load(folder + "/").name()).isEqualTo("good");
+    }
+
+    @Test
+    void readsAMapBesideTheScenario() throws IOException {
+        Files.writeString(folder.resolve("room.pgm"), "P2 60 60 255 " + "255 ".repeat(3600));
+        Files.writeString(folder.resolve("room.yaml"), "{image: room.pgm, resolution: 0.1, origin: [-15, -3, 0]}");
+        RunPlan plan = plan(GOOD.replace("map: office", "map: room.yaml"), RunOptions.NONE);
+        assertThat(plan.map().width()).isEqualTo(60);
+    }
+
+    @Test
+    void aYamlBombIsRefused() {
+        String bomb = "a: &a [x, x, x, x, x, x, x, x, x]\n"
+                + IntStream.range(0, 8)
+                        .mapToObj(i -> "%c: &%c [%s]\n"
+                                .formatted(
+                                        'b' + i,
+                                        'b' + i,
+                                        "*%c, ".formatted('a' + i).repeat(9)))
+                        .collect(Collectors.joining());
+        assertThat(mistakes(bomb)).containsPattern("more than 20000 values|Number of aliases|aliases");
+    }
+
+    @Test
+    void theBuiltInScenariosAreRight() {
+        assertThat(Scenario.builtIn()).isNotEmpty().allSatisfy(scenario -> {
+            scenario.check();
+            assertThat(scenario.title()).isNotEqualTo(scenario.name());
+            assertThat(scenario.description()).isNotEmpty();
+            assertThat(scenario.arguments())
+                    .allSatisfy(argument -> assertThat(argument.description()).isNotEmpty());
+        });
+    }
+
+    @Test
+    void nonsenseGivesNothingButInvalidSettings() {
+        String[] bits = {
+            "{",
+            "}",
+            "[",
+            "]",
+            ":",
+            "-",
+            "$hunters",
+            "$",
+            "1e999",
+            ".nan",
+            "-1",
+            "true",
+            "~",
+            "''",
+            "*a",
+            "&a",
+            "!!x",
+            "free",
+            "prey",
+            "0",
+            "\n",
+            "  ",
+            "9223372036854775808",
+            "#",
+            "\"",
+            "ä",
+            "office",
+            "\t",
+            "|",
+            "3.5"
+        };
+        for (long seed = 0; seed < 400; seed++) {
+            var random = new SplittableRandom(seed);
+            var text = new StringBuilder(GOOD);
+            for (int i = random.nextInt(4); i >= 0; i--) {
+                int from = random.nextInt(text.length());
+                int to = Math.min(text.length(), from + random.nextInt(12));
+                text.replace(from, to, bits[random.nextInt(bits.length)]);
+            }
+            try {
+                scenario(text.toString()).check();
+            } catch (InvalidSettings e) {
+                assertThat(e.problems()).as("seed %d", seed).isNotEmpty();
+            } catch (RuntimeException | StackOverflowError e) {
+                fail("seed %d:\n%s".formatted(seed, text), e);
+            }
+        }
+    }
+}

@@ -1,0 +1,186 @@
+package rsal.scenario.condition;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.fail;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class GrammarTest {
+    private static final List<String> ROLES = List.of("prey", "hunter", "fast-prey");
+
+    /// After 100 s one of two prey is caught, and there were 3 touches, 1 of a wall.
+    private static final Facts FACTS = new Facts() {
+        @Override
+        public double time() {
+            return 100;
+        }
+
+        @Override
+        public long collisions() {
+            return 3;
+        }
+
+        @Override
+        public long wallCollisions() {
+            return 1;
+        }
+
+        @Override
+        public int robots(String role) {
+            return 2;
+        }
+
+        @Override
+        public int caught(String role) {
+            return role.equals("prey") ? 1 : 2;
+        }
+    };
+
+    @ParameterizedTest
+    @CsvSource({
+        "time > 99.5, true",
+        "time > 100, false",
+        "time >= 100, true",
+        "time < 100, false",
+        "time <= 100, true",
+        "time == 100, true",
+        "time != 100, false",
+        "time > -1, true",
+        "collisions > 2, true",
+        "wallCollisions > 1, false",
+        "caught(prey) >= 1, true",
+        "allCaught(prey), false",
+        "allCaught(fast-prey), true",
+        "not allCaught(prey), true",
+        "not not time > 0, true",
+        "time > 0 and collisions > 5, false",
+        "time > 0 or collisions > 5, true",
+        "time > 0 or time > 0 and time < 0, true", // and binds stronger
+        "(time > 0 or time > 0) and time < 0, false",
+        "not time > 0 or time > 0, true", // not binds strongest
+        "'  time>99and(  collisions>2 )  ', true",
+    })
+    void saysWhatHolds(String text, boolean holds) {
+        assertThat(Grammar.condition(text, ROLES).holds(FACTS)).isEqualTo(holds);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "firstTime(allCaught(prey) and time > 10)",
+                "count(collisions)",
+                "count(caught(prey))",
+                "distance",
+                "distance(hunter)",
+                "p95(poseError)",
+                "max(poseError(hunter))",
+                "mean(captureDistance)",
+            })
+    void readsMeasuresAsTheyAreWritten(String text) {
+        assertThat(Grammar.measure(text, ROLES)).hasToString(text);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    time                     | 4  | <, <=, >, >=, == or != must stand here, not the end.
+                    time > much              | 7  | a number must stand here, not (much).
+                    time > 3 and             | 12 | a condition or quantity must stand here, not the end.
+                    time > 3 time < 4        | 9  | and, or, or the end must stand here, not (time).
+                    (time > 3                | 9  | ()) must stand here, not the end.
+                    allCaught(pray)          | 10 | No robots have the role (pray).
+                    allCaught()              | 10 | a role of robots must stand here, not ()).
+                    allCougt(prey)           | 0  | (allCougt) is not a condition or quantity.
+                    time > 3; exit()         | 8  | (;) can't stand here.
+                    time = 3                 | 5  | <, <=, >, >=, == or != must stand here, not (=).
+                    ${time}                  | 0  | ($) can't stand here.
+                    """)
+    void pointsAtTheMistake(String text, int position, String message) {
+        assertThatThrownBy(() -> Grammar.condition(text, ROLES)).isInstanceOfSatisfying(InvalidExpression.class, e -> {
+            assertThat(e).hasMessage(message);
+            assertThat(e.position()).isEqualTo(position);
+        });
+    }
+
+    @Test
+    void guessesWhatWasMeant() {
+        assertThat(remedy("allCougt(prey)")).contains("Maybe (allCaught) was meant?");
+        assertThat(remedy("allCaught(pray)")).contains("Maybe (prey) was meant?");
+        assertThatThrownBy(() -> Grammar.measure("p94(poseError)", ROLES))
+                .isInstanceOfSatisfying(
+                        InvalidExpression.class, e -> assertThat(e.remedy()).contains("p95"));
+        assertThatThrownBy(() -> Grammar.measure("p95(poseEror)", ROLES))
+                .isInstanceOfSatisfying(
+                        InvalidExpression.class, e -> assertThat(e.remedy()).contains("poseError"));
+    }
+
+    private static String remedy(String text) {
+        try {
+            Grammar.condition(text, ROLES);
+            return fail("%s is no condition.", text);
+        } catch (InvalidExpression e) {
+            return e.remedy();
+        }
+    }
+
+    @Test
+    void refusesWhatIsTooLongOrTooDeep() {
+        assertThatThrownBy(() -> Grammar.condition("(".repeat(900), ROLES)).isInstanceOf(InvalidExpression.class);
+        assertThatThrownBy(() -> Grammar.condition("not ".repeat(200) + "time > 1", ROLES))
+                .isInstanceOf(InvalidExpression.class);
+        assertThatThrownBy(() -> Grammar.condition(" ".repeat(2000), ROLES)).isInstanceOf(InvalidExpression.class);
+        assertThatThrownBy(() -> Grammar.condition("time > " + "9".repeat(900), ROLES))
+                .isInstanceOf(InvalidExpression.class);
+    }
+
+    @Test
+    void nonsenseGivesNothingButInvalidExpression() {
+        String[] pieces = {
+            "time",
+            "allCaught",
+            "(",
+            ")",
+            "prey",
+            ">",
+            "=",
+            "and",
+            "or",
+            "not",
+            "3",
+            "-",
+            ".",
+            "$",
+            "max",
+            "poseError",
+            "firstTime",
+            "count",
+            " ",
+            "ä",
+            "\n",
+            "\uD83D",
+            "99999999999999999999"
+        };
+        for (long seed = 0; seed < 5000; seed++) {
+            var random = new SplittableRandom(seed);
+            var text = new StringBuilder();
+            for (int i = random.nextInt(12); i >= 0; i--) {
+                text.append(pieces[random.nextInt(pieces.length)]);
+            }
+            try {
+                Grammar.condition(text.toString(), ROLES).holds(FACTS);
+            } catch (InvalidExpression e) {
+                assertThat(e.position()).as("seed %d", seed).isBetween(0, text.length());
+            }
+            try {
+                Grammar.measure(text.toString(), ROLES);
+            } catch (InvalidExpression e) {
+                assertThat(e).as("seed %d", seed).hasMessageNotContaining("null");
+            }
+        }
+    }
+}
