@@ -1,0 +1,378 @@
+package rsal.scenario;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentType;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotSystemProvider;
+import rsal.settings.Parameter;
+import tools.jackson.databind.SerializationFeature;
+import tools.jackson.databind.json.JsonMapper;
+
+/// The scenario format as a JSON Schema (2020-12), for editors. It knows what can be named in this installation, and
+/// which settings that takes. What one part of a scenario says about another (roles, arguments, poses and walls) is
+/// beyond it: that is checked by [Scenario#check].
+public final class ScenarioSchema {
+    private static final String ARGUMENT = "#/$defs/argument";
+    private static final String DEVICE = "#/$defs/device";
+
+    private final Catalog catalog;
+
+    ScenarioSchema(Catalog catalog) {
+        this.catalog = catalog;
+    }
+
+    /// The schema for what is installed, as JSON.
+    public static String json() {
+        return new ScenarioSchema(Catalog.installed()).write();
+    }
+
+    String write() {
+        var mapper =
+                JsonMapper.builder().enable(SerializationFeature.INDENT_OUTPUT).build();
+        return mapper.writeValueAsString(schema()).replace("\r\n", "\n") + "\n";
+    }
+
+    private Map<String, Object> schema() {
+        var schema = new LinkedHashMap<String, Object>();
+        schema.put("$schema", "https://json-schema.org/draft/2020-12/schema");
+        schema.put("title", "RSAL scenario");
+        schema.putAll(group(
+                with(
+                        fields(
+                                "rsal", described(Map.of("const", Format.VERSION), "Version of the format."),
+                                "scenario", described(text(), "Name of the scenario."),
+                                "title", described(text(), "A line for people."),
+                                "description", described(text(), "Some sentences for people."),
+                                "arguments", named(argument())),
+                        with(body(false), fields("configurations", named(configuration())))),
+                List.of("rsal", "scenario", "world", "robots")));
+        schema.put("$defs", definitions());
+        return schema;
+    }
+
+    private Map<String, Object> definitions() {
+        var definitions = fields(
+                "argument",
+                fields(
+                        "description", "Stands for the value of an argument.",
+                        "type", "string",
+                        "pattern", "^\\$[A-Za-z][A-Za-z0-9_-]*$"));
+        var devices = new ArrayList<Object>(List.of(text()));
+        catalog.drivers().forEach((key, driver) -> {
+            definitions.put("driver-" + key, driver(key, driver));
+            devices.add(fields("allOf", List.of(driver(key), fields("required", List.of("type")))));
+        });
+        definitions.put("device", anyOf(devices));
+        return definitions;
+    }
+
+    private static Map<String, Object> argument() {
+        var numeric = fields(
+                "type", fields("enum", List.of("integer", "number")),
+                "default", fields("type", "number"),
+                "min", fields("type", "number"),
+                "max", fields("type", "number"));
+        var words = fields(
+                "type", fields("const", "string"),
+                "default", fields("type", "string"),
+                "enum", fields("type", "array", "items", fields("type", "string")));
+        var flag = fields("type", fields("const", "boolean"), "default", fields("type", "boolean"));
+        var common = fields("unit", fields("type", "string"), "description", fields("type", "string"));
+        var required = List.of("type", "default");
+        return oneOf(List.of(
+                group(with(numeric, common), required),
+                group(with(words, common), required),
+                group(with(flag, common), required)));
+    }
+
+    private Map<String, Object> configuration() {
+        var more = fields(
+                "title", described(text(), "A line for people."),
+                "args",
+                        described(
+                                fields(
+                                        "type",
+                                        "object",
+                                        "additionalProperties",
+                                        fields("type", List.of("string", "number", "boolean"))),
+                                "Values for arguments."));
+        return group(with(more, with(body(true), fields("arguments", fields("type", "object")))), List.of());
+    }
+
+    /// What a configuration can change.
+    ///
+    /// @param partial whether it lies over something and may leave out anything
+    private Map<String, Object> body(boolean partial) {
+        return fields(
+                "world", group(fields("map", map()), partial ? List.of() : List.of("map")),
+                "robots", named(robot(partial)),
+                "agents", named(agent(partial)),
+                "mas", backEnd(partial, Format.DEFAULT_MAS, parameters(catalog.hosts(), AgentHostProvider::parameters)),
+                "mrs",
+                        backEnd(
+                                partial,
+                                Format.DEFAULT_MRS,
+                                parameters(catalog.systems(), RobotSystemProvider::parameters)),
+                "run", run(),
+                "measure", list(measure()));
+    }
+
+    private Map<String, Object> map() {
+        return described(
+                anyOf(List.of(
+                        enumeration(catalog.maps()), fields("type", "string", "pattern", "\\.ya?ml$"), reference())),
+                "A map that comes with the program, or the YAML file of a map in ROS's format.");
+    }
+
+    private Map<String, Object> robot(boolean partial) {
+        var number = orReference(fields("type", "number"));
+        var pose = fields("type", "array", "items", number, "minItems", 3, "maxItems", 3);
+        var free = group(
+                fields(
+                        "free", fields("const", true),
+                        "clearance", parameter(Format.CLEARANCE),
+                        "within",
+                                described(
+                                        fields("type", "array", "items", number, "minItems", 4, "maxItems", 4),
+                                        "Least x, least y, greatest x, greatest y [m].")),
+                List.of("free"));
+        return group(
+                fields(
+                        "count", parameter(Format.COUNT),
+                        "model",
+                                described(
+                                        anyOf(List.of(
+                                                enumeration(catalog.models()),
+                                                fields("type", "string", "pattern", "\\.ya?ml$"),
+                                                reference())),
+                                        "What kind of robot it is."),
+                        "pose",
+                                described(
+                                        anyOf(List.of(
+                                                pose,
+                                                fields("type", "array", "items", pose, "minItems", 1),
+                                                partial ? fields("type", "object") : free)),
+                                        "Where they start: [x, y, degrees], a list of those, or somewhere free."),
+                        "color",
+                                described(
+                                        orReference(fields("type", "string", "pattern", "^#[0-9a-fA-F]{6}$")),
+                                        "How people see them."),
+                        "devices", devices(partial)),
+                partial ? List.of() : List.of("model"));
+    }
+
+    private Map<String, Object> devices(boolean partial) {
+        String description =
+                "Parts (laser: urg04lx) and drivers of software devices (localizer: {type: amcl}), in order.";
+        if (partial) {
+            return described(
+                    fields("type", "object", "additionalProperties", fields("type", List.of("string", "object"))),
+                    description);
+        }
+        var byName = new LinkedHashMap<String, Object>();
+        catalog.drivers().keySet().forEach(key -> byName.put(key, anyOf(List.of(fields("$ref", DEVICE), driver(key)))));
+        return described(
+                fields("type", "object", "properties", byName, "additionalProperties", fields("$ref", DEVICE)),
+                description);
+    }
+
+    private static Map<String, Object> driver(String key) {
+        return fields("$ref", "#/$defs/driver-" + key);
+    }
+
+    /// The type may be left out for a device of the driver's own name.
+    private static Map<String, Object> driver(String key, DeviceDriver driver) {
+        return group(with(fields("type", fields("const", key)), parameters(driver.parameters())), List.of());
+    }
+
+    private Map<String, Object> agent(boolean partial) {
+        var robot = fields("robot", described(text(), "Role of the robots that have one each."));
+        var anything =
+                group(with(fields("type", text()), with(robot, fields("args", fields("type", "object")))), List.of());
+        if (partial) {
+            return anything;
+        }
+        var kinds = new ArrayList<Object>();
+        catalog.agents().forEach((key, type) -> kinds.add(agent(key, type, robot)));
+        kinds.add(group(
+                with(fields("type", reference()), with(robot, fields("args", fields("type", "object")))),
+                List.of("type")));
+        return oneOf(kinds);
+    }
+
+    private static Map<String, Object> agent(String key, AgentType type, Map<String, Object> robot) {
+        return described(
+                group(
+                        with(
+                                fields("type", fields("const", key)),
+                                with(
+                                        robot,
+                                        fields(
+                                                "args",
+                                                group(parameters(type.parameters()), required(type.parameters()))))),
+                        required(type.parameters()).isEmpty() ? List.of("type") : List.of("type", "args")),
+                type.description());
+    }
+
+    private static <P> Map<String, List<Parameter>> parameters(
+            Map<String, P> providers, Function<P, List<Parameter>> parameters) {
+        var byKey = new LinkedHashMap<String, List<Parameter>>();
+        providers.forEach((key, provider) -> byKey.put(key, parameters.apply(provider)));
+        return byKey;
+    }
+
+    private static Map<String, Object> backEnd(
+            boolean partial, String fallback, Map<String, List<Parameter>> parameters) {
+        var kinds = new ArrayList<Object>();
+        parameters.forEach((key, own) -> kinds.add(group(
+                with(fields("use", fields("const", key)), parameters(own)),
+                partial || key.equals(fallback) ? List.of() : List.of("use"))));
+        return anyOf(kinds);
+    }
+
+    private static Map<String, Object> run() {
+        var clock = fields(
+                "mode", parameter(Format.MODE),
+                "speed", anyOf(List.of(parameter(Format.SPEED), fields("const", "max"))));
+        var stop = group(
+                fields(
+                        "when", described(text(), "A condition, like allCaught(prey) or time > 300."),
+                        "outcome", parameter(Format.OUTCOME),
+                        "after", parameter(Format.AFTER)),
+                List.of("when", "outcome"));
+        return group(
+                fields("seed", parameter(Format.SEED), "clock", group(clock, List.of()), "stop", list(stop)),
+                List.of());
+    }
+
+    private static Map<String, Object> measure() {
+        return group(
+                fields(
+                        "name", fields("type", "string", "pattern", "^" + Format.NAME.pattern() + "$"),
+                        "unit", fields("type", "string"),
+                        "from", described(text(), "What to measure, like p95(poseError)."),
+                        "per", parameter(Format.PER),
+                        "better", parameter(Format.BETTER),
+                        "bound",
+                                group(
+                                        fields(
+                                                "min", orReference(fields("type", "number")),
+                                                "max", orReference(fields("type", "number"))),
+                                        List.of())),
+                List.of("name", "from"));
+    }
+
+    private static Map<String, Object> parameters(List<Parameter> parameters) {
+        var properties = new LinkedHashMap<String, Object>();
+        parameters.forEach(parameter -> properties.put(parameter.name(), parameter(parameter)));
+        return properties;
+    }
+
+    private static List<String> required(List<Parameter> parameters) {
+        return parameters.stream()
+                .filter(parameter -> parameter.fallback().isEmpty())
+                .map(Parameter::name)
+                .toList();
+    }
+
+    private static Map<String, Object> parameter(Parameter parameter) {
+        var value = new LinkedHashMap<String, Object>();
+        value.put(
+                "type",
+                switch (parameter.kind()) {
+                    case NUMBER -> "number";
+                    case INTEGER -> "integer";
+                    case TEXT -> "string";
+                    case FLAG -> "boolean";
+                });
+        if (Double.isFinite(parameter.min())) {
+            value.put("minimum", parameter.min());
+        }
+        if (Double.isFinite(parameter.max())) {
+            value.put("maximum", parameter.max());
+        }
+        if (!parameter.options().isEmpty()) {
+            value.put("enum", parameter.options());
+        }
+        var schema = orReference(value);
+        Optional<Object> fallback = parameter.fallback();
+        fallback.ifPresent(f -> schema.put("default", f));
+        return described(
+                schema, parameter.description() + (parameter.unit().isEmpty() ? "" : " [" + parameter.unit() + "]"));
+    }
+
+    private static Map<String, Object> orReference(Map<String, Object> schema) {
+        return anyOf(List.of(schema, reference()));
+    }
+
+    private static Map<String, Object> reference() {
+        return fields("$ref", ARGUMENT);
+    }
+
+    private static Map<String, Object> text() {
+        return fields("type", "string", "minLength", 1);
+    }
+
+    private static Map<String, Object> enumeration(List<String> words) {
+        return fields("enum", words);
+    }
+
+    private static Map<String, Object> anyOf(List<?> schemas) {
+        return fields("anyOf", schemas);
+    }
+
+    private static Map<String, Object> oneOf(List<?> schemas) {
+        return fields("oneOf", schemas);
+    }
+
+    private static Map<String, Object> list(Map<String, Object> items) {
+        return fields("type", "array", "items", items, "maxItems", Format.MAX_ITEMS);
+    }
+
+    /// A group whose names are free to choose.
+    private static Map<String, Object> named(Map<String, Object> each) {
+        return fields(
+                "type",
+                "object",
+                "propertyNames",
+                fields("pattern", "^" + Format.NAME.pattern() + "$"),
+                "additionalProperties",
+                each);
+    }
+
+    private static Map<String, Object> group(Map<String, Object> properties, List<String> required) {
+        var group = fields("type", "object", "properties", properties);
+        if (!required.isEmpty()) {
+            group.put("required", required);
+        }
+        group.put("additionalProperties", false);
+        return group;
+    }
+
+    private static Map<String, Object> described(Map<String, Object> schema, String description) {
+        var described = fields("description", description);
+        described.putAll(schema);
+        return described;
+    }
+
+    private static Map<String, Object> with(Map<String, Object> first, Map<String, Object> more) {
+        var all = new LinkedHashMap<>(first);
+        all.putAll(more);
+        return all;
+    }
+
+    /// Names and values in turn.
+    private static Map<String, Object> fields(Object... namesAndValues) {
+        var fields = new LinkedHashMap<String, Object>();
+        for (int i = 0; i < namesAndValues.length; i += 2) {
+            fields.put((String) namesAndValues[i], namesAndValues[i + 1]);
+        }
+        return fields;
+    }
+}
