@@ -1,0 +1,20 @@
+/// Shows a run to browsers on this machine and takes their commands: HTTP, WebSocket, JSON. Knows runs only as
+/// [rsal.scenario.LiveRun]; knows nothing of simulators, agent hosts or the command line.
+module rsal.server {
+    requires transitive rsal.scenarios;
+    requires io.javalin;
+    requires kotlin.stdlib;
+    requires org.eclipse.jetty.ee10.servlet;
+    requires org.eclipse.jetty.ee10.websocket.jetty.server;
+    requires org.eclipse.jetty.server;
+    requires org.eclipse.jetty.util;
+    requires org.eclipse.jetty.websocket.api;
+    requires org.slf4j;
+    requires tools.jackson.databind;
+    requires static org.jspecify;
+
+    exports rsal.server;
+
+    opens rsal.server to
+            tools.jackson.databind;
+}

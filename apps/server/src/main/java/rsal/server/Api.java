@@ -1,0 +1,228 @@
+package rsal.server;
+
+import io.javalin.config.RoutesConfig;
+import io.javalin.http.Context;
+import io.javalin.http.Handler;
+import io.javalin.http.Header;
+import io.javalin.http.HttpResponseException;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletionStage;
+import java.util.zip.GZIPOutputStream;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import rsal.data.Pose2d;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.Answer;
+import rsal.scenario.run.LiveRun;
+import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.Mistake;
+import rsal.server.Messages.Plan;
+import rsal.server.Messages.Refused;
+import rsal.server.Messages.Restart;
+import rsal.server.Messages.RobotPose;
+import rsal.server.Messages.RunInfo;
+import rsal.server.Messages.Speed;
+import rsal.server.Page.Asset;
+import rsal.settings.InvalidSettings;
+
+/// What can be asked and told over HTTP. `GET` shows, `POST` changes and needs the token. A refusal comes as
+/// [Messages.Refused] with a status: 400 not understood, 401 no token, 409 not possible now, 422 bad settings.
+final class Api {
+    private static final Logger LOG = LoggerFactory.getLogger(Api.class);
+    private static final double FARTHEST = 1e6; // [m], from the map's origin
+    private static final double SLOWEST = 0.1;
+    private static final double FASTEST = 1000;
+    private static final Map<String, String> SECURITY_HEADERS = Map.of(
+            "Content-Security-Policy",
+                    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self';"
+                            + " base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+            "X-Content-Type-Options", "nosniff",
+            "X-Frame-Options", "DENY",
+            "Referrer-Policy", "no-referrer",
+            "Cross-Origin-Opener-Policy", "same-origin",
+            "Cross-Origin-Resource-Policy", "same-origin");
+
+    private final CurrentRun current;
+    private final Gate gate;
+    private final Page page;
+
+    Api(CurrentRun current, Gate gate, Page page) {
+        this.current = current;
+        this.gate = gate;
+        this.page = page;
+    }
+
+    void configure(RoutesConfig routes) {
+        routes.before(request -> {
+            SECURITY_HEADERS.forEach(request::header);
+            request.header(Header.CACHE_CONTROL, "no-store");
+            gate.admit(request.header(Header.HOST), request.header(Header.ORIGIN));
+        });
+
+        routes.get("/api/run", request -> answer(request, info()));
+        routes.get("/api/map/{run}", this::map);
+
+        command(routes, "pause", request -> running().pause());
+        command(routes, "resume", request -> running().resume());
+        command(routes, "step", request -> running().step());
+        command(routes, "speed", request -> running().speed(factor(read(request, Speed.class))));
+        command(routes, "stop", request -> running().stop());
+        command(routes, "place", request -> {
+            RobotPose to = read(request, RobotPose.class);
+            answerWhenDone(request, running().place(to.robot(), pose(to)));
+        });
+        command(routes, "goal", request -> {
+            RobotPose to = read(request, RobotPose.class);
+            answerWhenDone(request, running().goTo(to.robot(), pose(to)));
+        });
+        command(routes, "estop", request -> answerWhenDone(request, running().estop()));
+        command(routes, "rearm", request -> answerWhenDone(request, running().rearm()));
+        command(routes, "check", request -> answer(request, plan(read(request, Restart.class))));
+        command(routes, "restart", request -> {
+            current.restart(options(read(request, Restart.class)));
+            answer(request, info());
+        });
+
+        routes.get("/*", this::asset);
+
+        routes.exception(Refusal.class, (refusal, request) -> refuse(request, refusal));
+        routes.exception(
+                InvalidSettings.class,
+                (settings, request) -> refuse(
+                        request, new Refusal(422, "This can't be run as it is.", Descriptions.mistakes(settings))));
+        routes.exception(
+                HttpResponseException.class,
+                (e, request) -> refuse(request, new Refusal(e.getStatus(), String.valueOf(e.getMessage()))));
+        routes.exception(Exception.class, (e, request) -> {
+            LOG.error("Could not answer {} {}.", request.method(), request.path(), e);
+            refuse(request, new Refusal(500, "The server failed at this; its log says why."));
+        });
+    }
+
+    /// What changes the run, or asks the server to work: only with the token. Answers `{}` unless told otherwise.
+    private void command(RoutesConfig routes, String name, Handler handler) {
+        routes.post("/api/run/" + name, request -> {
+            gate.authorize(request.header(Header.AUTHORIZATION));
+            answer(request, Map.of());
+            handler.handle(request);
+        });
+    }
+
+    private LiveRun running() {
+        Numbered now = current.now();
+        if (now.isOver()) {
+            throw new Refusal(409, "The run is over. Restart it first.");
+        }
+        return now.run();
+    }
+
+    private RunInfo info() {
+        Numbered now = current.now();
+        return Descriptions.run(now.number(), now.run().plan());
+    }
+
+    private Plan plan(Restart wish) {
+        RunPlan plan = current.now().run().plan().scenario().plan(options(wish));
+        return new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan));
+    }
+
+    /// As the run is now, but for what the wish says.
+    private RunOptions options(Restart wish) {
+        RunPlan plan = current.now().run().plan();
+        return plan.options()
+                .withConfiguration(wish.configuration().orElse(plan.configuration()))
+                .withArguments(wish.arguments().orElse(plan.options().arguments()))
+                .withSeed(wish.seed().map(Api::seed).orElse(plan.seed()));
+    }
+
+    private static long seed(String typed) {
+        try {
+            return Long.parseLong(typed.strip());
+        } catch (NumberFormatException e) {
+            var mistake = new Mistake("seed", "(%s) is not a whole number.".formatted(shortened(typed)), "Try 42.");
+            throw new Refusal(422, "This can't be run as it is.", List.of(mistake));
+        }
+    }
+
+    private static double factor(Speed speed) {
+        if (speed.factor().equals("max")) {
+            return Double.POSITIVE_INFINITY;
+        }
+        try {
+            double factor = Double.parseDouble(speed.factor());
+            if (factor >= SLOWEST && factor <= FASTEST) {
+                return factor;
+            }
+        } catch (NumberFormatException e) {
+            // refused below, with the right words
+        }
+        throw new Refusal(
+                400,
+                "A speed is a number from %s to %s, or max; not (%s)."
+                        .formatted(SLOWEST, (int) FASTEST, shortened(speed.factor())));
+    }
+
+    private static Pose2d pose(RobotPose to) {
+        if (!(Math.abs(to.x()) <= FARTHEST && Math.abs(to.y()) <= FARTHEST && Double.isFinite(to.heading()))) {
+            throw new Refusal(400, "(%s, %s) with heading %s is not a place.".formatted(to.x(), to.y(), to.heading()));
+        }
+        return new Pose2d(to.x(), to.y(), to.heading());
+    }
+
+    private void map(Context request) throws IOException {
+        Numbered now = current.now();
+        if (!request.pathParam("run").equals(Integer.toString(now.number()))) {
+            throw new Refusal(404, "Only the map of run %d is there.".formatted(now.number()));
+        }
+        var packed = new ByteArrayOutputStream();
+        try (var gzip = new GZIPOutputStream(packed)) {
+            gzip.write(now.run().plan().map().cells());
+        }
+        request.header(Header.CONTENT_ENCODING, "gzip");
+        request.contentType("application/octet-stream").result(packed.toByteArray());
+    }
+
+    private void asset(Context request) {
+        Asset asset = page.find(request.path())
+                .orElseThrow(() -> new Refusal(404, "There is no (%s) here.".formatted(shortened(request.path()))));
+        if (asset.hashed()) {
+            request.header(Header.CACHE_CONTROL, "max-age=31536000, immutable");
+        }
+        request.contentType(asset.type()).result(asset.content());
+    }
+
+    private static <T extends Record> T read(Context request, Class<T> type) throws IOException {
+        byte[] body = request.bodyInputStream().readNBytes(RunServer.MAX_MESSAGE + 1);
+        if (body.length > RunServer.MAX_MESSAGE) {
+            throw new Refusal(413, "A request has at most %d bytes.".formatted(RunServer.MAX_MESSAGE));
+        }
+        return Json.read(new String(body, StandardCharsets.UTF_8), type);
+    }
+
+    private static void answerWhenDone(Context request, CompletionStage<Answer> stage) {
+        request.future(() -> stage.thenAccept(answer -> {
+                    if (answer instanceof Answer.Refused(String why)) {
+                        throw new Refusal(409, why);
+                    }
+                })
+                .toCompletableFuture());
+    }
+
+    private static void answer(Context request, Object message) {
+        request.contentType("application/json").result(Json.write(message));
+    }
+
+    private static void refuse(Context request, Refusal refusal) {
+        request.status(refusal.status());
+        answer(request, new Refused(refusal.sentence(), refusal.problems()));
+    }
+
+    private static String shortened(String text) {
+        return text.length() <= 80 ? text : text.substring(0, 77) + "...";
+    }
+}

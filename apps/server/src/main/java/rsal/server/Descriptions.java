@@ -1,0 +1,181 @@
+package rsal.server;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.Society;
+import rsal.data.Footprint;
+import rsal.data.OccupancyGrid;
+import rsal.device.Health;
+import rsal.robot.RobotSpec;
+import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.AgentView;
+import rsal.scenario.run.DeviceView;
+import rsal.scenario.run.RobotView;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.RunResult;
+import rsal.scenario.run.Snapshot;
+import rsal.server.Messages.AgentDetails;
+import rsal.server.Messages.ArgumentInfo;
+import rsal.server.Messages.ConfigurationInfo;
+import rsal.server.Messages.Details;
+import rsal.server.Messages.DeviceDetails;
+import rsal.server.Messages.Ending;
+import rsal.server.Messages.EventInfo;
+import rsal.server.Messages.MapInfo;
+import rsal.server.Messages.RobotDetails;
+import rsal.server.Messages.RobotInfo;
+import rsal.server.Messages.RunInfo;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Parameter;
+
+/// Puts a run into messages.
+final class Descriptions {
+    private Descriptions() {}
+
+    static RunInfo run(int number, RunPlan plan) {
+        Scenario scenario = plan.scenario();
+        return new RunInfo(
+                number,
+                scenario.name(),
+                scenario.title(),
+                scenario.description(),
+                plan.configuration(),
+                scenario.configurations().stream()
+                        .map(c -> new ConfigurationInfo(c.name(), c.title()))
+                        .toList(),
+                arguments(plan),
+                Long.toString(plan.seed()),
+                plan.step().toNanos() / 1e9,
+                map(plan.mapName(), plan.map()),
+                plan.robots().stream().map(robot -> robot(robot.spec())).toList());
+    }
+
+    static List<ArgumentInfo> arguments(RunPlan plan) {
+        return plan.scenario().arguments().stream()
+                .map(argument -> argument(argument, plan))
+                .toList();
+    }
+
+    private static ArgumentInfo argument(Parameter parameter, RunPlan plan) {
+        return new ArgumentInfo(
+                parameter.name(),
+                ArgumentInfo.ArgumentKind.valueOf(parameter.kind().name()),
+                String.valueOf(plan.arguments().get(parameter.name())),
+                plan.options().arguments().containsKey(parameter.name()),
+                finite(parameter.min()),
+                finite(parameter.max()),
+                parameter.options(),
+                parameter.unit(),
+                parameter.description());
+    }
+
+    private static Optional<Double> finite(double value) {
+        return Double.isFinite(value) ? Optional.of(value) : Optional.empty();
+    }
+
+    private static MapInfo map(String name, OccupancyGrid map) {
+        return new MapInfo(name, map.width(), map.height(), map.resolution(), map.originX(), map.originY());
+    }
+
+    private static RobotInfo robot(RobotSpec spec) {
+        return new RobotInfo(
+                spec.id(),
+                spec.role(),
+                spec.color(),
+                spec.model().title(),
+                corners(spec.model().footprint()));
+    }
+
+    private static List<List<Double>> corners(Footprint footprint) {
+        return footprint.corners().stream()
+                .map(corner -> List.of(corner.x(), corner.y()))
+                .toList();
+    }
+
+    static Details details(int number, Snapshot snapshot, CompletableFuture<RunResult> result) {
+        return new Details(
+                number,
+                ending(result),
+                snapshot.robots().stream().map(Descriptions::robot).toList(),
+                snapshot.agents().stream().map(Descriptions::agent).toList());
+    }
+
+    private static Optional<Ending> ending(CompletableFuture<RunResult> result) {
+        if (!result.isDone()) {
+            return Optional.empty();
+        }
+        return Optional.of(result.handle((end, failure) -> end != null
+                        ? new Ending(
+                                end.outcome(),
+                                end.simulatedSeconds(),
+                                end.wallSeconds(),
+                                end.eventHash(),
+                                measures(end),
+                                end.outOfBounds(),
+                                "")
+                        : new Ending("broken", 0, 0, "", Map.of(), List.of(), reason(failure)))
+                .join());
+    }
+
+    private static Map<String, @Nullable Double> measures(RunResult result) {
+        var measures = new LinkedHashMap<String, @Nullable Double>();
+        result.measures().forEach((name, value) -> measures.put(name, value.isPresent() ? value.getAsDouble() : null));
+        return measures;
+    }
+
+    private static String reason(Throwable failure) {
+        Throwable cause =
+                failure instanceof CompletionException && failure.getCause() != null ? failure.getCause() : failure;
+        return String.valueOf(cause.getMessage());
+    }
+
+    private static RobotDetails robot(RobotView robot) {
+        return new RobotDetails(
+                robot.id(),
+                robot.inCharge(),
+                robot.devices().stream().map(Descriptions::device).toList());
+    }
+
+    private static DeviceDetails device(DeviceView device) {
+        return switch (device.health()) {
+            case Health.Ok() -> device(device, DeviceDetails.Condition.OK, "");
+            case Health.Stale(String reason) -> device(device, DeviceDetails.Condition.STALE, reason);
+            case Health.Lost(String reason) -> device(device, DeviceDetails.Condition.LOST, reason);
+        };
+    }
+
+    private static DeviceDetails device(DeviceView device, DeviceDetails.Condition condition, String reason) {
+        return new DeviceDetails(device.name(), device.driver(), device.type(), condition, reason);
+    }
+
+    private static AgentDetails agent(AgentView agent) {
+        Society.View view = agent.view();
+        return new AgentDetails(
+                view.agent().name(),
+                view.agent().role(),
+                view.agent().type(),
+                view.agent().robot(),
+                AgentDetails.Status.valueOf(view.status().name()),
+                view.state(),
+                view.beliefs(),
+                view.sent(),
+                agent.lastMessages());
+    }
+
+    static EventInfo event(RunEvent event) {
+        return new EventInfo(
+                event.sequence(), event.time().toNanos() / 1e9, event.kind(), event.subject(), event.text());
+    }
+
+    static List<Messages.Mistake> mistakes(InvalidSettings settings) {
+        return settings.problems().stream()
+                .map(p -> new Messages.Mistake(p.location().toString(), p.message(), p.remedy()))
+                .toList();
+    }
+}

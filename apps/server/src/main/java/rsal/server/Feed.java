@@ -1,0 +1,27 @@
+package rsal.server;
+
+import java.util.List;
+import rsal.scenario.run.RunEvent;
+
+/// What viewers are shown of a run at one moment.
+interface Feed {
+    /// Of the run, from 1.
+    int number();
+
+    /// The run's [Messages.RunInfo] as JSON.
+    String info();
+
+    /// [Messages.Details] as JSON.
+    String details();
+
+    /// As [FrameEncoder] writes it; not to be changed.
+    byte[] frame();
+
+    /// Of the frame, from 1 in each run; grows when the frame or the details are new.
+    long sequence();
+
+    /// What has happened after an event, oldest first.
+    ///
+    /// @param sequence of that event; 0 for all
+    List<RunEvent> events(long sequence);
+}

@@ -1,0 +1,279 @@
+package rsal.server;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rsal.data.Angles;
+import rsal.data.Covariance2d;
+import rsal.data.LaserScan;
+import rsal.data.ParticleCloud;
+import rsal.data.Path2d;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
+import rsal.data.Stamped;
+import rsal.scenario.run.RobotView;
+import rsal.scenario.run.Snapshot;
+
+/// Writes snapshots as frames: little-endian, every block a multiple of 4 bytes, lengths in millimetres, angles
+/// in 1/65536 of a turn. `docs/reference/live-protocol.md` has the offsets.
+///
+/// Keeps its buffer from frame to frame, so it is for one thread.
+final class FrameEncoder {
+    static final int MAGIC = 0x4c415352; // "RSAL"
+    static final int HEADER_BYTES = 40;
+    static final int ROBOT_BYTES = 16;
+
+    static final int PAUSED = 1;
+    static final int STOPPED = 1 << 1;
+    static final int ENDED = 1 << 2;
+
+    static final int PRESENT = 1;
+    static final int STALLED = 1 << 1;
+    static final int TRUTH = 1 << 2;
+    static final int ESTIMATE = 1 << 3;
+    static final int GOAL = 1 << 4;
+    static final int PATH = 1 << 5;
+    static final int SCAN = 1 << 6;
+    static final int RANGES = 1 << 7;
+    static final int PARTICLES = 1 << 8;
+
+    static final int TOO_CLOSE = 0;
+    static final int NOTHING = 0xffff;
+    static final int BROKEN = 0xfffe;
+    private static final int MAX_RANGE = 0xfffd;
+
+    /// More would not be seen on a screen; of larger clouds every n-th particle is sent.
+    static final int MAX_PARTICLES = 1500;
+
+    private static final double TURN = 2 * Math.PI;
+
+    private ByteBuffer out = allocate(1 << 16);
+
+    /// @param robots ids, in the order in which the frame has them
+    /// @param sequence of the frame, to be acknowledged by
+    byte[] encode(int run, long sequence, Snapshot snapshot, List<String> robots) {
+        Map<String, RobotView> views = HashMap.newHashMap(snapshot.robots().size());
+        for (RobotView view : snapshot.robots()) {
+            views.put(view.id(), view);
+        }
+        out.clear();
+        header(run, sequence, snapshot, robots.size());
+        for (String robot : robots) {
+            robot(Optional.ofNullable(views.get(robot)));
+        }
+        for (String robot : robots) {
+            RobotView view = views.get(robot);
+            if (view != null) {
+                blocks(view);
+            }
+        }
+        byte[] frame = new byte[out.position()];
+        out.flip().get(frame);
+        return frame;
+    }
+
+    private void header(int run, long sequence, Snapshot snapshot, int robots) {
+        reserve(HEADER_BYTES);
+        out.putInt(MAGIC);
+        out.putInt(run);
+        out.putInt((int) sequence);
+        out.putInt((snapshot.paused() ? PAUSED : 0)
+                | (snapshot.stopped() ? STOPPED : 0)
+                | (snapshot.outcome().isPresent() ? ENDED : 0));
+        out.putDouble(seconds(snapshot.time()));
+        out.putFloat((float) snapshot.speed());
+        out.putFloat((float) snapshot.rate());
+        out.putInt(robots);
+        out.putInt(0); // keeps what follows on a multiple of 8
+    }
+
+    private void robot(Optional<RobotView> view) {
+        reserve(ROBOT_BYTES);
+        Optional<Pose2d> pose = view.flatMap(FrameEncoder::bestPose);
+        if (pose.isEmpty()) {
+            out.putLong(0).putLong(0);
+            return;
+        }
+        RobotView robot = view.orElseThrow();
+        var odometry = robot.odometry().map(Stamped::value);
+        pose(pose.get());
+        out.putShort(milli(odometry.map(o -> o.velocity().vx()).orElse(0.0)));
+        out.putShort(milli(odometry.map(o -> o.velocity().omega()).orElse(0.0)));
+        out.putShort(
+                (short) (flags(robot) | (odometry.isPresent() && odometry.get().stalled() ? STALLED : 0)));
+    }
+
+    private static int flags(RobotView robot) {
+        return PRESENT
+                | (robot.truth().isPresent() ? TRUTH : 0)
+                | (robot.estimate().isPresent() ? ESTIMATE : 0)
+                | (robot.goal().isPresent() ? GOAL : 0)
+                | (robot.path().points().isEmpty() ? 0 : PATH)
+                | (robot.scan().isPresent() ? SCAN : 0)
+                | (robot.ranges().isPresent() ? RANGES : 0)
+                | (robot.particles().isPresent() ? PARTICLES : 0);
+    }
+
+    /// The truth where there is one, else what its localizer believes.
+    private static Optional<Pose2d> bestPose(RobotView robot) {
+        return robot.truth().or(() -> robot.estimate().map(e -> e.value().mapFromBase()));
+    }
+
+    /// What the robot's flags announce, in the order of the flags.
+    private void blocks(RobotView robot) {
+        if (bestPose(robot).isEmpty()) {
+            return;
+        }
+        robot.estimate().map(Stamped::value).ifPresent(this::estimate);
+        robot.goal().ifPresent(goal -> {
+            reserve(12);
+            pose(goal);
+            out.putShort((short) 0);
+        });
+        path(robot.path());
+        robot.scan().map(Stamped::value).ifPresent(this::scan);
+        robot.ranges().map(Stamped::value).ifPresent(this::ranges);
+        robot.particles().map(Stamped::value).ifPresent(this::particles);
+    }
+
+    private void estimate(PoseEstimate estimate) {
+        reserve(24);
+        Covariance2d covariance = estimate.covariance();
+        pose(estimate.mapFromBase());
+        out.putShort(milli(Math.sqrt(Math.max(0, covariance.thetaTheta()))));
+        out.putFloat((float) covariance.xx());
+        out.putFloat((float) covariance.xy());
+        out.putFloat((float) covariance.yy());
+    }
+
+    private void path(Path2d path) {
+        if (path.points().isEmpty()) {
+            return;
+        }
+        reserve(4 + 8 * path.points().size());
+        out.putInt(path.points().size());
+        for (Point2d point : path.points()) {
+            out.putInt(millimetres(point.x()));
+            out.putInt(millimetres(point.y()));
+        }
+    }
+
+    private void scan(LaserScan scan) {
+        reserve(32 + 2 * scan.count() + 2);
+        double unit = rangeUnit(scan.rangeMax());
+        pose(scan.baseFromLaser());
+        out.putShort((short) 0);
+        out.putFloat((float) scan.angleMin());
+        out.putFloat((float) scan.angleIncrement());
+        out.putFloat((float) scan.rangeMax());
+        out.putFloat((float) unit);
+        out.putInt(scan.count());
+        for (float range : scan.ranges()) {
+            out.putShort(range(range, unit));
+        }
+        pad();
+    }
+
+    private void ranges(RangeArray array) {
+        reserve(16 + 12 * array.count());
+        double unit = rangeUnit(array.rangeMax());
+        out.putFloat((float) array.fieldOfView());
+        out.putFloat((float) array.rangeMax());
+        out.putFloat((float) unit);
+        out.putInt(array.count());
+        for (int i = 0; i < array.count(); i++) {
+            pose(array.baseFromSensors().get(i));
+            out.putShort(range(array.ranges()[i], unit));
+        }
+    }
+
+    private void particles(ParticleCloud cloud) {
+        int stride = (cloud.count() + MAX_PARTICLES - 1) / MAX_PARTICLES;
+        int count = stride == 0 ? 0 : (cloud.count() + stride - 1) / stride;
+        float[] poses = cloud.poses();
+        float minX = Float.POSITIVE_INFINITY;
+        float minY = Float.POSITIVE_INFINITY;
+        float maxX = Float.NEGATIVE_INFINITY;
+        float maxY = Float.NEGATIVE_INFINITY;
+        float maxWeight = 0;
+        for (int i = 0; i < cloud.count(); i += stride) {
+            minX = Math.min(minX, poses[3 * i]);
+            maxX = Math.max(maxX, poses[3 * i]);
+            minY = Math.min(minY, poses[3 * i + 1]);
+            maxY = Math.max(maxY, poses[3 * i + 1]);
+            maxWeight = Math.max(maxWeight, cloud.weights()[i]);
+        }
+        float unit = Math.max(0.001f, Math.max(maxX - minX, maxY - minY) / 0xffff);
+        reserve(16 + 8 * count);
+        out.putFloat(minX);
+        out.putFloat(minY);
+        out.putFloat(unit);
+        out.putInt(count);
+        for (int i = 0; i < cloud.count(); i += stride) {
+            out.putShort((short) Math.round((poses[3 * i] - minX) / unit));
+            out.putShort((short) Math.round((poses[3 * i + 1] - minY) / unit));
+            out.putShort(turn(poses[3 * i + 2]));
+            out.putShort((short) Math.round(0xffff * (cloud.weights()[i] / maxWeight)));
+        }
+    }
+
+    /// 10 bytes.
+    private void pose(Pose2d pose) {
+        out.putInt(millimetres(pose.x()));
+        out.putInt(millimetres(pose.y()));
+        out.putShort(turn(pose.theta()));
+    }
+
+    private static short turn(double angle) {
+        return (short) Math.round(Angles.wrap(angle) / TURN * 0x10000);
+    }
+
+    private static int millimetres(double meters) {
+        return Math.clamp(Math.round(meters * 1000), Integer.MIN_VALUE, Integer.MAX_VALUE);
+    }
+
+    private static short milli(double value) {
+        return (short) Math.clamp(Math.round(value * 1000), Short.MIN_VALUE, Short.MAX_VALUE);
+    }
+
+    /// Millimetres where they reach far enough.
+    private static double rangeUnit(double rangeMax) {
+        return Math.max(0.001, rangeMax / MAX_RANGE);
+    }
+
+    private static short range(float range, double unit) {
+        if (Float.isNaN(range)) {
+            return (short) BROKEN;
+        }
+        if (range == Float.POSITIVE_INFINITY) {
+            return (short) NOTHING;
+        }
+        return (short) Math.clamp(Math.round(range / unit), TOO_CLOSE, MAX_RANGE);
+    }
+
+    private void pad() {
+        while (out.position() % 4 != 0) {
+            out.put((byte) 0);
+        }
+    }
+
+    private void reserve(int bytes) {
+        if (out.remaining() < bytes) {
+            out = allocate(2 * (out.position() + bytes)).put(out.flip());
+        }
+    }
+
+    private static ByteBuffer allocate(int bytes) {
+        return ByteBuffer.allocate(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private static double seconds(Duration time) {
+        return time.toNanos() / 1e9;
+    }
+}

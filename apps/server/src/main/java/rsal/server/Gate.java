@@ -1,0 +1,49 @@
+package rsal.server;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/// Who may come in. A page of another site, opened in the same browser, can reach a loopback port: by its own
+/// name made to point here (foreign `Host`), or by sending requests across sites (foreign or `null` `Origin`).
+/// Neither gets an answer. Whoever may look still needs the token to change anything.
+final class Gate {
+    private final List<String> hosts;
+    private final byte[] token;
+
+    Gate(int port, String token) {
+        hosts = List.of("127.0.0.1:" + port, "localhost:" + port, "[::1]:" + port);
+        this.token = token.getBytes(StandardCharsets.UTF_8);
+    }
+
+    /// For every request, upgrades to WebSocket too.
+    ///
+    /// @throws Refusal when it is not meant for us, or sent by a page that is not ours
+    void admit(@Nullable String host, @Nullable String origin) {
+        if (host == null || !hosts.contains(host)) {
+            throw new Refusal(421, "This server answers only as one of %s, not as (%s).".formatted(hosts, host));
+        }
+        if (origin != null && !origin.equals("http://" + host)) {
+            throw new Refusal(403, "Pages of (%s) may not talk to this server.".formatted(origin));
+        }
+    }
+
+    /// For every request that changes something.
+    ///
+    /// @throws Refusal without the token
+    void authorize(@Nullable String authorization) {
+        if (!isToken(authorization)) {
+            throw new Refusal(401, """
+                    This needs the run's token. Open the page by the address that was printed at start, the one \
+                    that ends in #token=…; or send the header "Authorization: Bearer <token>".""");
+        }
+    }
+
+    private boolean isToken(@Nullable String authorization) {
+        return authorization != null
+                && authorization.startsWith("Bearer ")
+                && MessageDigest.isEqual(
+                        token, authorization.substring("Bearer ".length()).getBytes(StandardCharsets.UTF_8));
+    }
+}

@@ -1,0 +1,163 @@
+package rsal.server;
+
+import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeRequest;
+import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeResponse;
+import org.eclipse.jetty.ee10.websocket.server.JettyWebSocketServerContainer;
+import org.eclipse.jetty.websocket.api.Callback;
+import org.eclipse.jetty.websocket.api.Session;
+import org.eclipse.jetty.websocket.api.StatusCode;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import rsal.server.Messages.Receipt;
+
+/// Shows the run over WebSockets, 20 times a second. Each snapshot is encoded once, whoever looks; while nobody
+/// looks, none is asked for.
+final class Live implements AutoCloseable {
+    static final int MAX_VIEWERS = 64;
+    private static final int PERIOD_MILLIS = 50;
+    private static final String RECEIPTS = "This takes receipts: {\"frame\": 7} or {\"events\": 7}.";
+    private static final Logger LOG = LoggerFactory.getLogger(Live.class);
+
+    private final CurrentRun current;
+    private final Gate gate;
+    private final Set<Viewer> viewers = ConcurrentHashMap.newKeySet();
+    private final ScheduledExecutorService clock;
+    private @Nullable RunFeed feed; // the clock's thread only
+
+    Live(CurrentRun current, Gate gate) {
+        this.current = current;
+        this.gate = gate;
+        clock = Executors.newSingleThreadScheduledExecutor(
+                Thread.ofPlatform().name("server-live").daemon().factory());
+        var _ = clock.scheduleAtFixedRate(this::offer, PERIOD_MILLIS, PERIOD_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    void configure(JettyWebSocketServerContainer sockets) {
+        sockets.setMaxTextMessageSize(RunServer.MAX_MESSAGE);
+        sockets.setMaxBinaryMessageSize(RunServer.MAX_MESSAGE);
+        sockets.setIdleTimeout(Duration.ZERO); // a paused run has nothing to say
+        sockets.addMapping("/api/live", this::open);
+    }
+
+    private @Nullable Connection open(JettyServerUpgradeRequest request, JettyServerUpgradeResponse response)
+            throws Exception {
+        try {
+            gate.admit(request.getHeader("Host"), request.getHeader("Origin"));
+        } catch (Refusal refusal) {
+            response.sendError(refusal.status(), refusal.sentence());
+            return null;
+        }
+        response.setExtensions(List.of()); // compressing costs more than loopback does
+        return new Connection();
+    }
+
+    private void offer() {
+        if (viewers.isEmpty()) {
+            return;
+        }
+        try {
+            if (feed == null || !feed.run().equals(current.now())) {
+                feed = new RunFeed(current.now());
+            }
+            feed.look();
+            for (Viewer viewer : viewers) {
+                viewer.offer(feed);
+            }
+        } catch (RuntimeException e) {
+            LOG.error("Could not show the run.", e); // the next snapshot may do
+        }
+    }
+
+    /// No viewer is offered anything any more. Their connections end with the server.
+    @Override
+    public void close() {
+        clock.shutdownNow();
+        try {
+            clock.awaitTermination(1, TimeUnit.SECONDS);
+        } catch (InterruptedException _) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /// One viewer's socket. Jetty calls it and sends for it on threads of its own; it calls only public classes.
+    public final class Connection extends Session.Listener.AbstractAutoDemanding implements Viewer.Line {
+        private final Viewer viewer = new Viewer(this);
+        private final AtomicInteger underWay = new AtomicInteger();
+
+        @Override
+        public void onWebSocketOpen(Session session) {
+            super.onWebSocketOpen(session);
+            if (viewers.size() >= MAX_VIEWERS) {
+                close(StatusCode.TRY_AGAIN_LATER, "%d browsers are watching already.".formatted(MAX_VIEWERS));
+            } else {
+                viewers.add(viewer);
+            }
+        }
+
+        @Override
+        public void onWebSocketText(String message) {
+            try {
+                viewer.received(Json.read(message, Receipt.class));
+            } catch (Refusal _) {
+                close(StatusCode.POLICY_VIOLATION, RECEIPTS);
+            }
+        }
+
+        @Override
+        public void onWebSocketBinary(ByteBuffer message, Callback taken) {
+            taken.succeed();
+            close(StatusCode.BAD_DATA, RECEIPTS);
+        }
+
+        @Override
+        public void onWebSocketClose(int status, @Nullable String reason, Callback closed) {
+            viewers.remove(viewer);
+            closed.succeed();
+        }
+
+        @Override
+        public void onWebSocketError(Throwable cause) {
+            viewers.remove(viewer);
+        }
+
+        private void close(int status, String reason) {
+            viewers.remove(viewer);
+            getSession().close(status, reason, Callback.NOOP);
+        }
+
+        @Override
+        public void send(String text) {
+            getSession().sendText(text, sent());
+        }
+
+        @Override
+        public void send(byte[] bytes) {
+            getSession().sendBinary(ByteBuffer.wrap(bytes), sent());
+        }
+
+        private Callback sent() {
+            underWay.incrementAndGet();
+            return Callback.from(underWay::decrementAndGet, _ -> underWay.decrementAndGet());
+        }
+
+        @Override
+        public boolean isClear() {
+            return underWay.get() == 0;
+        }
+
+        @Override
+        public void cut() {
+            getSession().disconnect();
+        }
+    }
+}

@@ -1,0 +1,166 @@
+package rsal.server;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/// What travels as JSON. The page's `api/messages.ts` is generated from these records. SI units and radians, as
+/// everywhere; what is absent is `null`.
+final class Messages {
+    private Messages() {}
+
+    /// What comes over the WebSocket beside frames: exactly one of these, the others are left out.
+    @JsonInclude(JsonInclude.Include.NON_ABSENT)
+    record ServerMessage(Optional<RunInfo> run, Optional<Details> details, Optional<Events> events) {
+        static ServerMessage of(RunInfo run) {
+            return new ServerMessage(Optional.of(run), Optional.empty(), Optional.empty());
+        }
+
+        static ServerMessage of(Details details) {
+            return new ServerMessage(Optional.empty(), Optional.of(details), Optional.empty());
+        }
+
+        static ServerMessage of(Events events) {
+            return new ServerMessage(Optional.empty(), Optional.empty(), Optional.of(events));
+        }
+    }
+
+    /// What a viewer says over the WebSocket: the newest frame it has drawn, the newest event it has taken.
+    record Receipt(Optional<Long> frame, Optional<Long> events) {}
+
+    /// What stays the same during a run.
+    ///
+    /// @param number counts the runs of this server, from 1
+    /// @param seed as text: numbers in browsers end at 2⁵³
+    /// @param step length of a world step [s]
+    /// @param robots in the order in which frames have them
+    record RunInfo(
+            int number,
+            String scenario,
+            String title,
+            String description,
+            String configuration,
+            List<ConfigurationInfo> configurations,
+            List<ArgumentInfo> arguments,
+            String seed,
+            double step,
+            MapInfo map,
+            List<RobotInfo> robots) {}
+
+    record ConfigurationInfo(String name, String title) {}
+
+    /// @param value in this run, as one would type it
+    /// @param typed whether somebody typed it; else it is the scenario's
+    /// @param min least value of a number
+    /// @param options what a text may be; empty when it may be anything
+    record ArgumentInfo(
+            String name,
+            ArgumentKind kind,
+            String value,
+            boolean typed,
+            Optional<Double> min,
+            Optional<Double> max,
+            List<String> options,
+            String unit,
+            String description) {
+        enum ArgumentKind {
+            NUMBER,
+            INTEGER,
+            TEXT,
+            FLAG
+        }
+    }
+
+    /// Cells are at `/api/map/<run>`, a byte each (0 free, 100 occupied, 255 unknown), row by row from the lower
+    /// left one.
+    ///
+    /// @param resolution side of a cell [m]
+    /// @param originX of the lower left corner, in the map frame [m]
+    /// @param originY likewise [m]
+    record MapInfo(String name, int width, int height, double resolution, double originX, double originY) {}
+
+    /// @param color `#rrggbb`
+    /// @param model for people: `Pioneer 2-DX`
+    /// @param footprint corners in its base frame, x and y [m]
+    record RobotInfo(String id, String role, String color, String model, List<List<Double>> footprint) {}
+
+    /// What changes now and then.
+    ///
+    /// @param ending once the run is over
+    record Details(int run, Optional<Ending> ending, List<RobotDetails> robots, List<AgentDetails> agents) {}
+
+    /// @param outcome as in [rsal.scenario.run.RunResult]; `broken` when the run itself failed
+    /// @param measures by name; `null` for what could not be measured
+    /// @param outOfBounds names of the measures that are worse than the scenario allows
+    /// @param failure why it broke; else empty
+    record Ending(
+            String outcome,
+            double simulatedSeconds,
+            double wallSeconds,
+            String eventHash,
+            Map<String, @Nullable Double> measures,
+            List<String> outOfBounds,
+            String failure) {}
+
+    /// @param inCharge behavior that steers it; empty when none does
+    record RobotDetails(String id, String inCharge, List<DeviceDetails> devices) {}
+
+    /// @param reason why it is not well; else empty
+    record DeviceDetails(String name, String driver, String type, Condition health, String reason) {
+        enum Condition {
+            OK,
+            STALE,
+            LOST
+        }
+    }
+
+    /// @param robot id of its robot; empty when it has none
+    /// @param state what it says it is doing
+    /// @param messages newest few that it sent, newest last
+    record AgentDetails(
+            String name,
+            String role,
+            String type,
+            String robot,
+            Status status,
+            String state,
+            Map<String, String> beliefs,
+            long sent,
+            List<String> messages) {
+        enum Status {
+            RUNNING,
+            ENDED,
+            FAILED
+        }
+    }
+
+    record Events(int run, List<EventInfo> events) {}
+
+    /// @param sequence counts a run's events, from 1
+    /// @param time simulated [s]
+    record EventInfo(long sequence, double time, String kind, String subject, String text) {}
+
+    /// Asks for another run; what is left out stays as it is.
+    ///
+    /// @param arguments as typed, by name; all others are the scenario's
+    record Restart(Optional<String> configuration, Optional<Map<String, String>> arguments, Optional<String> seed) {}
+
+    /// What another run would be, for the form.
+    record Plan(String seed, List<ArgumentInfo> arguments) {}
+
+    /// @param factor 0.1 to 1000 times real time, or `max`
+    record Speed(String factor) {}
+
+    /// @param x in the map frame [m]; boxed, since an absent `double` would be read as 0
+    /// @param heading [rad]
+    record RobotPose(String robot, Double x, Double y, Double heading) {}
+
+    /// Why something was not done.
+    record Refused(String message, List<Mistake> problems) {}
+
+    /// @param where file and place, or whatever the person typed into
+    /// @param remedy what to try; empty when nobody can tell
+    record Mistake(String where, String message, String remedy) {}
+}

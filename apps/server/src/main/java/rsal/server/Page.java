@@ -1,0 +1,45 @@
+package rsal.server;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/// The built page, read into memory once: no request ever reaches the file system.
+final class Page {
+    private static final Map<String, String> TYPES = Map.of(
+            "html", "text/html; charset=utf-8",
+            "js", "text/javascript; charset=utf-8",
+            "css", "text/css; charset=utf-8",
+            "svg", "image/svg+xml",
+            "png", "image/png");
+
+    private final Map<String, Asset> assets = new HashMap<>();
+
+    /// @param hashed whether its name changes with its content, so that browsers may keep it
+    record Asset(byte[] content, String type, boolean hashed) {}
+
+    /// @param directory what the page's build left: `index.html` and what it refers to
+    /// @throws IOException when there is no page
+    Page(Path directory) throws IOException {
+        if (!Files.isRegularFile(directory.resolve("index.html"))) {
+            throw new IOException(
+                    "There is no built page in (%s). Build it: npm --prefix apps/web run build".formatted(directory));
+        }
+        try (Stream<Path> files = Files.walk(directory)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                String name = directory.relativize(file).toString().replace('\\', '/');
+                String type = TYPES.getOrDefault(name.substring(name.lastIndexOf('.') + 1), "application/octet-stream");
+                assets.put("/" + name, new Asset(Files.readAllBytes(file), type, name.startsWith("assets/")));
+            }
+        }
+    }
+
+    /// @param path of a request: `/`, `/assets/index-1a2b.js`
+    Optional<Asset> find(String path) {
+        return Optional.ofNullable(assets.get(path.equals("/") ? "/index.html" : path));
+    }
+}

@@ -1,0 +1,11 @@
+package rsal.server;
+
+/// Another program listens on the port already. Nothing was started.
+public final class PortInUse extends Exception {
+    private static final long serialVersionUID = 1;
+
+    public PortInUse(int port) {
+        super("Port %d is in use, maybe by another run. Choose another one: --port %d; or --port 0 for any."
+                .formatted(port, port == 65535 ? port - 1 : port + 1));
+    }
+}

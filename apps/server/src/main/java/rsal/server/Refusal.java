@@ -1,0 +1,36 @@
+package rsal.server;
+
+import java.util.List;
+
+/// A request is turned down: with a status, a sentence, and for settings all their mistakes.
+final class Refusal extends RuntimeException {
+    private static final long serialVersionUID = 1;
+
+    private final int status;
+    private final String sentence;
+    private final transient List<Messages.Mistake> problems;
+
+    Refusal(int status, String message) {
+        this(status, message, List.of());
+    }
+
+    Refusal(int status, String message, List<Messages.Mistake> problems) {
+        super(message, null, false, false); // expected, so without the cost of a stack trace
+        this.status = status;
+        this.sentence = message;
+        this.problems = problems;
+    }
+
+    int status() {
+        return status;
+    }
+
+    /// The message.
+    String sentence() {
+        return sentence;
+    }
+
+    List<Messages.Mistake> problems() {
+        return problems;
+    }
+}

@@ -1,0 +1,467 @@
+package rsal.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static rsal.server.Errand.TOKEN;
+
+import java.io.IOException;
+import java.net.ConnectException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.CountDownLatch;
+import java.util.zip.GZIPInputStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.Snapshot;
+import rsal.server.RawHttp.Response;
+
+class RunServerTest {
+    private static final String WITH_TOKEN = "Authorization: Bearer " + TOKEN;
+
+    @TempDir
+    private Path directory;
+
+    private RunServer server;
+    private int port;
+    private String host;
+
+    @BeforeEach
+    void start() throws IOException, PortInUse {
+        server = Errand.serve(directory, 0);
+        port = server.url().getPort();
+        host = "Host: 127.0.0.1:" + port;
+    }
+
+    @AfterEach
+    void stop() {
+        server.close();
+    }
+
+    private Response get(String path) throws IOException {
+        return RawHttp.get(port, path, host);
+    }
+
+    private Response post(String command, String body) throws IOException {
+        return RawHttp.post(port, "/api/run/" + command, body, host, WITH_TOKEN);
+    }
+
+    /// The first snapshot that is as wanted; the run makes a new one whenever it is asked.
+    private static Snapshot await(LiveRun run, java.util.function.Predicate<Snapshot> wanted)
+            throws InterruptedException {
+        while (true) {
+            var news = new CountDownLatch(1);
+            try (var _ = run.onSnapshot(news::countDown)) {
+                Snapshot snapshot = run.snapshot();
+                if (wanted.test(snapshot)) {
+                    return snapshot;
+                }
+                news.await();
+            }
+        }
+    }
+
+    @Nested
+    class Looking {
+        @Test
+        void needsNoToken() throws IOException {
+            assertThat(get("/api/run").status()).isEqualTo(200);
+            assertThat(get("/api/run").body())
+                    .contains("\"scenario\":\"errand\"", "\"configuration\":\"one\"", "\"seed\":\"7\"")
+                    .contains("\"id\":\"courier-1\"", "\"Pioneer 2-DX\"")
+                    .contains("\"name\":\"couriers\"", "\"min\":1.0,\"max\":4.0");
+            assertThat(get("/").body()).contains("The page");
+        }
+
+        @Test
+        void getsTheMapOfTheRunThatIsShown() throws Exception {
+            byte[] cells = server.run().plan().map().cells();
+            try (var socket = java.net.http.HttpClient.newHttpClient()) {
+                var response = socket.send(
+                        java.net.http.HttpRequest.newBuilder(server.url().resolve("/api/map/1"))
+                                .build(),
+                        java.net.http.HttpResponse.BodyHandlers.ofInputStream());
+                assertThat(new GZIPInputStream(response.body()).readAllBytes()).isEqualTo(cells);
+            }
+            assertThat(get("/api/map/2").status()).isEqualTo(404);
+        }
+
+        @Test
+        void findsOnlyFilesOfThePage() throws IOException {
+            assertThat(get("/assets/index-1a2b.js").text()).contains("immutable", "text/javascript", "the page's code");
+            assertThat(get("/index.html").status()).isEqualTo(200);
+            for (String path : List.of(
+                    "/nothing",
+                    "/../secret",
+                    "/assets/../../secret",
+                    "/%2e%2e/secret",
+                    "//etc/passwd",
+                    "/assets",
+                    "/api/x")) {
+                assertThat(get(path).status()).as(path).isBetween(400, 404);
+            }
+        }
+
+        @Test
+        void isProtectedByHeadersEvenWhenItFails() throws IOException {
+            for (String path : List.of("/", "/api/run", "/api/map/1", "/nothing")) {
+                assertThat(get(path).text())
+                        .as(path)
+                        .contains("Content-Security-Policy: default-src 'none'; script-src 'self'")
+                        .contains("frame-ancestors 'none'", "X-Content-Type-Options: nosniff", "X-Frame-Options: DENY")
+                        .contains("Referrer-Policy: no-referrer")
+                        .doesNotContain("unsafe", "Server:");
+            }
+        }
+    }
+
+    @Nested
+    class Doors {
+        @ParameterizedTest
+        @ValueSource(strings = {"127.0.0.1:%d", "localhost:%d", "[::1]:%d"})
+        void openToOurNames(String name) throws IOException {
+            String ours = name.formatted(port);
+            assertThat(RawHttp.get(port, "/api/run", "Host: " + ours).status()).isEqualTo(200);
+            assertThat(RawHttp.get(port, "/api/run", "Host: " + ours, "Origin: http://" + ours)
+                            .status())
+                    .isEqualTo(200);
+            assertThat(RawHttp.upgrade(port, "Host: " + ours, "Origin: http://" + ours)
+                            .status())
+                    .isEqualTo(101);
+        }
+
+        @ParameterizedTest
+        @ValueSource(
+                strings = {
+                    "evil.example",
+                    "evil.example:%d",
+                    "127.0.0.1",
+                    "localhost",
+                    "127.0.0.1:1",
+                    "localhost.:%d",
+                    "127.0.0.1:%d.evil.example",
+                    "0.0.0.0:%d",
+                    "127.1:%d"
+                })
+        void closedToOtherNames(String name) throws IOException {
+            String foreign = "Host: " + name.formatted(port);
+            assertThat(RawHttp.get(port, "/", foreign).status()).isBetween(400, 421);
+            assertThat(RawHttp.get(port, "/api/run", foreign).status()).isBetween(400, 421);
+            assertThat(RawHttp.post(port, "/api/run/pause", "", foreign, WITH_TOKEN)
+                            .status())
+                    .isBetween(400, 421);
+            assertThat(RawHttp.upgrade(port, foreign).status()).isBetween(400, 421);
+        }
+
+        @ParameterizedTest
+        @ValueSource(
+                strings = {
+                    "null",
+                    "http://evil.example",
+                    "https://127.0.0.1:%d",
+                    "http://127.0.0.1",
+                    "http://127.0.0.1:1",
+                    "http://localhost:%d",
+                    "http://127.0.0.1:%d/",
+                    "file://",
+                    ""
+                })
+        void closedToPagesOfOthers(String origin) throws IOException {
+            String foreign = "Origin: " + origin.formatted(port);
+            assertThat(RawHttp.get(port, "/api/run", host, foreign).status()).isEqualTo(403);
+            assertThat(RawHttp.post(port, "/api/run/pause", "", host, foreign, WITH_TOKEN)
+                            .status())
+                    .isEqualTo(403);
+            assertThat(RawHttp.upgrade(port, host, foreign).status()).isEqualTo(403);
+        }
+
+        @Test
+        void closedToOtherMachines() throws IOException {
+            for (NetworkInterface network : NetworkInterface.networkInterfaces().toList()) {
+                for (InetAddress address : network.inetAddresses().toList()) {
+                    if (!address.isLoopbackAddress() && address instanceof java.net.Inet4Address) {
+                        assertThatThrownBy(() -> {
+                                    try (var socket = new Socket()) {
+                                        socket.connect(new InetSocketAddress(address, port), 1000);
+                                    }
+                                })
+                                .as("%s", address)
+                                .isInstanceOf(ConnectException.class);
+                    }
+                }
+            }
+        }
+
+        @ParameterizedTest
+        @ValueSource(
+                strings = {
+                    "pause", "resume", "step", "speed", "stop", "place", "goal", "estop", "rearm", "check", "restart"
+                })
+        void openToChangesOnlyWithTheToken(String command) throws IOException {
+            String path = "/api/run/" + command;
+            LiveRun before = server.run();
+            assertThat(RawHttp.post(port, path, "{}", host).status()).isEqualTo(401);
+            assertThat(RawHttp.post(port, path, "{}", host, "Authorization: Bearer ")
+                            .status())
+                    .isEqualTo(401);
+            assertThat(RawHttp.post(port, path, "{}", host, "Authorization: Bearer the-tokem")
+                            .status())
+                    .isEqualTo(401);
+            assertThat(RawHttp.post(port, path, "{}", host, "Authorization: " + TOKEN)
+                            .status())
+                    .isEqualTo(401);
+            assertThat(RawHttp.get(port, path, host, WITH_TOKEN).status()).isEqualTo(404);
+            assertThat(server.run()).isSameAs(before);
+            assertThat(server.run().result().toCompletableFuture()).isNotDone();
+        }
+
+        @Test
+        void sayWhichPortIsTaken() throws IOException {
+            try (var taken = new ServerSocket(0, 1, InetAddress.ofLiteral("127.0.0.1"))) {
+                int there = taken.getLocalPort();
+                assertThatThrownBy(() -> Errand.serve(directory, there))
+                        .isInstanceOf(PortInUse.class)
+                        .hasMessageContaining(Integer.toString(there))
+                        .hasMessageContaining("--port");
+            }
+        }
+
+        @Test
+        void sayHowToBuildThePageThatIsMissing() {
+            var options = new RunServer.Options(0, TOKEN, directory.resolve("nowhere"), run -> {});
+            assertThatThrownBy(() -> RunServer.start(Errand.plan(), options))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("nowhere")
+                    .hasMessageContaining("npm");
+        }
+    }
+
+    @Nested
+    class Commands {
+        @Test
+        void pauseAndStepTheRun() throws Exception {
+            assertThat(post("pause", "").body()).isEqualTo("{}");
+            Snapshot paused = await(server.run(), Snapshot::paused);
+            assertThat(post("step", "").status()).isEqualTo(200);
+            Snapshot next = await(server.run(), s -> s.time().compareTo(paused.time()) > 0);
+            assertThat(next.time())
+                    .isEqualTo(paused.time().plus(server.run().plan().step()));
+            assertThat(post("resume", "").status()).isEqualTo(200);
+            await(server.run(), s -> !s.paused());
+        }
+
+        @Test
+        void setTheSpeed() throws Exception {
+            assertThat(post("speed", "{\"factor\":\"0.5\"}").status()).isEqualTo(200);
+            await(server.run(), s -> s.speed() == 0.5);
+            assertThat(post("speed", "{\"factor\":\"max\"}").status()).isEqualTo(200);
+            await(server.run(), s -> s.speed() == Double.POSITIVE_INFINITY);
+        }
+
+        @ParameterizedTest
+        @ValueSource(strings = {"0", "-1", "0.05", "1e9", "NaN", "Infinity", "fast", ""})
+        void takeNoOddSpeed(String factor) throws IOException {
+            Response response = post("speed", "{\"factor\":\"%s\"}".formatted(factor));
+            assertThat(response.status()).isEqualTo(400);
+            assertThat(response.body()).contains("0.1", "1000", "max", "(" + factor + ")");
+        }
+
+        @Test
+        void placeARobot() throws Exception {
+            Response response = post("place", "{\"robot\":\"courier-1\",\"x\":3,\"y\":-1,\"heading\":1.5}");
+            assertThat(response.text()).contains("200 OK").endsWith("{}");
+            await(
+                    server.run(),
+                    s -> !s.robots().isEmpty()
+                            && s.robots().getFirst().truth().orElseThrow().distanceTo(new rsal.data.Pose2d(3, -1, 0))
+                                    < 0.1);
+        }
+
+        @Test
+        void sendARobotSomewhere() throws Exception {
+            assertThat(post("goal", "{\"robot\":\"courier-1\",\"x\":3,\"y\":-1,\"heading\":0}")
+                            .status())
+                    .isEqualTo(200);
+            await(
+                    server.run(),
+                    s -> !s.robots().isEmpty() && s.robots().getFirst().goal().isPresent());
+        }
+
+        @Test
+        void sayWhyNot() throws IOException {
+            Response nobody = post("goal", "{\"robot\":\"nobody\",\"x\":3,\"y\":-1,\"heading\":0}");
+            assertThat(nobody.status()).isEqualTo(409);
+            assertThat(nobody.body()).contains("nobody");
+            Response wall = post("place", "{\"robot\":\"courier-1\",\"x\":900,\"y\":-1,\"heading\":0}");
+            assertThat(wall.status()).isEqualTo(409);
+            assertThat(wall.body()).contains("900");
+        }
+
+        @Test
+        void stopAllRobotsUntilTheyAreRearmed() throws Exception {
+            assertThat(post("estop", "").status()).isEqualTo(200);
+            await(server.run(), Snapshot::stopped);
+            assertThat(post("rearm", "").status()).isEqualTo(200);
+            await(server.run(), s -> !s.stopped());
+        }
+
+        @Test
+        void areRefusedWhenTheRunIsOver() throws Exception {
+            assertThat(post("stop", "").status()).isEqualTo(200);
+            server.run().result().toCompletableFuture().join();
+            Response response = post("pause", "");
+            assertThat(response.status()).isEqualTo(409);
+            assertThat(response.body()).contains("over");
+        }
+    }
+
+    @Nested
+    class Restarting {
+        @Test
+        void beginsAnotherRunAsAskedFor() throws Exception {
+            LiveRun first = server.run();
+            post("speed", "{\"factor\":\"5\"}");
+            await(first, s -> s.speed() == 5);
+            Response response =
+                    post("restart", "{\"configuration\":\"pair\",\"seed\":\"9007199254740993\",\"arguments\":{}}");
+            assertThat(response.body())
+                    .contains("\"number\":2", "\"configuration\":\"pair\"", "\"seed\":\"9007199254740993\"")
+                    .contains("\"id\":\"courier-2\"");
+            assertThat(first.result().toCompletableFuture()).isCompleted();
+            assertThat(server.run().plan().speed()).isEqualTo(5);
+            assertThat(server.run().plan().seed()).isEqualTo(9_007_199_254_740_993L);
+        }
+
+        @Test
+        void keepsWhatIsLeftOut() throws IOException {
+            post("restart", "{\"arguments\":{\"couriers\":\"3\"},\"seed\":\"11\"}");
+            post("restart", "{}");
+            assertThat(server.run().plan().seed()).isEqualTo(11);
+            assertThat(server.run().plan().robots()).hasSize(3);
+        }
+
+        @ParameterizedTest
+        @CsvSource(
+                delimiter = '|',
+                value = {
+                    "{\"arguments\":{\"couriers\":\"99\"}} | couriers",
+                    "{\"arguments\":{\"couriers\":\"many\"}} | many",
+                    "{\"arguments\":{\"couriars\":\"2\"}} | couriers",
+                    "{\"configuration\":\"trio\"} | trio",
+                    "{\"seed\":\"abc\"} | abc",
+                    "{\"seed\":\"1e3\"} | 1e3",
+                })
+        void changesNothingWhenItIsMistaken(String wish, String culprit) throws IOException {
+            LiveRun before = server.run();
+            for (String command : List.of("check", "restart")) {
+                Response response = post(command, wish);
+                assertThat(response.status()).isEqualTo(422);
+                assertThat(response.body()).contains("problems", culprit);
+            }
+            assertThat(server.run()).isSameAs(before);
+            assertThat(before.result().toCompletableFuture()).isNotDone();
+        }
+
+        @Test
+        void canBeTriedOutWithoutDoingIt() throws IOException {
+            LiveRun before = server.run();
+            assertThat(post("check", "{\"configuration\":\"pair\"}").body())
+                    .contains("\"name\":\"couriers\"", "\"value\":\"2\"");
+            assertThat(server.run()).isSameAs(before);
+        }
+    }
+
+    @Nested
+    class BadInput {
+        @ParameterizedTest
+        @ValueSource(
+                strings = {
+                    "",
+                    "{",
+                    "[]",
+                    "null",
+                    "7",
+                    "\"x\"",
+                    "{\"robot\":\"courier-1\"}",
+                    "{\"robot\":7}",
+                    "{\"robot\":\"courier-1\",\"x\":1,\"y\":1,\"heading\":null}",
+                    "{\"robot\":\"courier-1\",\"x\":\"a\",\"y\":1,\"heading\":0}",
+                    "{\"robot\":\"courier-1\",\"x\":1e400,\"y\":1,\"heading\":0}",
+                    "{\"robot\":\"courier-1\",\"x\":NaN,\"y\":1,\"heading\":0}",
+                    "{\"robot\":\"courier-1\",\"x\":1,\"y\":1,\"heading\":0,\"z\":0}",
+                    "{\"robot\":\"courier-1\",\"x\":1,\"y\":1,\"heading\":0} x",
+                    "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[",
+                    "{\"robot\":\"courier-1\",\"x\":1e7,\"y\":1,\"heading\":0}"
+                })
+        void isRefusedWithASentence(String body) throws IOException {
+            Response response = post("place", body);
+            assertThat(response.status()).isEqualTo(400);
+            assertThat(response.body()).startsWith("{\"message\":\"").doesNotContain("rsal.server", "jackson");
+        }
+
+        @Test
+        void mayNotBeLarge() throws IOException {
+            assertThat(post("place", "x".repeat(RunServer.MAX_MESSAGE + 1)).status())
+                    .isEqualTo(413);
+            String chunked =
+                    "POST /api/run/place HTTP/1.1\r\n%s\r\n%s\r\nTransfer-Encoding: chunked\r\nConnection: close\r\n\r\n"
+                                    .formatted(host, WITH_TOKEN)
+                            + ("1000\r\n" + " ".repeat(0x1000) + "\r\n").repeat(5)
+                            + "0\r\n\r\n";
+            assertThat(RawHttp.send(port, chunked.getBytes(java.nio.charset.StandardCharsets.ISO_8859_1))
+                            .status())
+                    .isEqualTo(413);
+            assertThat(RawHttp.get(port, "/", host, "X: " + "x".repeat(100_000)).status())
+                    .isEqualTo(431);
+        }
+
+        @Test
+        void ofAnyKindLeavesTheServerWell() throws IOException {
+            long seed = 20_260_101;
+            var random = new Random(seed);
+            String[] commands = {"speed", "place", "goal", "check", "restart"};
+            for (int i = 0; i < 300; i++) {
+                String body = Fuzz.json(random);
+                String command = commands[random.nextInt(commands.length)];
+                Response response = post(command, body);
+                assertThat(response.status())
+                        .as("seed %d, round %d: %s %s", seed, i, command, body)
+                        .isIn(200, 400, 409, 422);
+            }
+            for (int i = 0; i < 100; i++) {
+                byte[] noise = new byte[random.nextInt(200)];
+                random.nextBytes(noise);
+                Response response = RawHttp.send(port, Fuzz.request(noise, random));
+                assertThat(response.status())
+                        .as("seed %d, round %d", seed, i)
+                        .isIn(0, 200, 400, 404, 414, 421, 431, 505);
+            }
+            assertThat(get("/api/run").status()).isEqualTo(200);
+        }
+    }
+
+    @Test
+    void leavesNoThreadBehind() throws Exception {
+        await(server.run(), s -> !s.robots().isEmpty());
+        Response response = RawHttp.upgrade(port, host);
+        assertThat(response.status()).isEqualTo(101);
+        server.close();
+        assertThat(Thread.getAllStackTraces().keySet())
+                .extracting(Thread::getName)
+                .noneMatch(name -> name.startsWith("server") || name.matches("run-\\d+"));
+        assertThatThrownBy(() -> get("/")).isInstanceOf(ConnectException.class);
+        server.close(); // twice does nothing
+    }
+}

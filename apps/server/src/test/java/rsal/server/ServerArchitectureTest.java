@@ -1,0 +1,9 @@
+package rsal.server;
+
+import rsal.testkit.architecture.ArchitectureRules;
+
+class ServerArchitectureTest extends ArchitectureRules {
+    ServerArchitectureTest() {
+        super(RunServer.class);
+    }
+}

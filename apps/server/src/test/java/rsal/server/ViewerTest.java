@@ -1,0 +1,208 @@
+package rsal.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+import rsal.scenario.run.RunEvent;
+import rsal.server.Messages.Receipt;
+
+class ViewerTest {
+    private final FakeLine line = new FakeLine();
+    private final Viewer viewer = new Viewer(line);
+
+    @Test
+    void isToldEverythingWhenItComes() {
+        viewer.offer(feed(1, 40, 3));
+        assertThat(line.takeAll()).containsExactly("run 1", "details of 40", "frame 40", "events 1-3");
+    }
+
+    @Test
+    void hasAtMostTwoFramesUnderWay() {
+        for (long frame = 1; frame <= 10; frame++) {
+            viewer.offer(feed(1, frame, 0));
+        }
+        assertThat(line.takeAll())
+                .filteredOn(message -> message.startsWith("frame"))
+                .containsExactly("frame 1", "frame 2");
+    }
+
+    @Test
+    void getsTheNewestFrameAsSoonAsItHasTakenOne() {
+        viewer.offer(feed(1, 1, 0));
+        viewer.offer(feed(1, 2, 0));
+        viewer.offer(feed(1, 3, 0));
+        line.takeAll();
+        viewer.received(frame(1));
+        viewer.offer(feed(1, 9, 0));
+        assertThat(line.takeAll()).containsExactly("details of 9", "frame 9");
+    }
+
+    @Test
+    void getsNoFrameTwice() {
+        viewer.offer(feed(1, 1, 0));
+        line.takeAll();
+        viewer.received(frame(1));
+        viewer.offer(feed(1, 1, 0));
+        assertThat(line.takeAll()).isEmpty();
+    }
+
+    @Test
+    void missesNoEventHoweverSlowItIs() {
+        int all = 2 * Viewer.EVENTS + 1;
+        viewer.offer(feed(1, 1, 1));
+        for (int i = 0; i < 5; i++) {
+            viewer.offer(feed(1, 1, all)); // it has not taken the first yet
+        }
+        viewer.received(events(1));
+        viewer.offer(feed(1, 1, all));
+        viewer.received(events(501));
+        viewer.offer(feed(1, 1, all));
+        viewer.received(events(1001));
+        viewer.offer(feed(1, 1, all));
+        assertThat(line.takeAll())
+                .filteredOn(message -> message.startsWith("events"))
+                .containsExactly("events 1-1", "events 2-501", "events 502-1001");
+    }
+
+    @Test
+    void isShownAnotherRunFromItsBeginning() {
+        viewer.offer(feed(1, 70, 2));
+        line.takeAll();
+        viewer.offer(feed(2, 1, 1));
+        assertThat(line.takeAll()).containsExactly("run 2", "details of 1", "frame 1", "events 1-1");
+    }
+
+    @Test
+    void isSentNothingWhileItsLineIsBusyWhateverItClaims() {
+        viewer.offer(feed(1, 1, 1));
+        line.takeAll();
+        line.clear = false;
+        viewer.received(frame(Long.MAX_VALUE));
+        viewer.received(events(Long.MAX_VALUE));
+        viewer.offer(feed(2, 2, 9));
+        assertThat(line.takeAll()).isEmpty();
+    }
+
+    @Test
+    void isLetGoWhenItTakesNothingForTooLong() {
+        for (int i = 0; i <= Viewer.PATIENCE; i++) {
+            viewer.received(frame(0)); // says something, but takes nothing
+            viewer.offer(feed(1, 1, 0));
+            assertThat(line.cut).isFalse();
+        }
+        viewer.offer(feed(1, 1, 0));
+        assertThat(line.cut).isTrue();
+    }
+
+    @Test
+    void isKeptAsLongAsItTakesSomethingNowAndThen() {
+        for (long frame = 1; frame <= 3L * Viewer.PATIENCE; frame++) {
+            viewer.offer(feed(1, frame, 0));
+            if (frame % 100 == 0) {
+                viewer.received(frame(frame));
+            }
+        }
+        assertThat(line.cut).isFalse();
+    }
+
+    @Test
+    void isKeptWhenThereIsNothingNewForIt() {
+        viewer.offer(feed(1, 1, 0));
+        viewer.received(frame(1));
+        for (int i = 0; i < 2 * Viewer.PATIENCE; i++) {
+            viewer.offer(feed(1, 1, 0));
+        }
+        assertThat(line.cut).isFalse();
+    }
+
+    private static Receipt frame(long sequence) {
+        return new Receipt(Optional.of(sequence), Optional.empty());
+    }
+
+    private static Receipt events(long sequence) {
+        return new Receipt(Optional.empty(), Optional.of(sequence));
+    }
+
+    private static Feed feed(int run, long frame, int events) {
+        return new Feed() {
+            @Override
+            public int number() {
+                return run;
+            }
+
+            @Override
+            public String info() {
+                return "run " + run;
+            }
+
+            @Override
+            public String details() {
+                return "details of " + frame;
+            }
+
+            @Override
+            public byte[] frame() {
+                return new byte[] {(byte) frame};
+            }
+
+            @Override
+            public long sequence() {
+                return frame;
+            }
+
+            @Override
+            public List<RunEvent> events(long sequence) {
+                return LongStream.rangeClosed(sequence + 1, events)
+                        .mapToObj(i -> new RunEvent(i, Duration.ZERO, "agent", "", ""))
+                        .toList();
+            }
+        };
+    }
+
+    /// Notes what is sent: frames by their only byte, events by their range.
+    private static final class FakeLine implements Viewer.Line {
+        private final List<String> sent = new ArrayList<>();
+        private boolean clear = true;
+        private boolean cut;
+
+        @Override
+        public void send(String text) {
+            if (text.startsWith("{\"events\"")) {
+                List<String> sequences = java.util.regex.Pattern.compile("\"sequence\":(\\d+)")
+                        .matcher(text)
+                        .results()
+                        .map(match -> match.group(1))
+                        .toList();
+                sent.add("events " + sequences.getFirst() + "-" + sequences.getLast());
+            } else {
+                sent.add(text);
+            }
+        }
+
+        @Override
+        public void send(byte[] bytes) {
+            sent.add("frame " + bytes[0]);
+        }
+
+        @Override
+        public boolean isClear() {
+            return clear;
+        }
+
+        @Override
+        public void cut() {
+            cut = true;
+        }
+
+        List<String> takeAll() {
+            var all = List.copyOf(sent);
+            sent.clear();
+            return all;
+        }
+    }
+}
