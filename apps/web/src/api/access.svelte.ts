@@ -1,0 +1,28 @@
+const KEY = 'rsal.token';
+
+/** Whether this tab may change anything, and by what token. */
+class Access {
+  token = $state<string | null>(null);
+
+  get allowed(): boolean {
+    return this.token !== null;
+  }
+
+  /** Takes the token out of the address bar, where it could be copied along with the address, and keeps it for this tab. */
+  takeToken() {
+    const given = new URLSearchParams(location.hash.slice(1)).get('token');
+    if (given !== null) {
+      sessionStorage.setItem(KEY, given);
+      history.replaceState(null, '', location.pathname + location.search);
+    }
+    this.token = sessionStorage.getItem(KEY);
+  }
+
+  /** The server does not know the token (any more). */
+  drop() {
+    sessionStorage.removeItem(KEY);
+    this.token = null;
+  }
+}
+
+export const access = new Access();

@@ -1,0 +1,59 @@
+import type { Mistake, Plan, Refused, Restart, RobotPose, RunInfo } from './messages';
+import { access } from './access.svelte';
+
+/** The server understood, and will not; `problems` says what is wrong with settings. */
+export class RefusedError extends Error {
+  constructor(
+    message: string,
+    readonly problems: Mistake[],
+  ) {
+    super(message);
+  }
+}
+
+/** What can be asked of the run. Each resolves when the server has done it, and rejects with a sentence for people. */
+export const api = {
+  pause: () => post('pause'),
+  resume: () => post('resume'),
+  step: () => post('step'),
+  speed: (factor: string) => post('speed', { factor }),
+  stop: () => post('stop'),
+  place: (to: RobotPose) => post('place', to),
+  goal: (to: RobotPose) => post('goal', to),
+  emergencyStop: () => post('estop'),
+  rearm: () => post('rearm'),
+  check: (wish: Restart) => post('check', wish) as Promise<Plan>,
+  restart: (wish: Restart) => post('restart', wish) as Promise<RunInfo>,
+  map,
+};
+
+async function post(command: string, body: object = {}): Promise<unknown> {
+  let response: Response;
+  try {
+    response = await fetch(`/api/run/${command}`, {
+      method: 'POST',
+      headers: { 'Content-Type': 'application/json', Authorization: `Bearer ${access.token ?? ''}` },
+      body: JSON.stringify(body),
+    });
+  } catch {
+    throw new RefusedError('The server does not answer.', []);
+  }
+  if (response.status === 401) {
+    access.drop();
+  }
+  const answer: unknown = await response.json();
+  if (!response.ok) {
+    const refused = answer as Refused;
+    throw new RefusedError(refused.message, refused.problems);
+  }
+  return answer;
+}
+
+/** A byte a cell, row by row from the lower left one. */
+async function map(run: number): Promise<Uint8Array> {
+  const response = await fetch(`/api/map/${String(run)}`);
+  if (!response.ok) {
+    throw new Error(`There is no map of run ${String(run)}.`);
+  }
+  return new Uint8Array(await response.arrayBuffer());
+}

@@ -1,0 +1,155 @@
+// Generated from the Java records in rsal/server/Messages by PageTypesTest. Do not edit.
+
+export interface AgentDetails {
+  name: string;
+  role: string;
+  type: string;
+  robot: string;
+  status: Status;
+  state: string;
+  beliefs: Record<string, string>;
+  sent: number;
+  messages: string[];
+}
+
+export interface ArgumentInfo {
+  name: string;
+  kind: ArgumentKind;
+  value: string;
+  typed: boolean;
+  min: number | null;
+  max: number | null;
+  options: string[];
+  unit: string;
+  description: string;
+}
+
+export type ArgumentKind = 'NUMBER' | 'INTEGER' | 'TEXT' | 'FLAG';
+
+export type Condition = 'OK' | 'STALE' | 'LOST';
+
+export interface ConfigurationInfo {
+  name: string;
+  title: string;
+}
+
+export interface Details {
+  run: number;
+  ending: Ending | null;
+  robots: RobotDetails[];
+  agents: AgentDetails[];
+}
+
+export interface DeviceDetails {
+  name: string;
+  driver: string;
+  type: string;
+  health: Condition;
+  reason: string;
+}
+
+export interface Ending {
+  outcome: string;
+  simulatedSeconds: number;
+  wallSeconds: number;
+  eventHash: string;
+  measures: Record<string, number | null>;
+  outOfBounds: string[];
+  failure: string;
+}
+
+export interface EventInfo {
+  sequence: number;
+  time: number;
+  kind: string;
+  subject: string;
+  text: string;
+}
+
+export interface Events {
+  run: number;
+  events: EventInfo[];
+}
+
+export interface MapInfo {
+  name: string;
+  width: number;
+  height: number;
+  resolution: number;
+  originX: number;
+  originY: number;
+}
+
+export interface Mistake {
+  where: string;
+  message: string;
+  remedy: string;
+}
+
+export interface Plan {
+  seed: string;
+  arguments: ArgumentInfo[];
+}
+
+export interface Receipt {
+  frame: number | null;
+  events: number | null;
+}
+
+export interface Refused {
+  message: string;
+  problems: Mistake[];
+}
+
+export interface Restart {
+  configuration: string | null;
+  arguments: Record<string, string> | null;
+  seed: string | null;
+}
+
+export interface RobotDetails {
+  id: string;
+  inCharge: string;
+  devices: DeviceDetails[];
+}
+
+export interface RobotInfo {
+  id: string;
+  role: string;
+  color: string;
+  model: string;
+  footprint: number[][];
+}
+
+export interface RobotPose {
+  robot: string;
+  x: number;
+  y: number;
+  heading: number;
+}
+
+export interface RunInfo {
+  number: number;
+  scenario: string;
+  title: string;
+  description: string;
+  configuration: string;
+  configurations: ConfigurationInfo[];
+  arguments: ArgumentInfo[];
+  seed: string;
+  step: number;
+  map: MapInfo;
+  robots: RobotInfo[];
+}
+
+export interface ServerMessage {
+  run: RunInfo | null;
+  details: Details | null;
+  events: Events | null;
+}
+
+export interface Speed {
+  factor: string;
+}
+
+export type Status = 'RUNNING' | 'ENDED' | 'FAILED';

@@ -1,0 +1,27 @@
+import { expect, it } from 'vitest';
+import { clockTime, degrees, factor } from './format';
+
+it.each([
+  [0, '0:00.0'],
+  [9.99, '0:09.9'],
+  [0.3, '0:00.3'],
+  [61.25, '1:01.2'],
+  [3600, '1:00:00.0'],
+  [7325.5, '2:02:05.5'],
+])('%f seconds are %s', (seconds, text) => expect(clockTime(seconds)).toBe(text));
+
+it.each([
+  [1, '1×'],
+  [0.1, '0.1×'],
+  [0.9533, '0.95×'],
+  [41.7, '42×'],
+  [Infinity, 'max'],
+])('a factor of %f is %s', (value, text) => expect(factor(value)).toBe(text));
+
+it.each([
+  [0, '0°'],
+  [-0.0001, '0°'],
+  [Math.PI / 2, '90°'],
+  [-Math.PI, '180°'],
+  [-Math.PI / 2, '-90°'],
+])('%f radians are %s', (radians, text) => expect(degrees(radians)).toBe(text));

@@ -1,0 +1,32 @@
+/** Numbers as people read them. Degrees exist only here and where people type them. */
+
+/** `1:02:03.4`, `2:03.4` */
+export function clockTime(seconds: number): string {
+  const tenths = Math.floor(seconds * 10 + 1e-6);
+  const hours = Math.floor(tenths / 36000);
+  const minutes = Math.floor(tenths / 600) % 60;
+  const rest = ((tenths % 600) / 10).toFixed(1).padStart(4, '0');
+  return hours > 0 ? `${hours}:${String(minutes).padStart(2, '0')}:${rest}` : `${minutes}:${rest}`;
+}
+
+/** `0.25×`, `12×`, `max` */
+export function factor(value: number): string {
+  if (!Number.isFinite(value)) {
+    return 'max';
+  }
+  return `${value >= 10 ? Math.round(value) : Number(value.toPrecision(2))}×`;
+}
+
+/** -179° to 180° */
+export function degrees(radians: number): string {
+  const rounded = Math.round((radians * 180) / Math.PI);
+  return `${rounded === -180 ? 180 : rounded}°`;
+}
+
+export function meters(value: number, digits = 2): string {
+  return `${value.toFixed(digits)} m`;
+}
+
+export function seconds(value: number): string {
+  return `${value.toFixed(1)} s`;
+}

@@ -1,0 +1,47 @@
+import { describe, expect, it } from 'vitest';
+import { actionOf } from './keyboard';
+
+function press(key: string, more: object = {}) {
+  return actionOf({ key, ctrlKey: false, metaKey: false, altKey: false, target: null, ...more });
+}
+
+describe('a key', () => {
+  it.each([
+    ['p', { kind: 'pause' }],
+    ['P', { kind: 'pause' }],
+    ['.', { kind: 'step' }],
+    ['+', { kind: 'faster' }],
+    ['-', { kind: 'slower' }],
+    ['3', { kind: 'select', robot: 2 }],
+    ['0', { kind: 'fit' }],
+    ['?', { kind: 'help' }],
+    ['Escape', { kind: 'cancel' }],
+  ])('%s does what the help says', (key, action) => expect(press(key)).toEqual(action));
+
+  it('moves the map as a hand would push the view', () => {
+    expect(press('ArrowLeft')).toMatchObject({ kind: 'pan', dx: 60 });
+    expect(press('ArrowUp')).toMatchObject({ kind: 'pan', dy: 60 });
+  });
+
+  it('without a meaning does nothing', () => {
+    expect(press('q')).toBeNull();
+    expect(press('F5')).toBeNull();
+    expect(press('Tab')).toBeNull();
+    expect(press(' ')).toBeNull();
+  });
+
+  it('belongs to the browser together with Ctrl, Alt or Cmd', () => {
+    expect(press('p', { ctrlKey: true })).toBeNull();
+    expect(press('r', { metaKey: true })).toBeNull();
+    expect(press('f', { altKey: true })).toBeNull();
+  });
+
+  it('belongs to what takes text, but for Escape', () => {
+    const input = { target: { tagName: 'INPUT', type: 'search' } };
+    expect(press('p', input)).toBeNull();
+    expect(press('1', input)).toBeNull();
+    expect(press('Escape', input)).toEqual({ kind: 'cancel' });
+    expect(press('p', { target: { tagName: 'INPUT', type: 'checkbox' } })).toEqual({ kind: 'pause' });
+    expect(press('ArrowLeft', { target: { tagName: 'INPUT', type: 'range' } })).toBeNull();
+  });
+});

@@ -1,0 +1,74 @@
+/** What keys do, unless something that takes text has the focus. */
+export type Action =
+  | {
+      kind:
+        'pause' | 'step' | 'faster' | 'slower' | 'goal' | 'follow' | 'fit' | 'restart' | 'help' | 'cancel';
+    }
+  | { kind: 'select'; robot: number }
+  | { kind: 'zoom'; factor: number }
+  | { kind: 'pan'; dx: number; dy: number };
+
+const ZOOM = 1.25;
+const PAN = 60;
+
+/** Shown in the help. */
+export const keys: [string, string][] = [
+  ['P', 'pause, resume'],
+  ['.', 'one step, while paused'],
+  ['+  −', 'faster, slower'],
+  ['1 … 9', 'select a robot'],
+  ['G', 'send the selected robot: click on the map, drag for its heading'],
+  ['F', 'follow the selected robot'],
+  ['← ↑ ↓ →', 'move the map'],
+  ['I  O', 'zoom in, out'],
+  ['0', 'show the whole map'],
+  ['R', 'restart'],
+  ['Esc', 'let go, close'],
+  ['?', 'this help'],
+];
+
+const actions: Record<string, Action> = {
+  p: { kind: 'pause' },
+  '.': { kind: 'step' },
+  '+': { kind: 'faster' },
+  '=': { kind: 'faster' }, // the same key without shift
+  '-': { kind: 'slower' },
+  g: { kind: 'goal' },
+  f: { kind: 'follow' },
+  '0': { kind: 'fit' },
+  i: { kind: 'zoom', factor: ZOOM },
+  o: { kind: 'zoom', factor: 1 / ZOOM },
+  r: { kind: 'restart' },
+  '?': { kind: 'help' },
+  Escape: { kind: 'cancel' },
+  ArrowLeft: { kind: 'pan', dx: PAN, dy: 0 },
+  ArrowRight: { kind: 'pan', dx: -PAN, dy: 0 },
+  ArrowUp: { kind: 'pan', dx: 0, dy: PAN },
+  ArrowDown: { kind: 'pan', dx: 0, dy: -PAN },
+};
+
+type Pressed = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'target'>;
+
+export function actionOf(event: Pressed): Action | null {
+  if (event.ctrlKey || event.metaKey || event.altKey || takesKeys(event.target, event.key)) {
+    return null;
+  }
+  if (event.key >= '1' && event.key <= '9' && event.key.length === 1) {
+    return { kind: 'select', robot: Number(event.key) - 1 };
+  }
+  return actions[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;
+}
+
+/** Whether the focused element needs the key itself. */
+function takesKeys(target: EventTarget | null, key: string): boolean {
+  const element = target as { tagName?: string; type?: string; scrollHeight?: number } | null;
+  switch (element?.tagName) {
+    case 'TEXTAREA':
+    case 'SELECT':
+      return key !== 'Escape';
+    case 'INPUT':
+      return key !== 'Escape' && (element.type !== 'checkbox' || key === ' ');
+    default:
+      return false;
+  }
+}

@@ -1,0 +1,55 @@
+import type { Receipt, ServerMessage } from '../api/messages';
+
+const RETRY_MILLIS = 1000;
+/** A hidden tab draws nothing; it still takes a frame now and then, so that the server does not give it up. */
+const LONGEST_DRAW_MILLIS = 1000;
+
+export interface Listener {
+  onOpen(): void;
+  onFrame(bytes: ArrayBuffer): void;
+  onMessage(message: ServerMessage): void;
+  onGone(): void;
+}
+
+/** Listens to the run for as long as the page is open, and comes back by itself when the server does. */
+export function connect(listener: Listener): void {
+  const socket = new WebSocket(`ws://${location.host}/api/live`);
+  socket.binaryType = 'arraybuffer';
+  socket.onopen = () => listener.onOpen();
+  socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => {
+    if (typeof data === 'string') {
+      const message = JSON.parse(data) as ServerMessage;
+      listener.onMessage(message);
+      const last = message.events?.events.at(-1);
+      if (last) {
+        acknowledge(socket, { events: last.sequence });
+      }
+    } else {
+      listener.onFrame(data);
+      const sequence = new DataView(data).getUint32(8, true);
+      afterDrawing(() => acknowledge(socket, { frame: sequence }));
+    }
+  };
+  socket.onclose = () => {
+    listener.onGone();
+    setTimeout(() => connect(listener), RETRY_MILLIS);
+  };
+}
+
+function acknowledge(socket: WebSocket, receipt: Partial<Receipt>) {
+  if (socket.readyState === WebSocket.OPEN) {
+    socket.send(JSON.stringify(receipt));
+  }
+}
+
+function afterDrawing(action: () => void) {
+  let done = false;
+  const once = () => {
+    if (!done) {
+      done = true;
+      action();
+    }
+  };
+  requestAnimationFrame(once);
+  setTimeout(once, LONGEST_DRAW_MILLIS);
+}

@@ -1,0 +1,247 @@
+/**
+ * Decodes state frames. The layout is in docs/reference/live-protocol.md; the server's FrameEncoder writes it.
+ * Ranges and particles stay views into the frame, so that a frame is decoded in one pass over its robots.
+ */
+
+const MAGIC = 0x4c415352;
+const HEADER_BYTES = 40;
+const ROBOT_BYTES = 16;
+const TURN = 2 * Math.PI;
+
+const PAUSED = 1;
+const STOPPED = 1 << 1;
+const ENDED = 1 << 2;
+
+const PRESENT = 1;
+const STALLED = 1 << 1;
+const TRUTH = 1 << 2;
+const ESTIMATE = 1 << 3;
+const GOAL = 1 << 4;
+const PATH = 1 << 5;
+const SCAN = 1 << 6;
+const RANGES = 1 << 7;
+const PARTICLES = 1 << 8;
+
+/** What a range may be instead of a distance. */
+export const TOO_CLOSE = 0;
+export const BROKEN = 0xfffe;
+export const NOTHING = 0xffff;
+
+/** Metres and radians, heading in [-π, π). */
+export interface Pose {
+  x: number;
+  y: number;
+  heading: number;
+}
+
+/** A belief about a pose, with the covariance of its position [m²] and the deviation of its heading [rad]. */
+export interface Estimate {
+  pose: Pose;
+  headingDeviation: number;
+  xx: number;
+  xy: number;
+  yy: number;
+}
+
+/** Ranges count `unit` metres, counter-clockwise from `angleMin` in the laser's frame. */
+export interface Scan {
+  baseFromLaser: Pose;
+  angleMin: number;
+  angleIncrement: number;
+  rangeMax: number;
+  unit: number;
+  ranges: Uint16Array;
+}
+
+/** Cones of single-range sensors, `fieldOfView` radians wide; `range` counts `unit` metres. */
+export interface Cones {
+  fieldOfView: number;
+  rangeMax: number;
+  unit: number;
+  sensors: { baseFromSensor: Pose; range: number }[];
+}
+
+/** Four numbers a particle: x and y (counting `unit` metres from the origin), 1/65536 turns, weight (of the heaviest's 65535ths). */
+export interface Particles {
+  originX: number;
+  originY: number;
+  unit: number;
+  count: number;
+  values: Uint16Array;
+}
+
+export interface RobotState {
+  /** The truth where it is known, else what the robot believes; `null` while nobody knows. */
+  pose: Pose | null;
+  isTruth: boolean;
+  stalled: boolean;
+  /** Forward [m/s], as its wheels measure it. */
+  speed: number;
+  /** Counter-clockwise [rad/s]. */
+  turnRate: number;
+  estimate: Estimate | null;
+  goal: Pose | null;
+  /** x, y [mm] of one point after the other. */
+  path: Int32Array | null;
+  scan: Scan | null;
+  cones: Cones | null;
+  particles: Particles | null;
+}
+
+export interface Frame {
+  run: number;
+  sequence: number;
+  paused: boolean;
+  /** Emergency stop. */
+  stopped: boolean;
+  ended: boolean;
+  /** Simulated seconds. */
+  time: number;
+  /** Times real time, as asked for; Infinity is as fast as it can. */
+  speed: number;
+  /** Times real time, as measured. */
+  rate: number;
+  /** In the order of the run's robots. */
+  robots: RobotState[];
+}
+
+/** @throws RangeError or Error when the bytes are no frame */
+export function decodeFrame(bytes: ArrayBuffer): Frame {
+  const view = new DataView(bytes);
+  if (view.getUint32(0, true) !== MAGIC) {
+    throw new Error('These bytes are no state frame.');
+  }
+  const flags = view.getUint32(12, true);
+  const count = view.getUint32(32, true);
+  const reader = new Reader(view, HEADER_BYTES + count * ROBOT_BYTES);
+  const robots: RobotState[] = [];
+  for (let i = 0; i < count; i++) {
+    robots.push(robotAt(view, HEADER_BYTES + i * ROBOT_BYTES, reader));
+  }
+  return {
+    run: view.getUint32(4, true),
+    sequence: view.getUint32(8, true),
+    paused: (flags & PAUSED) !== 0,
+    stopped: (flags & STOPPED) !== 0,
+    ended: (flags & ENDED) !== 0,
+    time: view.getFloat64(16, true),
+    speed: view.getFloat32(24, true),
+    rate: view.getFloat32(28, true),
+    robots,
+  };
+}
+
+function robotAt(view: DataView, offset: number, blocks: Reader): RobotState {
+  const fixed = new Reader(view, offset);
+  const pose = fixed.pose();
+  const speed = fixed.int16() / 1000;
+  const turnRate = fixed.int16() / 1000;
+  const flags = fixed.uint16();
+  const has = (flag: number) => (flags & flag) !== 0;
+  return {
+    pose: has(PRESENT) ? pose : null,
+    isTruth: has(TRUTH),
+    stalled: has(STALLED),
+    speed,
+    turnRate,
+    // in the order in which the frame has them
+    estimate: has(ESTIMATE) ? estimate(blocks) : null,
+    goal: has(GOAL) ? goal(blocks) : null,
+    path: has(PATH) ? path(blocks) : null,
+    scan: has(SCAN) ? scan(blocks) : null,
+    cones: has(RANGES) ? cones(blocks) : null,
+    particles: has(PARTICLES) ? particles(blocks) : null,
+  };
+}
+
+function estimate(reader: Reader): Estimate {
+  return {
+    pose: reader.pose(),
+    headingDeviation: reader.int16() / 1000,
+    xx: reader.float32(),
+    xy: reader.float32(),
+    yy: reader.float32(),
+  };
+}
+
+function goal(reader: Reader): Pose {
+  const pose = reader.pose();
+  reader.align();
+  return pose;
+}
+
+function path(reader: Reader): Int32Array {
+  return reader.int32s(2 * reader.uint32());
+}
+
+function scan(reader: Reader): Scan {
+  const baseFromLaser = reader.pose();
+  reader.align();
+  return {
+    baseFromLaser,
+    angleMin: reader.float32(),
+    angleIncrement: reader.float32(),
+    rangeMax: reader.float32(),
+    unit: reader.float32(),
+    ranges: reader.uint16s(reader.uint32()),
+  };
+}
+
+function cones(reader: Reader): Cones {
+  const fieldOfView = reader.float32();
+  const rangeMax = reader.float32();
+  const unit = reader.float32();
+  const count = reader.uint32();
+  const sensors = [];
+  for (let i = 0; i < count; i++) {
+    sensors.push({ baseFromSensor: reader.pose(), range: reader.uint16() });
+  }
+  return { fieldOfView, rangeMax, unit, sensors };
+}
+
+function particles(reader: Reader): Particles {
+  const originX = reader.float32();
+  const originY = reader.float32();
+  const unit = reader.float32();
+  const count = reader.uint32();
+  return { originX, originY, unit, count, values: reader.uint16s(4 * count) };
+}
+
+/** Reads little-endian values one after the other; arrays are views, which every browser's byte order allows. */
+class Reader {
+  constructor(
+    private readonly view: DataView,
+    private offset: number,
+  ) {}
+
+  private skip(bytes: number): number {
+    const at = this.offset;
+    this.offset += bytes;
+    return at;
+  }
+
+  uint16 = () => this.view.getUint16(this.skip(2), true);
+  int16 = () => this.view.getInt16(this.skip(2), true);
+  uint32 = () => this.view.getUint32(this.skip(4), true);
+  int32 = () => this.view.getInt32(this.skip(4), true);
+  float32 = () => this.view.getFloat32(this.skip(4), true);
+
+  pose(): Pose {
+    return { x: this.int32() / 1000, y: this.int32() / 1000, heading: (this.int16() / 0x10000) * TURN };
+  }
+
+  uint16s(count: number): Uint16Array {
+    const values = new Uint16Array(this.view.buffer, this.skip(2 * count), count);
+    this.align();
+    return values;
+  }
+
+  int32s(count: number): Int32Array {
+    return new Int32Array(this.view.buffer, this.skip(4 * count), count);
+  }
+
+  /** To the next multiple of 4. */
+  align() {
+    this.offset = (this.offset + 3) & ~3;
+  }
+}

@@ -1,0 +1,86 @@
+import type { Details, EventInfo, RunInfo, ServerMessage } from '../api/messages';
+import { connect, type Listener } from './connection';
+import { decodeFrame, type Frame } from './frame';
+
+const MOST_EVENTS = 5000;
+/** How often the panels follow the frames; the map follows each one. */
+const PANEL_MILLIS = 200;
+
+/** The run, as the server last told it. Nothing here is guessed: a click changes it only by way of the server. */
+class Live implements Listener {
+  connection = $state<'connecting' | 'open' | 'gone'>('connecting');
+  info = $state.raw<RunInfo | null>(null);
+  details = $state.raw<Details | null>(null);
+  /** Oldest first. */
+  events = $state.raw<EventInfo[]>([]);
+  /** The newest frame, for panels: a few times a second. */
+  frame = $state.raw<Frame | null>(null);
+
+  /** The newest two frames with the time they came [ms of performance.now()], for the map. */
+  newest: { frame: Frame; at: number } | null = null;
+  previous: { frame: Frame; at: number } | null = null;
+
+  private panelsFollowed = 0;
+  private catchUp: number | undefined;
+
+  start() {
+    connect(this);
+  }
+
+  onOpen() {
+    this.connection = 'open';
+  }
+
+  onGone() {
+    this.connection = 'gone';
+  }
+
+  onMessage(message: ServerMessage) {
+    if (message.run) {
+      this.info = message.run;
+      this.details = null;
+      this.events = [];
+      this.frame = null;
+      this.newest = null;
+      this.previous = null;
+    } else if (message.details) {
+      this.details = message.details;
+    } else if (message.events) {
+      this.events = this.events.concat(message.events.events).slice(-MOST_EVENTS);
+    }
+  }
+
+  onFrame(bytes: ArrayBuffer) {
+    const frame = decodeFrame(bytes);
+    this.previous = this.newest;
+    this.newest = { frame, at: performance.now() };
+    this.tellPanels();
+  }
+
+  private tellPanels() {
+    const wait = this.panelsFollowed + PANEL_MILLIS - performance.now();
+    clearTimeout(this.catchUp);
+    if (wait <= 0 || this.frame === null || switched(this.frame, this.newest?.frame)) {
+      this.panelsFollowed = performance.now();
+      this.frame = this.newest?.frame ?? null;
+    } else {
+      this.catchUp = window.setTimeout(() => this.tellPanels(), wait);
+    }
+  }
+
+  /** Whether it goes on by itself. */
+  get going(): boolean {
+    return this.frame !== null && !this.frame.paused && !this.over;
+  }
+
+  get over(): boolean {
+    return this.frame?.ended === true || (this.details?.ending ?? null) !== null;
+  }
+}
+
+/** Whether something changed that a person is waiting to see. */
+function switched(a: Frame, b: Frame | undefined): boolean {
+  return a.paused !== b?.paused || a.stopped !== b.stopped || a.ended !== b.ended || a.speed !== b.speed;
+}
+
+export const live = new Live();

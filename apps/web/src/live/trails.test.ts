@@ -1,0 +1,32 @@
+import { expect, it } from 'vitest';
+import type { Frame } from './frame';
+import { Trails } from './trails';
+
+function frame(run: number, time: number, x: number): Frame {
+  return { run, time, robots: [{ pose: { x, y: 0, heading: 0 } }] } as unknown as Frame;
+}
+
+it('a trail has where a robot was in the last 30 seconds', () => {
+  const trails = new Trails();
+  for (let time = 0; time <= 60; time++) {
+    trails.add(frame(1, time, time));
+  }
+  expect(trails.of(0)?.x[0]).toBe(30);
+  expect(trails.of(0)?.x.at(-1)).toBe(60);
+});
+
+it('a robot that stands leaves no trail', () => {
+  const trails = new Trails();
+  for (let time = 0; time <= 10; time++) {
+    trails.add(frame(1, time, 0.001 * time));
+  }
+  expect(trails.of(0)?.x).toHaveLength(1);
+});
+
+it('another run begins without trails', () => {
+  const trails = new Trails();
+  trails.add(frame(1, 0, 0));
+  trails.add(frame(1, 1, 1));
+  trails.add(frame(2, 0, 5));
+  expect(trails.of(0)?.x).toEqual([5]);
+});

@@ -1,0 +1,48 @@
+import type { Frame } from './frame';
+
+/** How long a trail is [simulated s], and how far apart its points [m]. */
+const SECONDS = 30;
+const SPACING = 0.05;
+
+interface Trail {
+  x: number[];
+  y: number[];
+  time: number[];
+}
+
+/** Where robots have been of late, one trail a robot. */
+export class Trails {
+  private trails: Trail[] = [];
+  private run = 0;
+
+  add(frame: Frame) {
+    if (frame.run !== this.run || frame.robots.length !== this.trails.length) {
+      this.run = frame.run;
+      this.trails = frame.robots.map(() => ({ x: [], y: [], time: [] }));
+    }
+    frame.robots.forEach((robot, i) => {
+      const trail = this.trails[i]!;
+      const { pose } = robot;
+      if (pose === null) {
+        return;
+      }
+      const moved = Math.hypot(pose.x - (trail.x.at(-1) ?? Infinity), pose.y - (trail.y.at(-1) ?? Infinity));
+      if (moved > SPACING) {
+        trail.x.push(pose.x);
+        trail.y.push(pose.y);
+        trail.time.push(frame.time);
+      }
+      const old = trail.time.findIndex((time) => time >= frame.time - SECONDS);
+      const gone = old < 0 ? trail.time.length : old;
+      if (gone > 0) {
+        trail.x.splice(0, gone);
+        trail.y.splice(0, gone);
+        trail.time.splice(0, gone);
+      }
+    });
+  }
+
+  of(robot: number): Readonly<Trail> | undefined {
+    return this.trails[robot];
+  }
+}

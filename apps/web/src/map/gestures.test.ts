@@ -1,0 +1,114 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { Draft } from './draft';
+import { Gestures, type Stage } from './gestures';
+import { View, type Pixel } from './view';
+
+const robot = { x: 1, y: 1, heading: 0.5 };
+const onRobot = { px: 20, py: -20 };
+const onHandle = { px: 40, py: -20 };
+const onFloor = { px: 200, py: -200 };
+
+class FakeStage implements Stage {
+  shown = new View(20, 0, 0);
+  aimed: number | null = null;
+  allowed = true;
+  selected: (number | null)[] = [];
+  drafts: (Draft | null)[] = [];
+  asked: Draft[] = [];
+
+  view = () => this.shown;
+  show = (view: View) => void (this.shown = view);
+  robotAt = (at: Pixel) => (at === onRobot ? 0 : null);
+  handleAt = (at: Pixel) => (at === onHandle ? 0 : null);
+  poseOf = () => robot;
+  aiming = () => this.aimed;
+  mayAct = () => this.allowed;
+  select = (index: number | null) => void this.selected.push(index);
+  draft = (draft: Draft | null) => void this.drafts.push(draft);
+  ask = (draft: Draft) => void this.asked.push(draft);
+}
+
+describe('a pointer', () => {
+  let stage: FakeStage;
+  let gestures: Gestures;
+
+  beforeEach(() => {
+    stage = new FakeStage();
+    gestures = new Gestures(stage);
+  });
+
+  function drag(from: Pixel, to: Pixel) {
+    gestures.down(1, from);
+    gestures.move(1, to);
+    gestures.up(1);
+  }
+
+  it('clicks a robot to select it, and the floor to let go', () => {
+    drag(onRobot, { px: 22, py: -21 });
+    drag(onFloor, { px: 201, py: -200 });
+    expect(stage.selected).toEqual([0, null]);
+    expect(stage.asked).toEqual([]);
+  });
+
+  it('drags the floor to move the map', () => {
+    drag(onFloor, { px: 230, py: -190 });
+    expect(stage.shown).toEqual(new View(20, 30, 10));
+    expect(stage.selected).toEqual([]);
+  });
+
+  it('drags a robot to place it, heading as it was', () => {
+    drag(onRobot, { px: 60, py: -40 });
+    expect(stage.asked).toEqual([{ kind: 'place', robot: 0, pose: { x: 3, y: 2, heading: 0.5 } }]);
+    expect(stage.drafts.at(-1)).toBeNull();
+  });
+
+  it('drags a handle to turn a robot where it stands', () => {
+    drag(onHandle, { px: 20, py: -60 });
+    expect(stage.asked).toEqual([{ kind: 'place', robot: 0, pose: { x: 1, y: 1, heading: Math.PI / 2 } }]);
+  });
+
+  it('moves no robot when it may only watch', () => {
+    stage.allowed = false;
+    stage.aimed = 0;
+    drag(onRobot, { px: 60, py: -40 });
+    expect(stage.asked).toEqual([]);
+  });
+
+  it('clicks where a robot is to go, arriving as it came', () => {
+    stage.aimed = 0;
+    drag({ px: 80, py: -80 }, { px: 81, py: -80 });
+    expect(stage.asked).toEqual([{ kind: 'goal', robot: 0, pose: { x: 4, y: 4, heading: Math.PI / 4 } }]);
+  });
+
+  it('drags from a goal to set its heading', () => {
+    stage.aimed = 0;
+    drag({ px: 80, py: -80 }, { px: 80, py: 0 });
+    expect(stage.asked).toEqual([{ kind: 'goal', robot: 0, pose: { x: 4, y: 4, heading: -Math.PI / 2 } }]);
+  });
+
+  it('asks for nothing that was cancelled', () => {
+    gestures.down(1, onRobot);
+    gestures.move(1, { px: 60, py: -40 });
+    gestures.cancel();
+    gestures.up(1);
+    expect(stage.asked).toEqual([]);
+    expect(stage.drafts.at(-1)).toBeNull();
+  });
+
+  it('pinches with two fingers', () => {
+    gestures.down(1, { px: 100, py: 100 });
+    gestures.down(2, { px: 200, py: 100 });
+    gestures.move(2, { px: 300, py: 100 });
+    expect(stage.shown.scale).toBeCloseTo(40);
+    gestures.up(2);
+    gestures.up(1);
+    expect(stage.selected).toEqual([]);
+  });
+
+  it('wheels to zoom where it is', () => {
+    const before = stage.shown.toMap({ px: 50, py: 60 });
+    gestures.wheel(-300, { px: 50, py: 60 });
+    expect(stage.shown.scale).toBeGreaterThan(25);
+    expect(stage.shown.toMap({ px: 50, py: 60 }).x).toBeCloseTo(before.x);
+  });
+});

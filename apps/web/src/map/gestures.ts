@@ -1,0 +1,170 @@
+import type { Pose } from '../live/frame';
+import type { Draft } from './draft';
+import type { Pixel, View } from './view';
+
+/** What gestures see and do; the map, or a test. */
+export interface Stage {
+  view(): View;
+  show(view: View): void;
+  robotAt(at: Pixel): number | null;
+  /** The robot whose handle for turning is there. */
+  handleAt(at: Pixel): number | null;
+  poseOf(robot: number): Pose | null;
+  /** The robot that the next click sends somewhere. */
+  aiming(): number | null;
+  mayAct(): boolean;
+  select(robot: number | null): void;
+  draft(draft: Draft | null): void;
+  /** The person let go of a draft: ask the server for it. */
+  ask(draft: Draft): void;
+}
+
+type Gesture =
+  | { kind: 'pan'; from: Pixel; moved: boolean }
+  | { kind: 'robot'; from: Pixel; robot: number; start: Pose; draft: Draft | null }
+  | { kind: 'turn'; draft: Draft; moved: boolean }
+  | { kind: 'aim'; from: Pixel; draft: Draft };
+
+/** Farther than this is a drag, not a click [px]. */
+const DRAG = 5;
+const WHEEL = 0.0015;
+
+/** Understands pointers: clicks, drags, pinches. */
+export class Gestures {
+  private gesture: Gesture | null = null;
+  private readonly pointers = new Map<number, Pixel>();
+
+  constructor(private readonly stage: Stage) {}
+
+  down(pointer: number, at: Pixel) {
+    this.pointers.set(pointer, at);
+    if (this.pointers.size > 1) {
+      this.cancel(); // a second finger: pinch
+    } else {
+      this.gesture = this.begin(at);
+    }
+  }
+
+  private begin(at: Pixel): Gesture {
+    const { stage } = this;
+    const sent = stage.aiming();
+    if (sent !== null && stage.mayAct()) {
+      const draft: Draft = { kind: 'goal', robot: sent, pose: { ...stage.view().toMap(at), heading: 0 } };
+      const from = stage.poseOf(sent);
+      if (from !== null) {
+        draft.pose.heading = Math.atan2(draft.pose.y - from.y, draft.pose.x - from.x); // arrives as it came
+      }
+      stage.draft(draft);
+      return { kind: 'aim', from: at, draft };
+    }
+    const turned = stage.handleAt(at);
+    const held = turned ?? stage.robotAt(at);
+    const start = held === null ? null : stage.poseOf(held);
+    if (held === null || start === null) {
+      return { kind: 'pan', from: at, moved: false };
+    }
+    return turned === null
+      ? { kind: 'robot', from: at, robot: held, start, draft: null }
+      : { kind: 'turn', draft: { kind: 'place', robot: held, pose: start }, moved: false };
+  }
+
+  move(pointer: number, at: Pixel) {
+    const before = this.pointers.get(pointer);
+    if (!before) {
+      return;
+    }
+    if (this.pointers.size === 2) {
+      this.pinch(pointer, before, at);
+    } else if (this.gesture) {
+      this.drag(this.gesture, before, at);
+    }
+    this.pointers.set(pointer, at);
+  }
+
+  private drag(gesture: Gesture, before: Pixel, at: Pixel) {
+    const { stage } = this;
+    switch (gesture.kind) {
+      case 'pan':
+        gesture.moved ||= distance(gesture.from, at) > DRAG;
+        if (gesture.moved) {
+          stage.show(stage.view().panned(at.px - before.px, at.py - before.py));
+        }
+        break;
+      case 'robot':
+        if (stage.mayAct() && (gesture.draft !== null || distance(gesture.from, at) > DRAG)) {
+          const from = stage.view().toMap(gesture.from);
+          const to = stage.view().toMap(at);
+          const { start } = gesture;
+          const pose = { x: start.x + to.x - from.x, y: start.y + to.y - from.y, heading: start.heading };
+          gesture.draft = { kind: 'place', robot: gesture.robot, pose };
+          stage.draft(gesture.draft);
+        }
+        break;
+      case 'turn':
+        gesture.moved = true;
+        gesture.draft = { ...gesture.draft, pose: facing(gesture.draft.pose, stage.view(), at) };
+        stage.draft(gesture.draft);
+        break;
+      case 'aim':
+        if (distance(gesture.from, at) > DRAG) {
+          gesture.draft = { ...gesture.draft, pose: facing(gesture.draft.pose, stage.view(), at) };
+          stage.draft(gesture.draft);
+        }
+    }
+  }
+
+  private pinch(pointer: number, before: Pixel, at: Pixel) {
+    const [, other] = [...this.pointers].find(([id]) => id !== pointer)!;
+    const factor = distance(at, other) / Math.max(1, distance(before, other));
+    const middle = { px: (at.px + other.px) / 2, py: (at.py + other.py) / 2 };
+    const panned = this.stage.view().panned((at.px - before.px) / 2, (at.py - before.py) / 2);
+    this.stage.show(panned.zoomed(factor, middle));
+  }
+
+  up(pointer: number) {
+    this.pointers.delete(pointer);
+    const { gesture, stage } = this;
+    this.gesture = null;
+    switch (gesture?.kind) {
+      case 'pan':
+        if (!gesture.moved) {
+          stage.select(null);
+        }
+        break;
+      case 'robot':
+        if (gesture.draft === null) {
+          stage.select(gesture.robot);
+        } else {
+          stage.ask(gesture.draft);
+        }
+        break;
+      case 'turn':
+        if (gesture.moved) {
+          stage.ask(gesture.draft);
+        }
+        break;
+      case 'aim':
+        stage.ask(gesture.draft);
+    }
+    stage.draft(null);
+  }
+
+  wheel(delta: number, at: Pixel) {
+    this.stage.show(this.stage.view().zoomed(Math.exp(-delta * WHEEL), at));
+  }
+
+  /** Forgets what was begun; nothing is asked for. */
+  cancel() {
+    this.gesture = null;
+    this.stage.draft(null);
+  }
+}
+
+function facing(pose: Pose, view: View, at: Pixel): Pose {
+  const to = view.toMap(at);
+  return { ...pose, heading: Math.atan2(to.y - pose.y, to.x - pose.x) };
+}
+
+function distance(a: Pixel, b: Pixel): number {
+  return Math.hypot(a.px - b.px, a.py - b.py);
+}

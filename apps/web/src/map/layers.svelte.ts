@@ -1,0 +1,47 @@
+import { drawCones } from './layers/cones';
+import { drawDraft } from './layers/drafts';
+import { drawEstimates } from './layers/estimates';
+import { drawGoals } from './layers/goals';
+import { drawParticles } from './layers/particles';
+import { drawPaths } from './layers/paths';
+import { drawNames, drawRobots } from './layers/robots';
+import { drawScans } from './layers/scans';
+import { drawTrails } from './layers/trails';
+import type { Layer } from './scene';
+
+export type Switchable =
+  'grid' | 'scans' | 'cones' | 'particles' | 'trails' | 'paths' | 'goals' | 'estimates' | 'names';
+
+/** From the floor up. The grid is drawn with the floor. */
+const order: [Switchable | null, Layer][] = [
+  ['scans', drawScans],
+  ['cones', drawCones],
+  ['trails', drawTrails],
+  ['particles', drawParticles],
+  ['paths', drawPaths],
+  ['goals', drawGoals],
+  ['estimates', drawEstimates],
+  [null, drawRobots],
+  ['names', drawNames],
+  [null, drawDraft],
+];
+
+class Layers {
+  shown = $state<Record<Switchable, boolean>>({
+    grid: true,
+    scans: true,
+    cones: false,
+    particles: true,
+    trails: true,
+    paths: true,
+    goals: true,
+    estimates: true,
+    names: true,
+  });
+
+  get visible(): Layer[] {
+    return order.filter(([name]) => name === null || this.shown[name]).map(([, layer]) => layer);
+  }
+}
+
+export const layers = new Layers();

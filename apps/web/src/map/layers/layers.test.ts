@@ -1,0 +1,52 @@
+import { describe, expect, it } from 'vitest';
+import { ellipse } from './estimates';
+import { gridStep } from './grid';
+import { handleOf, radius } from './robots';
+
+const footprint = [
+  [-0.2, -0.2],
+  [0.2, -0.2],
+  [0.2, 0.2],
+  [-0.2, 0.2],
+];
+
+describe('an ellipse of certainty', () => {
+  const pose = { x: 0, y: 0, heading: 0 };
+
+  it('lies along the axis that is less certain', () => {
+    const { major, minor, angle } = ellipse({ pose, headingDeviation: 0, xx: 0.01, xy: 0, yy: 0.04 });
+    expect(major).toBeCloseTo(2.45 * 0.2);
+    expect(minor).toBeCloseTo(2.45 * 0.1);
+    expect(angle).toBeCloseTo(Math.PI / 2);
+  });
+
+  it('is a line when x and y are wrong together', () => {
+    const { major, minor, angle } = ellipse({ pose, headingDeviation: 0, xx: 0.02, xy: 0.02, yy: 0.02 });
+    expect(major).toBeCloseTo(2.45 * 0.2);
+    expect(minor).toBeCloseTo(0);
+    expect(angle).toBeCloseTo(Math.PI / 4);
+  });
+});
+
+describe('a robot', () => {
+  it('is drawn to scale when it is large enough to be seen', () => {
+    expect(radius(footprint, 100)).toBeCloseTo(Math.hypot(0.2, 0.2));
+  });
+
+  it('is drawn larger on a large map', () => {
+    expect(radius(footprint, 5) * 5).toBeCloseTo(7);
+  });
+
+  it('has its handle in front of it', () => {
+    const handle = handleOf({ x: 1, y: 1, heading: Math.PI / 2 }, footprint, 100);
+    expect(handle.x).toBeCloseTo(1);
+    expect(handle.y).toBeGreaterThan(1.3);
+  });
+});
+
+it('a grid has lines at round distances, neither dense nor sparse', () => {
+  for (let scale = 1; scale < 800; scale *= 1.3) {
+    expect(gridStep(scale) * scale).toBeGreaterThanOrEqual(40);
+    expect(gridStep(scale) * scale).toBeLessThanOrEqual(101);
+  }
+});

@@ -1,0 +1,134 @@
+import type { Pose } from '../../live/frame';
+import type { Layer } from '../scene';
+import type { Point } from '../view';
+import { enter } from './frames';
+
+/** A robot is drawn at least this long [px], so that it is seen on a large map. */
+const LEAST_PIXELS = 14;
+export const HANDLE_PIXELS = 5;
+
+/** Robots: outline, heading and id. */
+export const drawRobots: Layer = (context, { info, frame, poses, view, palette, selected }) => {
+  info.robots.forEach(({ color, footprint }, i) => {
+    const pose = poses[i];
+    if (!pose) {
+      return;
+    }
+    drawRobot(context, pose, footprint, color, view.scale, palette.halo);
+    if (frame.robots[i]!.stalled) {
+      drawRing(context, pose, footprint, view.scale, palette.text, [4, 4]);
+    }
+    if (i === selected) {
+      drawRing(context, pose, footprint, view.scale, color, []);
+      drawHandle(context, handleOf(pose, footprint, view.scale), color, view.scale, palette.halo);
+    }
+  });
+};
+
+export const drawNames: Layer = (context, { info, poses, view, palette, selected }) => {
+  context.save();
+  context.scale(1 / view.scale, -1 / view.scale); // text stands upright and keeps its size
+  context.textAlign = 'center';
+  context.lineJoin = 'round';
+  context.strokeStyle = palette.halo;
+  context.fillStyle = palette.text;
+  context.lineWidth = 3;
+  info.robots.forEach(({ id, footprint }, i) => {
+    const pose = poses[i];
+    if (!pose) {
+      return;
+    }
+    context.font = `${i === selected ? 650 : 500} 12px system-ui, sans-serif`;
+    const x = pose.x * view.scale;
+    const y = -(pose.y + radius(footprint, view.scale)) * view.scale - 7;
+    context.strokeText(id, x, y);
+    context.fillText(id, x, y);
+  });
+  context.restore();
+};
+
+export function drawRobot(
+  context: CanvasRenderingContext2D,
+  pose: Pose,
+  footprint: number[][],
+  color: string,
+  scale: number,
+  halo: string,
+) {
+  const grown = magnification(footprint, scale);
+  context.save();
+  enter(context, pose);
+  context.scale(grown, grown);
+  const pixel = 1 / (scale * grown);
+  context.beginPath();
+  footprint.forEach(([x, y]) => context.lineTo(x!, y!));
+  context.closePath();
+  context.lineJoin = 'round';
+  context.fillStyle = color;
+  context.strokeStyle = halo;
+  context.lineWidth = 2 * pixel;
+  context.stroke();
+  context.fill();
+  const front = Math.max(...footprint.map(([x]) => x!));
+  context.beginPath(); // an arrow head
+  context.moveTo(0.8 * front, 0);
+  context.lineTo(-0.35 * front, 0.55 * front);
+  context.lineTo(-0.1 * front, 0);
+  context.lineTo(-0.35 * front, -0.55 * front);
+  context.closePath();
+  context.fillStyle = halo;
+  context.fill();
+  context.restore();
+}
+
+function drawRing(
+  context: CanvasRenderingContext2D,
+  pose: Pose,
+  footprint: number[][],
+  scale: number,
+  color: string,
+  dash: number[],
+) {
+  context.beginPath();
+  context.arc(pose.x, pose.y, radius(footprint, scale) + 5 / scale, 0, 2 * Math.PI);
+  context.strokeStyle = color;
+  context.lineWidth = 2 / scale;
+  context.setLineDash(dash.map((length) => length / scale));
+  context.stroke();
+  context.setLineDash([]);
+}
+
+function drawHandle(
+  context: CanvasRenderingContext2D,
+  { x, y }: Point,
+  color: string,
+  scale: number,
+  halo: string,
+) {
+  context.beginPath();
+  context.arc(x, y, HANDLE_PIXELS / scale, 0, 2 * Math.PI);
+  context.fillStyle = halo;
+  context.fill();
+  context.lineWidth = 2 / scale;
+  context.strokeStyle = color;
+  context.stroke();
+}
+
+/** Where the handle is that turns a robot, in front of it. */
+export function handleOf(pose: Pose, footprint: number[][], scale: number): Point {
+  const ahead = radius(footprint, scale) + 18 / scale;
+  return { x: pose.x + ahead * Math.cos(pose.heading), y: pose.y + ahead * Math.sin(pose.heading) };
+}
+
+/** Radius in which a robot is drawn [m]. */
+export function radius(footprint: number[][], scale: number): number {
+  return size(footprint) * magnification(footprint, scale);
+}
+
+function size(footprint: number[][]): number {
+  return Math.max(...footprint.map(([x, y]) => Math.hypot(x!, y!)));
+}
+
+function magnification(footprint: number[][], scale: number): number {
+  return Math.max(1, LEAST_PIXELS / (2 * size(footprint) * scale));
+}

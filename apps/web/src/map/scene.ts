@@ -1,0 +1,22 @@
+import type { RunInfo } from '../api/messages';
+import type { Frame, Pose } from '../live/frame';
+import type { Trails } from '../live/trails';
+import type { Draft } from './draft';
+import type { Palette } from './palette';
+import type { View } from './view';
+
+/** All that is drawn at one moment. */
+export interface Scene {
+  info: RunInfo;
+  frame: Frame;
+  /** Where robots are drawn, in the order of the run's robots. */
+  poses: (Pose | null)[];
+  trails: Trails;
+  view: View;
+  palette: Palette;
+  selected: number | null;
+  draft: Draft | null;
+}
+
+/** Draws one kind of thing. The context is in map coordinates (metres, y up), so a pixel is `1 / view.scale`. */
+export type Layer = (context: CanvasRenderingContext2D, scene: Scene) => void;

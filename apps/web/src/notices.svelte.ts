@@ -1,0 +1,33 @@
+import { RefusedError } from './api/client';
+
+const SHOWN_MILLIS = 8000;
+
+/** Refusals and failures, each shown for a while. */
+class Notices {
+  list = $state<{ id: number; text: string }[]>([]);
+  private next = 1;
+
+  add(text: string) {
+    const id = this.next++;
+    this.list.push({ id, text });
+    setTimeout(() => this.dismiss(id), SHOWN_MILLIS);
+  }
+
+  dismiss(id: number) {
+    this.list = this.list.filter((notice) => notice.id !== id);
+  }
+}
+
+export const notices = new Notices();
+
+/** Waits for a command; when it is refused, says why. */
+export async function attempt(command: Promise<unknown>): Promise<void> {
+  try {
+    await command;
+  } catch (e) {
+    if (!(e instanceof RefusedError)) {
+      throw e;
+    }
+    notices.add(e.message);
+  }
+}
