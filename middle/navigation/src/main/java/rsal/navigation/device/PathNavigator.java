@@ -40,7 +40,8 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private static final Duration FRESH = Duration.ofMillis(700); // older readings are not driven by
 
     private static final double STRANGE = 0.3; // m from the next wall of the map
-    private static final double STRANGER_ROOM = 0.2; // m; what another robot drives before it can stop
+    private static final double STRANGER_ROOM = 0.05; // m, standing
+    private static final double STRANGER_ROOM_PER_SPEED = 0.4; // m per m/s; a stranger as fast needs it to stop, too
     private static final Duration STRANGERS_FADE = Duration.ofSeconds(5);
 
     /// What it is made of.
@@ -195,10 +196,12 @@ final class PathNavigator extends DeviceCore implements Navigator {
         scan.ifPresent(s -> obstacles.add(s.value()));
         ranges.ifPresent(r ->
                 scan.ifPresentOrElse(s -> obstacles.addBeside(s.value(), r.value()), () -> obstacles.add(r.value())));
-        keepOffStrangers(estimate.get().value().mapFromBase());
+        double room = STRANGER_ROOM
+                + STRANGER_ROOM_PER_SPEED * odometry.get().value().velocity().speed();
+        keepOffStrangers(estimate.get().value().mapFromBase(), room);
         scan.ifPresent(s -> {
             int seen = obstacles.count();
-            blindSpot.recall(s.value(), odomFromBase, scheduler.instant(), STRANGER_ROOM, obstacles);
+            blindSpot.recall(s.value(), odomFromBase, scheduler.instant(), room, obstacles);
             blindSpot.note(obstacles, seen, odomFromBase, scheduler.instant());
             addWallsBehind(estimate.get().value().mapFromBase());
         });
@@ -224,11 +227,11 @@ final class PathNavigator extends DeviceCore implements Navigator {
     }
 
     /// What is not on the map may move, and towards the robot.
-    private void keepOffStrangers(Pose2d mapFromBase) {
+    private void keepOffStrangers(Pose2d mapFromBase, double room) {
         for (int i = 0; i < obstacles.count(); i++) {
             Point2d place = mapFromBase.transform(obstacles.at(i));
             if (parts.toNotFree().at(place.x(), place.y()) > STRANGE) {
-                obstacles.keepRoom(i, STRANGER_ROOM);
+                obstacles.keepRoom(i, room);
             }
         }
     }

@@ -46,6 +46,7 @@ public final class Vfh {
     private final boolean[] closed = new boolean[SECTORS]; // by direction in the odometry frame, for hysteresis
     private final boolean[] masked = new boolean[SECTORS];
     private double previous = Double.NaN;
+    private double creeping; // m/s
     private double bestCost;
     private double bestDirection;
 
@@ -61,6 +62,7 @@ public final class Vfh {
     public void reset() {
         Arrays.fill(closed, false);
         previous = Double.NaN;
+        creeping = 0;
     }
 
     /// The command that brings the robot nearer to a target; [Twist2d#STOP] when no direction is open.
@@ -98,19 +100,24 @@ public final class Vfh {
         return safely(Twist2d.drive(0, omega), angle, velocity, obstacles);
     }
 
-    /// What of a command is safe. Where the robot is too long to turn, it creeps on or back a little first.
+    /// What of a command is safe. Where the robot is too long to turn, it creeps on or back first, until it can
+    /// turn or can't creep any more.
     private Twist2d safely(Twist2d wanted, double turn, Twist2d velocity, Obstacles obstacles) {
         Twist2d safe = guard.limit(wanted, velocity, obstacles);
         boolean wedged = Math.abs(safe.vx()) < SLOWEST / 4 && Math.abs(safe.omega()) < Math.abs(wanted.omega()) / 2;
         if (!wedged || Math.abs(turn) < SECTOR) {
+            creeping = 0;
             return safe;
         }
-        double first = Math.abs(turn) < Math.PI / 2 ? SLOWEST : -SLOWEST;
-        for (double creep : new double[] {first, -first}) {
-            Twist2d crept = guard.limit(Twist2d.drive(creep, 0), velocity, obstacles);
-            if (crept.vx() == creep) {
+        if (creeping == 0) {
+            creeping = Math.abs(turn) < Math.PI / 2 ? SLOWEST : -SLOWEST;
+        }
+        for (int way = 0; way < 2; way++) {
+            Twist2d crept = guard.limit(Twist2d.drive(creeping, 0), velocity, obstacles);
+            if (crept.vx() == creeping) {
                 return crept;
             }
+            creeping = -creeping;
         }
         return safe;
     }
@@ -139,9 +146,10 @@ public final class Vfh {
                 nearest[sector] = Math.min(nearest[sector], distance);
             }
         }
-        double closes = reach + least;
+        // What the robot would only touch beyond the target does not matter, nor does it need hysteresis.
+        boolean whole = reach == settings.lookahead();
         for (int s = 0; s < SECTORS; s++) {
-            closed[s] = nearest[s] < (closed[s] ? Math.min(reach * OPENS, settings.lookahead()) + least : closes);
+            closed[s] = nearest[s] < radius + (closed[s] && whole ? reach * OPENS : reach);
         }
     }
 

@@ -1,0 +1,62 @@
+package rsal.navigation.vfh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import rsal.data.LaserScan;
+import rsal.data.Pose2d;
+
+class BlindSpotTest {
+    /// Looks at the half plane ahead.
+    private static final LaserScan AHEAD =
+            new LaserScan(Pose2d.ORIGIN, -Math.PI / 2, Math.PI / 180, 0.1, 5, new float[181]);
+
+    private final BlindSpot blindSpot = new BlindSpot(1, Duration.ofSeconds(5));
+    private final Obstacles seen = new Obstacles(3);
+    private final Obstacles recalled = new Obstacles(3);
+
+    @BeforeEach
+    void seeAPostAndAPerson() {
+        seen.add(0.3, 0.4);
+        seen.add(0.3, -0.4);
+        seen.keepRoom(1, 0.2);
+        blindSpot.note(seen, 2, Pose2d.ORIGIN, Instant.EPOCH);
+    }
+
+    @Test
+    void whatTheLaserLooksAtIsNotRecalled() {
+        recallAt(new Pose2d(0.1, 0, 0), 1);
+        assertThat(recalled.count()).isZero();
+    }
+
+    @Test
+    void whatCameToLieBehindIsRecalled() {
+        recallAt(new Pose2d(0.5, 0, 0), 1);
+        assertThat(recalled.count()).isEqualTo(2);
+        assertThat(recalled.x(0)).isCloseTo(-0.2, org.assertj.core.api.Assertions.within(1e-6));
+        assertThat(recalled.room(0)).isZero();
+        assertThat(recalled.room(1)).isEqualTo(0.25f);
+    }
+
+    @Test
+    void wallsStayAndOthersFade() {
+        recallAt(new Pose2d(0.5, 0, 0), 6);
+        assertThat(recalled.count()).isEqualTo(1);
+        assertThat(recalled.room(0)).isZero();
+    }
+
+    @Test
+    void whatIsOutOfReachIsForgotten() {
+        recallAt(new Pose2d(2, 0, 0), 1);
+        assertThat(recalled.count()).isZero();
+        recallAt(new Pose2d(0.5, 0, 0), 2);
+        assertThat(recalled.count()).isZero();
+    }
+
+    private void recallAt(Pose2d odomFromBase, int second) {
+        blindSpot.recall(AHEAD, odomFromBase, Instant.ofEpochSecond(second), 0.25, recalled);
+    }
+}
