@@ -8,14 +8,15 @@ import rsal.data.Twist2d;
 
 /// Follows the wall on its left, into rooms and out of them; without a wall it goes straight until it meets one.
 ///
-/// It heads for the leftmost direction in which there is room. Directions are tried from far left to far right; the
-/// first run of them that is wide enough for the robot to turn around in is taken, and in that run the first one that
-/// keeps the wall's distance, or else the widest. A narrow door is thus passed through its middle, a corner rounded
-/// at the wall's distance, a dead end left the way it was entered.
+/// It heads for the leftmost direction in which it sees that there is room. Directions are tried from far left to
+/// far right; the first run of them that is wide enough for the robot to turn around in is taken, and in that run
+/// the first one that keeps the wall's distance, or else the widest. Where there is none it turns right on the
+/// spot. A narrow door is thus passed through its middle, a corner rounded at the wall's distance, a dead end
+/// left the way it was entered.
 ///
-/// An island (a table, a pillar) would keep it for ever: after more than a whole turn to the left around something it
-/// goes straight on and looks for another wall, as in the Pledge algorithm (H. Abelson, A. diSessa, Turtle Geometry,
-/// 1981, ch. 4.2).
+/// An island (a table, a pillar) would keep it for ever: after more than a whole turn to the left around
+/// something it goes straight on and looks for another wall, as in the Pledge algorithm (H. Abelson, A. diSessa,
+/// Turtle Geometry, 1981, ch. 4.2).
 public final class FollowLeftWall implements Behavior {
     private static final double FAR_LEFT = Math.toRadians(110);
     private static final double FAR_RIGHT = Math.toRadians(-180);
@@ -24,6 +25,7 @@ public final class FollowLeftWall implements Behavior {
     private static final double MARGIN = 0.05; // m around the circle that the robot turns in
     private static final double NO_SPEED_FROM = Math.toRadians(60);
     private static final double GAIN = 2; // rad/s per rad
+    private static final double TURN_RATE = 1; // rad/s
     private static final double LOST = 1.0; // m beyond the wall's distance
     private static final double SEARCH_WAY = 1.0; // m until a wall beside counts again
     private static final double ISLAND = Math.toRadians(450);
@@ -79,7 +81,7 @@ public final class FollowLeftWall implements Behavior {
 
     private Twist2d towards(double heading) {
         double forward = speed * Math.max(0, 1 - Math.abs(heading) / NO_SPEED_FROM);
-        return Twist2d.drive(forward, GAIN * heading);
+        return Twist2d.drive(forward, Math.clamp(GAIN * heading, -TURN_RATE, TURN_RATE));
     }
 
     private double leftmost(Surroundings around) {
@@ -87,7 +89,8 @@ public final class FollowLeftWall implements Behavior {
         double best = FAR_RIGHT;
         boolean inRun = false;
         for (double heading = FAR_LEFT; heading >= FAR_RIGHT; heading -= STEP) {
-            double clearance = around.clearance(heading, LOOK_AHEAD);
+            boolean seen = !Float.isNaN(around.range(Surroundings.sector(heading)));
+            double clearance = seen ? around.clearance(heading, LOOK_AHEAD) : 0;
             if (clearance >= wallDistance) {
                 return heading;
             }
