@@ -3,9 +3,9 @@ package rsal.behavior;
 import rsal.data.Footprint;
 import rsal.data.Twist2d;
 
-/// Looks ahead along the way that the layers below want to take. When the body would touch something soon, it takes
-/// the way nearest to theirs that does not: slower, then more to one side, at last turning on the spot. Where nothing
-/// is free it wants to turn, too, which the layers above it may not let it.
+/// Looks ahead along the way that the layers below want to take. When the body would touch something soon, it
+/// takes the way nearest to theirs that does not: slower, then more to one side, at last turning on the spot.
+/// Where nothing is free it wants to turn, too, which the layers above it may not let it.
 public final class AvoidCollision implements Behavior {
     private static final double MARGIN = 0.05; // m
     private static final double HORIZON = 1.0; // s

@@ -2,32 +2,35 @@ package rsal.behavior;
 
 import java.util.ArrayDeque;
 import rsal.data.Angles;
+import rsal.data.Footprint;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 
-/// Notices that the robot gets nowhere though it should, and gets it out: back a little, then round to where there is
-/// most room. It counts updates, one every 0.1 s.
+/// Notices that the robot gets nowhere though it should, and gets it out: first it moves the way that can be held
+/// longest without touching anything, backwards rather than forwards, then it turns to where there is most room.
+/// It counts updates, one every 0.1 s.
 public final class EscapeWhenStuck implements Behavior {
     private static final int UPDATES = 20;
     private static final double DISTANCE = 0.1; // m
     private static final double ANGLE = Math.toRadians(10);
-    private static final int BACK_UPDATES = 10;
+    private static final int MOVE_UPDATES = 15;
     private static final int TURN_UPDATES = 30;
-    private static final double BACK_SPEED = -0.1; // m/s
     private static final double TURN_RATE = 0.6; // rad/s
+    private static final double[] SPEEDS = {-0.1, 0.1, 0}; // m/s
+    private static final double[] TURN_RATES = {0, 0.3, -0.3, TURN_RATE, -TURN_RATE};
+    private static final double MARGIN = 0.01; // m
+    private static final double HORIZON = 3; // s
     private static final double LOOK_AHEAD = 0.8; // m
     private static final double STEP = Math.toRadians(10);
     private static final double THERE = Math.toRadians(10);
-    private static final double BEHIND = Math.toRadians(150);
 
     private final ArrayDeque<Pose2d> odomFromBases = new ArrayDeque<>();
-    private final double reach;
+    private final Body body;
     private int escaping;
     private Pose2d odomFromWayOut = Pose2d.ORIGIN;
 
-    /// @param reach nothing may be nearer than this behind the base's origin when it backs [m]
-    public EscapeWhenStuck(double reach) {
-        this.reach = reach;
+    public EscapeWhenStuck(Footprint footprint) {
+        this.body = new Body(footprint);
     }
 
     @Override
@@ -40,7 +43,7 @@ public final class EscapeWhenStuck implements Behavior {
         Pose2d odomFromBase = percept.odometry().odomFromBase();
         if (escaping == 0) {
             if (isStuck(odomFromBase, below)) {
-                escaping = BACK_UPDATES + TURN_UPDATES;
+                escaping = MOVE_UPDATES + TURN_UPDATES;
                 odomFromBases.clear();
             } else {
                 return below;
@@ -50,8 +53,7 @@ public final class EscapeWhenStuck implements Behavior {
         if (escaping >= TURN_UPDATES) {
             double heading = widest(percept.surroundings());
             odomFromWayOut = odomFromBase.compose(new Pose2d(0, 0, heading));
-            boolean free = percept.surroundings().nearest(BEHIND, -BEHIND) > reach;
-            return free ? Twist2d.drive(BACK_SPEED, 0) : Twist2d.STOP;
+            return freest(percept.surroundings());
         }
         double off = Angles.difference(odomFromBase.theta(), odomFromWayOut.theta());
         if (Math.abs(off) < THERE) {
@@ -72,6 +74,22 @@ public final class EscapeWhenStuck implements Behavior {
         }
         Pose2d odomFromThen = odomFromBases.remove();
         return odomFromThen.isNear(odomFromBase, DISTANCE, ANGLE);
+    }
+
+    private Twist2d freest(Surroundings around) {
+        double longest = 0;
+        Twist2d freest = Twist2d.STOP;
+        for (double speed : SPEEDS) {
+            for (double turnRate : TURN_RATES) {
+                Twist2d twist = Twist2d.drive(speed, turnRate);
+                double time = twist.equals(Twist2d.STOP) ? 0 : body.timeToTouch(around, twist, MARGIN, HORIZON);
+                if (time > longest) {
+                    longest = time;
+                    freest = twist;
+                }
+            }
+        }
+        return freest;
     }
 
     private static double widest(Surroundings around) {

@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import rsal.data.Odometry;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.DeviceInfo;
@@ -96,10 +97,13 @@ public final class Pilot extends SensorCore<Decision> {
     }
 
     private Percept percept(Instant now) {
+        Odometry odometry = base.latest().orElseThrow().value();
         return new Percept(
                 now,
-                base.latest().orElseThrow().value(),
+                odometry,
                 fusion.fuse(
+                        now,
+                        odometry.odomFromBase(),
                         laser.flatMap(Sensor::latest).map(Stamped::value),
                         sonar.flatMap(Sensor::latest).map(Stamped::value)));
     }

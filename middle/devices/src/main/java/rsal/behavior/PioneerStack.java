@@ -8,7 +8,6 @@ public final class PioneerStack {
     private static final double MAX_TURN_RATE = 1.0; // rad/s
     private static final double WALL_DISTANCE = 0.5; // m
     private static final double STOP_DISTANCE = 0.2; // m
-    private static final double BACK_OFF = 0.2; // m
 
     private PioneerStack() {}
 
@@ -23,7 +22,7 @@ public final class PioneerStack {
         return new Subsumption()
                 .layer(name, behavior)
                 .layer("avoid-collision", new AvoidCollision(body))
-                .layer("escape", new EscapeWhenStuck(body.circumscribedRadius() + BACK_OFF))
+                .layer("escape", new EscapeWhenStuck(body))
                 .layer("limit-turn-rate", new LimitTurnRate(body, MAX_TURN_RATE))
                 .layer("limit-speed", new LimitSpeed(body, MAX_SPEED, STOP_DISTANCE));
     }

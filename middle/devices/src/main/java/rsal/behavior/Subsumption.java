@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import rsal.data.Twist2d;
 
-/// Behaviors on top of each other, each seeing what those under it want and free to change it. Layers may come and
-/// go at any time, also from within a behavior: that counts from the next decision on.
+/// Behaviors on top of each other, each seeing what those under it want and free to change it. Layers may come
+/// and go at any time, also from within a behavior: that counts from the next decision on.
 public final class Subsumption {
     private final List<Layer> layers = new ArrayList<>();
 

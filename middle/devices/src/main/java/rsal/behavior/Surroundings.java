@@ -1,6 +1,7 @@
 package rsal.behavior;
 
 import rsal.data.Angles;
+import rsal.data.Point2d;
 
 /// How far a robot can see around itself: the distance from the base's origin to the nearest thing in each of
 /// [#SECTORS] equal sectors, counter-clockwise from straight behind. +∞ means that nothing is there as far as the
@@ -56,6 +57,11 @@ public final class Surroundings {
         return ranges[sector];
     }
 
+    /// Where the nearest thing of a sector is, in the base frame; only of one that has a thing in it.
+    Point2d thing(int sector) {
+        return new Point2d(ranges[sector] * COS[sector], ranges[sector] * SIN[sector]);
+    }
+
     /// How many sectors have a thing in them.
     public int things() {
         return things;
@@ -85,8 +91,8 @@ public final class Surroundings {
         }
     }
 
-    /// How wide a disc may be to get from here to a place straight away: its largest radius [m], +∞ when nothing is
-    /// in the way. Things that it leaves behind do not count, however near they are.
+    /// How wide a disc may be to get from here to a place straight away: its largest radius [m], +∞ when nothing
+    /// is in the way. Things that it leaves behind do not count, however near they are.
     ///
     /// @param heading in the base frame [rad]
     /// @param distance of the place [m]
