@@ -1,0 +1,233 @@
+package rsal.time;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.PriorityQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/// Real time, for real robots. Tasks run on one thread of its own, a daemon, by time, then [Phase], then the order in
+/// which they were scheduled; tasks that other threads hand in run between them.
+///
+/// Its time is that of the machine when it was made, plus what has passed since: it never jumps.
+///
+/// What a task throws goes to a handler; a periodic task lives on. It skips the beats that it missed. Unlike the
+/// contract of [Scheduler] asks, all methods may be called on any thread. After [#close] nothing runs any more.
+@AllowedToReadWallClock("It is where real time enters.")
+public final class WallScheduler implements Scheduler, AutoCloseable {
+    private static final Logger LOG = System.getLogger(WallScheduler.class.getName());
+
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition changed = lock.newCondition();
+    private final PriorityQueue<Entry> due = new PriorityQueue<>();
+    private final Consumer<? super Throwable> onFailure;
+    private final Executor workers;
+    private final Instant start = Instant.now();
+    private final long startNanos = System.nanoTime();
+    private final Thread thread;
+    private long order;
+    private boolean closed;
+
+    /// @param name of its thread (`run-1`)
+    /// @param workers where [#compute] runs; not shared with tasks that wait
+    /// @param onFailure told what a task threw, on the scheduler's thread
+    public WallScheduler(String name, Executor workers, Consumer<? super Throwable> onFailure) {
+        this.workers = workers;
+        this.onFailure = onFailure;
+        this.thread = Thread.ofPlatform().daemon().name(name).start(this::work);
+    }
+
+    /// Logs what tasks throw.
+    public WallScheduler(String name, Executor workers) {
+        this(name, workers, e -> LOG.log(Level.ERROR, () -> "A task of (%s) failed.".formatted(name), e));
+    }
+
+    @Override
+    public Instant instant() {
+        return start.plusNanos(nanos());
+    }
+
+    @Override
+    public void execute(Runnable task) {
+        add(new Entry(nanos(), Phase.WORLD, 0, task));
+    }
+
+    @Override
+    public Task after(Duration delay, Phase phase, Runnable task) {
+        return add(new Entry(Math.addExact(nanos(), Math.max(0, delay.toNanos())), phase, 0, task));
+    }
+
+    @Override
+    public Task every(Duration period, Phase phase, Runnable task) {
+        long step = period.toNanos();
+        if (step <= 0) {
+            throw new IllegalArgumentException("A period must be positive, not (%s).".formatted(period));
+        }
+        return add(new Entry(Math.addExact(nanos(), step), phase, step, task));
+    }
+
+    @Override
+    public <T> CompletionStage<T> within(Duration limit, CompletionStage<T> stage) {
+        var result = new CompletableFuture<T>();
+        Task timer = after(
+                limit,
+                () -> result.completeExceptionally(new TimeoutException("No answer within %s.".formatted(limit))));
+        stage.whenComplete((value, error) -> {
+            timer.cancel();
+            if (error == null) {
+                result.complete(value);
+            } else {
+                result.completeExceptionally(error);
+            }
+        });
+        return result;
+    }
+
+    @Override
+    public <T> CompletionStage<T> compute(Supplier<T> work) {
+        var result = new CompletableFuture<T>();
+        workers.execute(() -> {
+            try {
+                T value = work.get();
+                execute(() -> result.complete(value));
+            } catch (RuntimeException | Error e) {
+                execute(() -> result.completeExceptionally(e));
+            }
+        });
+        return result;
+    }
+
+    /// Ends its thread once the task that runs now is over, and waits for that unless it is called by that task.
+    /// Closing twice does nothing.
+    @Override
+    public void close() {
+        lock.lock();
+        try {
+            closed = true;
+            due.clear();
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+        if (!Thread.currentThread().equals(thread)) {
+            boolean interrupted = false;
+            while (thread.isAlive()) {
+                try {
+                    thread.join();
+                } catch (InterruptedException _) {
+                    interrupted = true;
+                }
+            }
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    private void work() {
+        for (Entry next = take(); next != null; next = take()) {
+            try {
+                next.task.run();
+            } catch (RuntimeException | Error e) {
+                report(e);
+            }
+        }
+    }
+
+    private void report(Throwable failure) {
+        try {
+            onFailure.accept(failure);
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, "The handler of failures failed itself.", e);
+        }
+    }
+
+    /// The next task, when its time has come; a periodic one is put back for its next beat.
+    private @Nullable Entry take() {
+        lock.lock();
+        try {
+            while (!closed) {
+                Entry next = due.peek();
+                long wait = next == null ? Long.MAX_VALUE : next.nanos - nanos();
+                if (next == null || wait > 0) {
+                    try {
+                        changed.awaitNanos(wait);
+                    } catch (InterruptedException _) {
+                        // a task left its thread interrupted; only close ends it
+                    }
+                    continue;
+                }
+                due.remove();
+                if (next.cancelled) {
+                    continue;
+                }
+                if (next.step > 0) {
+                    long missed = Math.max(0, (nanos() - next.nanos) / next.step);
+                    next.nanos += (missed + 1) * next.step;
+                    next.order = order++;
+                    due.add(next);
+                }
+                return next;
+            }
+            return null;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private Task add(Entry entry) {
+        lock.lock();
+        try {
+            if (!closed) {
+                entry.order = order++;
+                due.add(entry);
+                changed.signalAll();
+            }
+        } finally {
+            lock.unlock();
+        }
+        return entry;
+    }
+
+    /// Since the start, on the clock that nobody sets.
+    private long nanos() {
+        return System.nanoTime() - startNanos;
+    }
+
+    private static final class Entry implements Task, Comparable<Entry> {
+        private final Phase phase;
+        private final long step;
+        private final Runnable task;
+        private long nanos;
+        private long order;
+        private volatile boolean cancelled;
+
+        Entry(long nanos, Phase phase, long step, Runnable task) {
+            this.nanos = nanos;
+            this.phase = phase;
+            this.step = step;
+            this.task = task;
+        }
+
+        @Override
+        public void cancel() {
+            cancelled = true;
+        }
+
+        @Override
+        public int compareTo(Entry other) {
+            int byTime = Long.compare(nanos, other.nanos);
+            int byPhase = byTime != 0 ? byTime : phase.compareTo(other.phase);
+            return byPhase != 0 ? byPhase : Long.compare(order, other.order);
+        }
+    }
+}
