@@ -8,16 +8,19 @@ import rsal.data.Twist2d;
 
 /// Follows the wall on its left, into rooms and out of them; without a wall it goes straight until it meets one.
 ///
-/// It heads for the leftmost direction in which it sees that there is room. Directions are tried from far left to
-/// far right; the first run of them that is wide enough for the robot to turn around in is taken, and in that run
-/// the first one that keeps the wall's distance, or else the widest. Where there is none it turns right on the
-/// spot. A narrow door is thus passed through its middle, a corner rounded at the wall's distance, a dead end
-/// left the way it was entered.
+/// It heads for the leftmost direction in which it sees that there is room, right of the wall: directions are
+/// tried from the leftmost thing near it to far right. The first run of them that is wide enough for the robot to
+/// turn around in is taken, and in that run the first one that keeps the wall's distance, or else the widest.
+/// Where there is none it turns right on the spot. A narrow door is thus passed through its middle, a corner
+/// rounded at the wall's distance, a dead end left the way it was entered, and a wall met on the wrong side is
+/// turned to.
 ///
 /// An island (a table, a pillar) would keep it for ever: after more than a whole turn to the left around
 /// something it goes straight on and looks for another wall, as in the Pledge algorithm (H. Abelson, A. diSessa,
 /// Turtle Geometry, 1981, ch. 4.2).
 public final class FollowLeftWall implements Behavior {
+    private static final double WALL_LEFTMOST = Math.toRadians(150);
+    private static final double WALL_RIGHTMOST = Math.toRadians(-90);
     private static final double FAR_LEFT = Math.toRadians(110);
     private static final double FAR_RIGHT = Math.toRadians(-180);
     private static final double STEP = Math.toRadians(5);
@@ -33,6 +36,7 @@ public final class FollowLeftWall implements Behavior {
     private final double speed;
     private final double wallDistance;
     private final double room;
+    private final double reach;
     private State state = State.SEARCHING;
     private @Nullable Pose2d odomFromLast;
     private double turned;
@@ -49,6 +53,7 @@ public final class FollowLeftWall implements Behavior {
         this.speed = speed;
         this.room = footprint.circumscribedRadius() + MARGIN;
         this.wallDistance = Math.max(wallDistance, room);
+        this.reach = this.wallDistance + LOST;
     }
 
     @Override
@@ -61,7 +66,7 @@ public final class FollowLeftWall implements Behavior {
         keepCount(percept.odometry().odomFromBase());
         Surroundings around = percept.surroundings();
         boolean blocked = around.clearance(0, LOOK_AHEAD) < room;
-        double beside = around.nearest(0, FAR_LEFT);
+        double beside = around.nearest(0, WALL_LEFTMOST);
         switch (state) {
             case SEARCHING -> {
                 if (blocked || (searched >= SEARCH_WAY && beside < wallDistance + LOST / 2)) {
@@ -70,7 +75,7 @@ public final class FollowLeftWall implements Behavior {
                 }
             }
             case FOLLOWING -> {
-                if (!blocked && (turned > ISLAND || beside > wallDistance + LOST)) {
+                if (!blocked && (turned > ISLAND || beside > reach)) {
                     state = State.SEARCHING;
                     searched = 0;
                 }
@@ -88,7 +93,7 @@ public final class FollowLeftWall implements Behavior {
         double widest = 0;
         double best = FAR_RIGHT;
         boolean inRun = false;
-        for (double heading = FAR_LEFT; heading >= FAR_RIGHT; heading -= STEP) {
+        for (double heading = Math.min(FAR_LEFT, wall(around)); heading >= FAR_RIGHT; heading -= STEP) {
             boolean seen = !Float.isNaN(around.range(Surroundings.sector(heading)));
             double clearance = seen ? around.clearance(heading, LOOK_AHEAD) : 0;
             if (clearance >= wallDistance) {
@@ -105,6 +110,16 @@ public final class FollowLeftWall implements Behavior {
             }
         }
         return best;
+    }
+
+    /// Where the leftmost thing within reach is.
+    private double wall(Surroundings around) {
+        for (double bearing = WALL_LEFTMOST; bearing > WALL_RIGHTMOST; bearing -= Surroundings.WIDTH) {
+            if (around.range(Surroundings.sector(bearing)) <= reach) {
+                return bearing;
+            }
+        }
+        return FAR_LEFT;
     }
 
     private void keepCount(Pose2d odomFromBase) {
