@@ -12,7 +12,7 @@ public final class Angles {
             return angle;
         }
         double wrapped = angle - TURN * Math.floor((angle + Math.PI) / TURN);
-        return wrapped >= Math.PI ? wrapped - TURN : wrapped; // rounding may land exactly on π
+        return wrapped >= Math.PI || wrapped < -Math.PI ? -Math.PI : wrapped; // rounding may land on π or beside -π
     }
 
     /// The smallest turn from one direction to another, in [-π, π); positive is counter-clockwise.

@@ -1,0 +1,27 @@
+package rsal.data;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/// Ranges after REP 117.
+class RangesTest {
+    private static final float[] RANGES = {
+        0.5f, 5, 0.1f, 0.09f, 5.1f, Float.NEGATIVE_INFINITY, Float.POSITIVE_INFINITY, Float.NaN
+    };
+    private static final boolean[] HITS = {true, true, false, false, false, false, false, false};
+
+    @Test
+    void onlyWhatWasMeasuredIsAHit() {
+        var scan = new LaserScan(Pose2d.ORIGIN, -1, 0.5, 0.2, 5, RANGES);
+        var sonars = new RangeArray(List.of(), 0.5, 0.2, 5, RANGES);
+        for (int i = 0; i < RANGES.length; i++) {
+            assertThat(scan.isHit(i)).as("beam of %s", RANGES[i]).isEqualTo(HITS[i]);
+            assertThat(sonars.isHit(i)).as("sonar of %s", RANGES[i]).isEqualTo(HITS[i]);
+        }
+        assertThat(scan.count()).isEqualTo(8);
+        assertThat(scan.angle(3)).isCloseTo(0.5, within(1e-12));
+    }
+}
