@@ -51,7 +51,8 @@ public final class Yaml {
                 .build();
         Optional<Node> root;
         try {
-            root = new Composer(settings, new ParserImpl(settings, new StreamReader(settings, text))).getSingleNode();
+            var parser = new ParserImpl(settings, new StreamReader(settings, text));
+            root = new Composer(settings, new ShallowParser(parser, file, MAX_DEPTH)).getSingleNode();
         } catch (MarkedYamlEngineException e) {
             Location place = e.getProblemMark()
                     .or(e::getContextMark)
@@ -135,21 +136,40 @@ public final class Yaml {
         if (tag.equals(Tag.NULL)) {
             return "";
         }
-        if (tag.equals(Tag.BOOL)) {
-            return Boolean.parseBoolean(text);
-        }
-        if (tag.equals(Tag.INT)) {
-            try {
-                return Long.decode(text.startsWith("0o") ? "0" + text.substring(2) : text);
-            } catch (NumberFormatException _) {
-                throw new InvalidSettings(place, "(%s) is too large a number.".formatted(text), "");
+        try {
+            if (tag.equals(Tag.BOOL)) {
+                return flag(text);
             }
-        }
-        if (tag.equals(Tag.FLOAT)) {
-            return number(text);
+            if (tag.equals(Tag.INT)) {
+                return integer(text);
+            }
+            if (tag.equals(Tag.FLOAT)) {
+                return number(text);
+            }
+        } catch (NumberFormatException _) {
+            throw new InvalidSettings(place, "(%s) is no %s that can be read here.".formatted(text, name(tag)), "");
         }
         throw new InvalidSettings(
                 place, "Tags (%s) are not read here.".formatted(tag.getValue()), "Leave the tag out.");
+    }
+
+    private static String name(Tag tag) {
+        return tag.equals(Tag.BOOL) ? "true or false" : tag.equals(Tag.INT) ? "whole number" : "number";
+    }
+
+    private static boolean flag(String text) {
+        return switch (text.toLowerCase(java.util.Locale.ROOT)) {
+            case "true" -> true;
+            case "false" -> false;
+            default -> throw new NumberFormatException(text);
+        };
+    }
+
+    private static long integer(String text) {
+        if (text.startsWith("0x")) {
+            return Long.parseLong(text.substring(2), 16);
+        }
+        return text.startsWith("0o") ? Long.parseLong(text.substring(2), 8) : Long.parseLong(text);
     }
 
     private static double number(String text) {
@@ -171,7 +191,7 @@ public final class Yaml {
         }
     }
 
-    private static Location location(String file, @org.jspecify.annotations.Nullable Mark mark) {
+    static Location location(String file, @org.jspecify.annotations.Nullable Mark mark) {
         return mark == null ? Location.of(file) : new Location(file, mark.getLine() + 1, mark.getColumn() + 1);
     }
 
