@@ -1,0 +1,103 @@
+package rsal.behavior;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.time.Instant;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import rsal.data.LaserScan;
+import rsal.data.Pose2d;
+import rsal.data.RangeArray;
+
+class SectorFusionTest {
+    private static final Pose2d LASER = new Pose2d(0.1, 0, 0);
+    private static final Pose2d SONAR = Pose2d.ofDegrees(0, 0, 0);
+
+    @Test
+    void rangesCountFromTheBaseNotFromTheSensor() {
+        Surroundings around = fuse(scan(2), null);
+        assertThat(around.range(Surroundings.sector(0.001))).isCloseTo(2.1f, within(0.01f));
+    }
+
+    @Test
+    void whereNobodyLooksIsUnknown() {
+        Surroundings around = fuse(scan(2), null);
+        assertThat(around.range(Surroundings.sector(Math.PI))).isNaN();
+        assertThat(fuse(null, null).range(0)).isNaN();
+    }
+
+    @Test
+    void farThingsAndNoThingsAreNothing() {
+        assertThat(fuse(scan(5.5f), null).range(Surroundings.sector(0.001))).isInfinite();
+        assertThat(fuse(scan(Float.POSITIVE_INFINITY), null).range(Surroundings.sector(0.001)))
+                .isInfinite();
+    }
+
+    @Test
+    void tooCloseIsAtTheLeastRangeAndBrokenIsUnknown() {
+        assertThat(fuse(scan(Float.NEGATIVE_INFINITY), null).nearest(-0.1, 0.1)).isCloseTo(0.15, within(0.01));
+        assertThat(fuse(scan(Float.NaN), null).things()).isZero();
+    }
+
+    @Test
+    void theSmallerRangeCounts() {
+        assertThat(fuse(scan(3), sonar(1)).nearest(-0.05, 0.05)).as("glass").isCloseTo(1, within(0.05));
+        assertThat(fuse(scan(2), sonar(4)).nearest(-0.05, 0.05)).as("cloth").isCloseTo(2.1, within(0.05));
+    }
+
+    @Test
+    void aSonarDoesNotBlurWhatTheLaserSeesToo() {
+        float[] ranges = ranges(3);
+        ranges[180 + 8] = 1; // one beam, 4° to the left
+        Surroundings around =
+                fuse(new LaserScan(LASER, Math.toRadians(-90), Math.toRadians(0.5), 0.05, 30, ranges), sonar(1.1f));
+        assertThat(around.range(Surroundings.sector(Math.toRadians(-3)))).isCloseTo(3.1f, within(0.05f));
+    }
+
+    @Test
+    void sonarsAloneFillTheInnerHalfOfTheirCones() {
+        Surroundings around = fuse(null, sonar(2));
+        assertThat(around.range(Surroundings.sector(Math.toRadians(6)))).isCloseTo(2f, within(0.01f));
+        assertThat(around.range(Surroundings.sector(Math.toRadians(12)))).isNaN();
+    }
+
+    @Test
+    void remembersWhatTheLaserSawUntilItIsTenSecondsOld() {
+        float[] ranges = ranges(Float.POSITIVE_INFINITY);
+        ranges[0] = 1; // straight to the right
+        var scan = new LaserScan(Pose2d.ORIGIN, Math.toRadians(-90), Math.toRadians(0.5), 0.05, 30, ranges);
+        var fusion = new SectorFusion(5);
+        fusion.fuse(Instant.EPOCH, Pose2d.ORIGIN, Optional.of(scan), Optional.empty());
+        Pose2d ahead = new Pose2d(0.5, 0, 0);
+        Surroundings later = fusion.fuse(Instant.ofEpochSecond(9), ahead, Optional.empty(), Optional.empty());
+        assertThat(later.things()).isEqualTo(1);
+        assertThat(later.nearest(Math.toRadians(-125), Math.toRadians(-105)))
+                .isCloseTo(Math.hypot(0.5, 1), within(0.05));
+        assertThat(fusion.fuse(Instant.ofEpochSecond(11), ahead, Optional.empty(), Optional.empty())
+                        .things())
+                .isZero();
+    }
+
+    /// Without a memory.
+    private static Surroundings fuse(LaserScan scan, RangeArray sonar) {
+        return new SectorFusion(5)
+                .fuse(Instant.EPOCH, Pose2d.ORIGIN, Optional.ofNullable(scan), Optional.ofNullable(sonar));
+    }
+
+    private static LaserScan scan(float range) {
+        return new LaserScan(LASER, Math.toRadians(-90), Math.toRadians(0.5), 0.05, 30, ranges(range));
+    }
+
+    private static float[] ranges(float range) {
+        var ranges = new float[361];
+        Arrays.fill(ranges, range);
+        return ranges;
+    }
+
+    private static RangeArray sonar(float range) {
+        return new RangeArray(List.of(SONAR), Math.toRadians(30), 0.1, 5, new float[] {range});
+    }
+}
