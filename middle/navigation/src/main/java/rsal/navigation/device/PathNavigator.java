@@ -34,6 +34,7 @@ import rsal.time.Scheduler;
 
 /// Drives along planned ways: looks ten times a second at where the robot is and what is around it, and asks the
 /// [Trip] under way what to command. Without a goal, and while paused, it commands nothing, so others may drive.
+/// A new goal does not end a pause.
 final class PathNavigator extends DeviceCore implements Navigator {
     static final double BEAT_SECONDS = 0.1;
     private static final Duration BEAT = Duration.ofMillis(100);
@@ -114,7 +115,6 @@ final class PathNavigator extends DeviceCore implements Navigator {
         Trip old = trip;
         var next = new Trip(parts, settings, scheduler, random, mapFromGoal, tolerance, this::onEnd);
         trip = next;
-        paused = false;
         if (old == null) {
             parts.vfh().reset();
         } else {

@@ -57,7 +57,7 @@ final class Trip {
     private @Nullable Route route;
     private Pose2d mapFromBase = Pose2d.ORIGIN;
     private boolean planning;
-    private Instant planned = Instant.MIN;
+    private Instant planned;
     private boolean arrived;
     private double yardstick = Double.POSITIVE_INFINITY; // what is left, when last nearer
     private Instant nearer;
@@ -65,7 +65,7 @@ final class Trip {
     private Instant giveUp;
     private int detours;
     private Manoeuvre manoeuvre = Manoeuvre.NONE;
-    private Instant manoeuvreEnds = Instant.MIN;
+    private Instant manoeuvreEnds;
 
     private enum Manoeuvre {
         NONE,
@@ -93,6 +93,8 @@ final class Trip {
         this.onEnd = onEnd;
         this.started = scheduler.instant();
         this.nearer = started;
+        this.planned = started;
+        this.manoeuvreEnds = started;
         this.giveUp = started.plus(settings.patience());
     }
 
@@ -275,7 +277,7 @@ final class Trip {
             manoeuvre = Manoeuvre.NONE;
             nearer = now.now();
             parts.vfh().reset();
-            planned = Instant.MIN;
+            planned = now.now().minus(settings.replanPeriod());
         }
     }
 
@@ -299,15 +301,9 @@ final class Trip {
     // Which way?
 
     private boolean isPlanDue(Situation now, Route way) {
-        Duration age = planned.equals(Instant.MIN) ? Duration.ofDays(1) : Duration.between(planned, now.now());
-        boolean blocked = heldUp(now).compareTo(BLOCKED) > 0;
-        boolean astray = way.offset() > OFF_ROUTE;
-        return age.compareTo(blocked || astray ? shorter(BLOCKED, settings.replanPeriod()) : settings.replanPeriod())
-                > 0;
-    }
-
-    private static Duration shorter(Duration a, Duration b) {
-        return a.compareTo(b) < 0 ? a : b;
+        Duration age = Duration.between(planned, now.now());
+        boolean urgent = heldUp(now).compareTo(BLOCKED) > 0 || way.offset() > OFF_ROUTE;
+        return age.compareTo(settings.replanPeriod()) >= 0 || (urgent && age.compareTo(BLOCKED) >= 0);
     }
 
     private void plan(Situation now) {

@@ -136,9 +136,16 @@ class NavigationTest {
         run.advance(120);
         assertThat(run.truth("r0")).isEqualTo(stopped);
         assertThat(ended).isEmpty();
+        run.navigator("r0")
+                .goTo(farFrom(stopped), Tolerance.position(0.4))
+                .result()
+                .thenAccept(ended::add);
+        run.advance(10);
+        assertThat(run.truth("r0")).as("a new goal does not end the pause").isEqualTo(stopped);
+        assertThat(ended).containsExactly(new Result.Cancelled());
         run.navigator("r0").resume();
         run.advance(200);
-        assertThat(ended).hasSize(1).first().isInstanceOf(Result.Reached.class);
+        assertThat(ended).hasSize(2).last().isInstanceOf(Result.Reached.class);
     }
 
     private static List<Pose2d> placesAfterAMinute(Executor workers) {
