@@ -36,14 +36,6 @@ public final class DistanceField {
         return new DistanceField(map, transform(map, true));
     }
 
-    public int width() {
-        return width;
-    }
-
-    public int height() {
-        return height;
-    }
-
     /// Distance of a cell [m], row by row as in the map; +∞ everywhere when there is nothing to be near to.
     public float at(int cell) {
         return meters[cell];

@@ -75,20 +75,6 @@ public final class Route {
         return at(done + far / 4); // off the passable: back to the path soon
     }
 
-    /// Whether one of some places [m] is nearer than a distance to the way left, so far ahead at most [m].
-    public boolean isBlocked(List<Point2d> obstacles, double distance, double ahead) {
-        double far = Math.min(ahead, remaining());
-        for (double way = 0; way <= far; way += distance / 2) {
-            Point2d place = at(done + way);
-            for (Point2d obstacle : obstacles) {
-                if (obstacle.distanceTo(place) < distance) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
     /// The same way to another end, if it goes straight on from the old one.
     public Path2d extended(Point2d position, Point2d end) {
         var path = new ArrayList<>(left(position).points());
