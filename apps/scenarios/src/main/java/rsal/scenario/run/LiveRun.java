@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Queue;
@@ -14,8 +15,11 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
@@ -26,6 +30,8 @@ import rsal.scenario.RunPlan;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
+import rsal.time.Scheduler;
+import rsal.time.WallScheduler;
 
 /// A run under way, or ended. All methods may be called from any thread; listeners are called on the run's thread
 /// and must be quick.
@@ -33,6 +39,7 @@ import rsal.time.Phase;
 /// The run has a thread of its own, `run-<n>`, and helpers for heavy work, `run-<n>-helper-<m>`. Between two steps
 /// it takes commands and makes a snapshot if somebody wants one. How it is watched, paused and paced never changes
 /// what happens in it; placing robots, sending them somewhere and the emergency stop do, and are events of the run.
+/// A run in real time can't be paused or paced: it goes on at speed 1.
 @AllowedToReadWallClock("It holds the run back to the pace that people want to watch, and says how long it took.")
 public final class LiveRun implements AutoCloseable {
     private static final Logger LOG = System.getLogger(LiveRun.class.getName());
@@ -41,16 +48,19 @@ public final class LiveRun implements AutoCloseable {
     private static final Duration PATIENCE = Duration.ofSeconds(1);
 
     private final RunPlan plan;
-    private final Thread thread;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
+    private final Queue<Runnable> orders = new ConcurrentLinkedQueue<>(); // wait until the robots are there
     private final CompletableFuture<RunResult> result = new CompletableFuture<>();
     private final List<Runnable> snapshotListeners = new CopyOnWriteArrayList<>();
     private final List<Runnable> eventListeners = new CopyOnWriteArrayList<>();
     private final ExecutorService helpers;
-    private final LockstepScheduler scheduler;
+    private final Scheduler scheduler;
+    private final Instant began;
+    private final long beganNanos = System.nanoTime();
     private final Journal journal;
     private final Observer observer;
     private final Pace pace;
+    private volatile @Nullable Thread thread;
     private volatile Snapshot snapshot;
     private volatile boolean snapshotWanted;
 
@@ -61,23 +71,30 @@ public final class LiveRun implements AutoCloseable {
     private int stepsWanted;
     private long snapshotMade;
 
-    private LiveRun(RunPlan plan) {
+    private LiveRun(RunPlan plan, String name) {
         this.plan = plan;
-        String name = "run-" + RUNS.incrementAndGet();
         this.helpers = helpers(name);
-        this.scheduler = new LockstepScheduler(Instant.EPOCH, helpers);
-        this.journal = new Journal(scheduler::elapsed, () -> eventListeners.forEach(Runnable::run));
+        this.scheduler = switch (plan.clock()) {
+            case SIMULATED -> new LockstepScheduler(Instant.EPOCH, helpers);
+            case WALL -> new WallScheduler(name, helpers, this::breaks);
+        };
+        this.began = scheduler.instant();
+        this.journal = new Journal(this::elapsed, () -> eventListeners.forEach(Runnable::run));
         this.observer = new Observer(plan, journal, scheduler);
-        this.pace = new Pace(System::nanoTime, plan.speed());
+        this.pace = new Pace(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
         this.snapshot =
-                new Snapshot(0, Duration.ZERO, false, false, plan.speed(), 0, Optional.empty(), List.of(), List.of());
-        this.thread = Thread.ofPlatform().name(name).daemon().unstarted(this::run);
+                new Snapshot(0, Duration.ZERO, false, false, pace.speed(), 0, Optional.empty(), List.of(), List.of());
     }
 
     /// Starts a run. Robots and agents are made on its own thread; what goes wrong there ends its [#result].
     public static LiveRun start(RunPlan plan) {
-        var run = new LiveRun(plan);
-        run.thread.start();
+        String name = "run-" + RUNS.incrementAndGet();
+        var run = new LiveRun(plan, name);
+        switch (run.scheduler) {
+            case LockstepScheduler time ->
+                Thread.ofPlatform().name(name).daemon().start(() -> run.simulate(time));
+            default -> run.scheduler.execute(run::begin);
+        }
         return run;
     }
 
@@ -99,13 +116,13 @@ public final class LiveRun implements AutoCloseable {
 
     /// Lets time stand still.
     public void pause() {
-        command(() -> paused = true);
+        command(() -> paused = isSimulated());
     }
 
     public void resume() {
         command(() -> {
             paused = false;
-            pace.restart(scheduler.elapsed().toNanos());
+            pace.restart(elapsed().toNanos());
         });
     }
 
@@ -122,7 +139,13 @@ public final class LiveRun implements AutoCloseable {
         if (!(factor > 0)) {
             throw new IllegalArgumentException("A speed must be positive, not (%s).".formatted(factor));
         }
-        command(() -> pace.speed(factor, scheduler.elapsed().toNanos()));
+        if (isSimulated()) {
+            command(() -> pace.speed(factor, elapsed().toNanos()));
+        }
+    }
+
+    private boolean isSimulated() {
+        return plan.clock() == RunPlan.Clock.SIMULATED;
     }
 
     /// Ends the run with the outcome `stopped`.
@@ -152,7 +175,7 @@ public final class LiveRun implements AutoCloseable {
     /// The newest there is. Asking for it asks for a newer one, too.
     public Snapshot snapshot() {
         snapshotWanted = true;
-        LockSupport.unpark(thread);
+        wake();
         return snapshot;
     }
 
@@ -183,116 +206,174 @@ public final class LiveRun implements AutoCloseable {
             return;
         }
         try {
-            if (!thread.join(PATIENCE)) {
-                LOG.log(
-                        Level.WARNING,
-                        "{0} does not end. It is busy in {1}; maybe an agent there never returns.",
-                        thread.getName(),
-                        firstFrame());
-            }
+            result.handle((_, _) -> true).get(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
+        } catch (TimeoutException _) {
+            LOG.log(
+                    Level.WARNING,
+                    "A run does not end. It is busy in {0}; maybe an agent there never returns.",
+                    place());
         } catch (InterruptedException _) {
             Thread.currentThread().interrupt();
+        } catch (ExecutionException e) {
+            throw new AssertionError("Both endings are handled.", e);
         }
     }
 
-    private String firstFrame() {
-        StackTraceElement[] frames = thread.getStackTrace();
+    /// Where the run's thread is.
+    private String place() {
+        Thread busy = thread;
+        StackTraceElement[] frames = busy == null ? new StackTraceElement[0] : busy.getStackTrace();
         return frames.length == 0 ? "nothing" : frames[0].toString();
     }
 
     private void command(Runnable command) {
         commands.add(command);
-        LockSupport.unpark(thread);
+        wake();
     }
 
-    private CompletionStage<Answer> ask(Function<Stage, Answer> command) {
+    private void wake() {
+        if (isSimulated()) {
+            LockSupport.unpark(thread);
+        } else {
+            scheduler.execute(this::serve);
+        }
+    }
+
+    private CompletionStage<Answer> ask(Function<Stage, Answer> order) {
         var answer = new CompletableFuture<Answer>();
-        command(() -> answer.complete(answer(command)));
+        orders.add(() -> answer.complete(answer(order)));
+        wake();
         var tooLate = result.handle((_, _) -> (Answer) new Answer.Refused("The run has ended."));
         return answer.applyToEither(tooLate, Function.identity());
     }
 
-    private Answer answer(Function<Stage, Answer> command) {
-        if (stage == null) {
-            return new Answer.Refused("The run has not begun.");
-        }
+    private Answer answer(Function<Stage, Answer> order) {
         try {
-            return command.apply(stage);
+            return order.apply(Objects.requireNonNull(stage));
         } catch (IllegalArgumentException e) {
             return new Answer.Refused(String.valueOf(e.getMessage()));
         }
     }
 
-    private void run() {
-        long began = System.nanoTime();
-        RunResult ended = null;
-        RunBroken broken = null;
-        try (helpers;
-                var everything = new Stage(plan, scheduler, journal, observer)) {
-            stage = everything;
-            everything.begin();
-            scheduler.every(
-                    plan.step(), Phase.OBSERVE, () -> everything.observe().ifPresent(this::end));
+    /// In simulated time: goes on step by step until it is over.
+    private void simulate(LockstepScheduler time) {
+        try {
+            begin();
             while (outcome == null) {
-                turn(everything);
+                takeCommands();
+                goOn(time);
             }
-            makeSnapshot(everything);
-            ended = result(outcome, (System.nanoTime() - began) * 1e-9);
-        } catch (RunBroken e) {
-            broken = e;
+            finish();
         } catch (RuntimeException | Error e) {
-            broken = new RunBroken("The run", e);
-        }
-        if (ended != null) {
-            result.complete(ended);
-        } else if (broken != null) {
-            end("broken");
-            journal.event("fault", "", String.valueOf(broken.getMessage()));
-            result.completeExceptionally(broken);
+            breaks(e);
         }
     }
 
-    /// Takes commands, then goes on for a step or waits until it may.
-    private void turn(Stage stage) {
-        for (Runnable command = commands.poll(); command != null; command = commands.poll()) {
-            command.run();
-        }
-        if (paused && stepsWanted == 0) {
-            rest(stage, Long.MAX_VALUE);
+    private void begin() {
+        thread = Thread.currentThread();
+        var everything = new Stage(plan, scheduler, journal, observer);
+        stage = everything;
+        everything.begin();
+        scheduler.every(plan.step(), Phase.OBSERVE, () -> {
+            everything.observe().ifPresent(this::end);
+            if (!isSimulated()) {
+                serve();
+            }
+        });
+    }
+
+    /// In real time: does what is wanted between two tasks.
+    private void serve() {
+        if (result.isDone()) {
             return;
         }
-        long early = paused ? 0 : pace.early(scheduler.elapsed().toNanos());
+        takeCommands();
+        if (outcome != null) {
+            finish();
+        } else {
+            makeSnapshotIfDue();
+        }
+    }
+
+    private void takeCommands() {
+        takeAll(commands);
+        if (stage != null && stage.isReady()) {
+            takeAll(orders);
+        }
+    }
+
+    private static void takeAll(Queue<Runnable> queue) {
+        for (Runnable next = queue.poll(); next != null; next = queue.poll()) {
+            next.run();
+        }
+    }
+
+    /// Goes on for a step, or waits until it may.
+    private void goOn(LockstepScheduler time) {
+        if (outcome != null) {
+            return;
+        }
+        if (paused && stepsWanted == 0) {
+            rest(Long.MAX_VALUE);
+            return;
+        }
+        long early = paused ? 0 : pace.early(elapsed().toNanos());
         if (early > 0) {
-            rest(stage, early);
+            rest(early);
             return;
         }
         stepsWanted = Math.max(0, stepsWanted - 1);
-        scheduler.advance(plan.step());
-        if (snapshotWanted && untilNextSnapshot() <= 0) {
-            makeSnapshot(stage);
-        }
+        time.advance(plan.step());
+        makeSnapshotIfDue();
     }
 
     /// Waits, or makes a snapshot if one is wanted; returns early when there is something to do.
-    private void rest(Stage stage, long nanos) {
-        long wait = nanos;
-        if (snapshotWanted) {
-            long until = untilNextSnapshot();
-            if (until <= 0) {
-                makeSnapshot(stage);
-                return;
-            }
-            wait = Math.min(wait, until);
+    private void rest(long nanos) {
+        if (makeSnapshotIfDue()) {
+            return;
         }
-        if (commands.isEmpty()) {
-            LockSupport.parkNanos(this, wait);
-        }
+        long wait = snapshotWanted ? Math.min(nanos, untilNextSnapshot()) : nanos;
+        LockSupport.parkNanos(this, wait);
     }
 
     private void end(String how) {
         if (outcome == null) {
             outcome = how;
             journal.event("run", "", "ends: " + how);
+        }
+    }
+
+    private void finish() {
+        makeSnapshot();
+        RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) * 1e-9);
+        letGo();
+        result.complete(ended);
+    }
+
+    /// The run can't go on.
+    private void breaks(Throwable cause) {
+        if (result.isDone()) {
+            return;
+        }
+        var broken = cause instanceof RunBroken known ? known : new RunBroken("The run", cause);
+        journal.event("fault", "", String.valueOf(broken.getMessage()));
+        end("broken");
+        try {
+            makeSnapshot();
+            letGo();
+        } catch (RuntimeException e) {
+            broken.addSuppressed(e);
+        }
+        result.completeExceptionally(broken);
+    }
+
+    private void letGo() {
+        if (stage != null) {
+            stage.close();
+        }
+        helpers.shutdown();
+        if (scheduler instanceof WallScheduler time) {
+            time.close();
         }
     }
 
@@ -321,19 +402,31 @@ public final class LiveRun implements AutoCloseable {
         return snapshotMade + SNAPSHOT_PERIOD - System.nanoTime();
     }
 
-    private void makeSnapshot(Stage stage) {
+    private boolean makeSnapshotIfDue() {
+        boolean due = snapshotWanted && untilNextSnapshot() <= 0;
+        if (due) {
+            makeSnapshot();
+        }
+        return due;
+    }
+
+    private void makeSnapshot() {
         snapshotWanted = false;
         snapshotMade = System.nanoTime();
         snapshot = new Snapshot(
                 snapshot.sequence() + 1,
-                scheduler.elapsed(),
+                elapsed(),
                 paused,
-                stage.stopped(),
+                stage != null && stage.stopped(),
                 pace.speed(),
-                paused ? 0 : pace.rate(scheduler.elapsed().toNanos()),
+                paused ? 0 : pace.rate(elapsed().toNanos()),
                 Optional.ofNullable(outcome),
-                stage.robotViews(),
-                stage.agentViews());
+                stage == null ? List.of() : stage.robotViews(),
+                stage == null ? List.of() : stage.agentViews());
         snapshotListeners.forEach(Runnable::run);
+    }
+
+    private Duration elapsed() {
+        return Duration.between(began, scheduler.instant());
     }
 }

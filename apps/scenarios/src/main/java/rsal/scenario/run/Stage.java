@@ -215,6 +215,11 @@ final class Stage implements AutoCloseable {
         return observer.look(system.simulation(), robots);
     }
 
+    /// Whether robots and agents are there.
+    boolean isReady() {
+        return society.isPresent();
+    }
+
     boolean stopped() {
         return stopped;
     }
@@ -305,13 +310,13 @@ final class Stage implements AutoCloseable {
     /// Asks the agent of a robot to drive somewhere.
     Answer goTo(String id, Pose2d mapFromGoal) {
         Robot robot = robots.get(id);
-        if (robot == null || society.isEmpty()) {
+        if (robot == null) {
             return unknown(id);
         }
         if (robot.find(Navigator.class).isEmpty()) {
             return new Answer.Refused("Robot (%s) has no navigator.".formatted(id));
         }
-        if (society.get().directory().agents().stream()
+        if (society.orElseThrow().directory().agents().stream()
                 .noneMatch(agent -> agent.robot().equals(id))) {
             return new Answer.Refused("Robot (%s) has no agent that could take it there.".formatted(id));
         }
@@ -319,7 +324,7 @@ final class Stage implements AutoCloseable {
             return new Answer.Refused("There is a wall or nothing known at %s.".formatted(Words.of(mapFromGoal)));
         }
         journal.event("operator", id, "sent to " + Words.of(mapFromGoal));
-        society.get().publish("operator", NewGoal.TOPIC, new NewGoal(id, mapFromGoal));
+        society.orElseThrow().publish("operator", NewGoal.TOPIC, new NewGoal(id, mapFromGoal));
         return new Answer.Done();
     }
 

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -232,6 +233,43 @@ class LiveRunTest {
         String text = Runs.TWO_WANDERERS.replace(
                 "pose: {free: true}", "pose: {free: true}\n    devices: {broken: " + options + "}");
         return Runs.plan(folder, text, RunOptions.NONE);
+    }
+
+    @Test
+    void realTimeGoesOnByItself() {
+        String text = Runs.TWO_WANDERERS.replace("clock: {speed: max}", "clock: {mode: wall}");
+        var plan = Runs.plan(folder, text, RunOptions.NONE.withLimit(Duration.ofMillis(600)));
+        try (var run = LiveRun.start(plan)) {
+            run.pause();
+            run.speed(10);
+            assertThat(answer(run.place("prey", new Pose2d(-8, -1, 0)))).isEqualTo(new Answer.Done());
+            RunResult result = Runs.result(run);
+            assertThat(result.outcome()).isEqualTo("limit");
+            assertThat(result.simulatedSeconds()).isCloseTo(result.wallSeconds(), within(0.3));
+            assertThat(run.snapshot().robots()).isNotEmpty();
+        }
+        assertThatThrownBy(() -> Runs.result(Runs.plan(
+                        folder,
+                        text.replace("pose: {free: true}", "pose: {free: true}\n    devices: {broken: {}}"),
+                        RunOptions.NONE)))
+                .hasMessage("Device (hunter-1/broken) failed: smoke comes out");
+    }
+
+    @Test
+    void anAgentThatNeverReturnsDoesNotHoldUpItsCloser() throws InterruptedException {
+        String text = Runs.TWO_WANDERERS.replace("chase: {type: wanderer, robot: hunter}", "chase: {type: thinker}");
+        LiveRun run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE));
+        var begun = new CountDownLatch(1);
+        run.onEvents(begun::countDown);
+        if (run.events(0).isEmpty()) {
+            begun.await(); // all agents begin before the next command is taken
+        }
+        run.close();
+        assertThat(run.result().toCompletableFuture()).isNotDone();
+        Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().matches("run-\\d+"))
+                .forEach(Thread::interrupt); // lets the thinker go
+        assertThat(Runs.result(run).outcome()).isEqualTo("stopped");
     }
 
     @Test
