@@ -15,9 +15,10 @@ import rsal.data.PoseEstimate.Hypothesis;
 /// * A scan counts as [Settings#independentBeams] beams, however many it has, since beams side by side see the
 ///   same wall; else the belief would be far too sure.
 /// * It resamples only when the weights have become uneven, with low variance (table 4.4).
-/// * When the newest scans fit worse than they used to, or badly at all (w_fast, w_slow), new particles come from
-///   where on the map the scan fits ([GlobalSearch]), not from anywhere, and only if it fits better there. So
-///   other robots that stand around do not scatter the particles.
+/// * Whether it is lost is not told by the mean weight (w_fast, w_slow) but by beams that went through walls,
+///   soon, or that ended short of them, late: other robots that stand around must not scatter the particles. New
+///   particles come from where on the map the scan fits ([GlobalSearch]), not from anywhere, and only if it fits
+///   better there.
 ///
 /// Not safe for several threads at once; the map is shared.
 public final class Amcl {
@@ -26,10 +27,10 @@ public final class Amcl {
     private static final int UPDATES_BETWEEN_SEARCHES = 10;
     private static final double ANYWHERE_SHARE = 0.1;
     private static final double INJECTED_SHARE = 0.2;
-    private static final double SLOW = 0.02; // α_slow in the book
-    private static final double FAST = 0.2; // α_fast in the book
-    private static final double LEAST_FIT = 0.6;
-    private static final double MOST_SHORT = 0.7;
+    private static final double SLOW = 0.02; // share of the newest scan, as α_slow in the book
+    private static final double FAST = 0.2; // as α_fast in the book
+    private static final double LEAST_FIT = 0.6; // share of hits among the beams that tell
+    private static final double MOST_SHORT = 0.7; // of all beams
     private static final double BETTER = 0.1; // mean logarithm of a beam's likelihood
 
     /// @param minParticles tracked with at least
