@@ -1,9 +1,25 @@
-/// The command `rsal`: reads what a person types, starts runs and the page, prints results. Knows nothing of how
-/// robots, agents or algorithms work.
+/// The command `rsal`: reads what a person types, starts runs and their page, prints results. Knows nothing of how
+/// robots, agents and algorithms work.
 module rsal.cli {
+    requires ch.qos.logback.classic;
+    requires ch.qos.logback.core;
     requires info.picocli;
+    requires jdk.management; // memory of the machine
+    requires org.slf4j;
+    requires rsal.scenarios;
+    requires rsal.server;
     requires static org.jspecify;
+    requires tools.jackson.databind;
 
     opens rsal.cli to
-            info.picocli;
+            info.picocli,
+            tools.jackson.databind;
+
+    uses rsal.agent.AgentHostProvider;
+    uses rsal.agent.AgentType;
+    uses rsal.robot.DeviceDriver;
+    uses rsal.robot.RobotSystemProvider;
+
+    provides ch.qos.logback.classic.spi.Configurator with
+            rsal.cli.Logging;
 }

@@ -1,18 +1,135 @@
 package rsal.cli;
 
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Help;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.UnmatchedArgumentException;
+import rsal.scenario.run.RunBroken;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Suggestion;
 
 /// The command line.
 @Command(
         name = "rsal",
         version = "rsal 0.1.0",
         mixinStandardHelpOptions = true,
-        description = "Joins agents with robots: runs teams of robots that agents decide for.")
-public final class Main {
-    private Main() {}
+        description = "Runs teams of robots that agents decide for.",
+        synopsisSubcommandLabel = "COMMAND",
+        commandListHeading = "%nCommands:%n",
+        footer = {
+            "",
+            "Start with 'rsal run'. 'rsal COMMAND --help' tells more.",
+            "Exit codes: 0 success, 1 internal error, 2 usage, 3 invalid input, 4 the scenario ended in failure or"
+                    + " timeout, 5 something cannot be reached (a port, a JDK), 130 and 143 ended by a signal."
+        },
+        subcommands = {
+            RunCommand.class,
+            ListCommand.class,
+            ShowCommand.class,
+            ValidateCommand.class,
+            DoctorCommand.class,
+            TestCommand.class
+        })
+public final class Main implements Runnable {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    private CommandSpec spec;
 
     public static void main(String[] args) {
-        System.exit(new CommandLine(new Main()).execute(args));
+        System.exit(commandLine().execute(args));
+    }
+
+    static CommandLine commandLine() {
+        var commandLine = new CommandLine(new Main());
+        return commandLine
+                .setOut(new PrintWriter(System.out, false, StandardCharsets.UTF_8))
+                .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
+                .setColorScheme(Help.defaultColorScheme(Terminal.colors()))
+                .setUsageHelpWidth(110)
+                .setUsageHelpLongOptionsMaxWidth(30)
+                .setExitCodeExceptionMapper(_ -> Exit.INTERNAL)
+                .setParameterExceptionHandler((mistake, _) -> tellMistake(mistake))
+                .setExecutionExceptionHandler(Main::tellFailure);
+    }
+
+    @Override
+    public void run() {
+        throw new ParameterException(
+                spec.commandLine(), "Say what to do: %s.".formatted(String.join(", ", commands())));
+    }
+
+    private List<String> commands() {
+        return List.copyOf(spec.subcommands().keySet());
+    }
+
+    private static int tellMistake(ParameterException mistake) {
+        CommandLine command = mistake.getCommandLine();
+        String message = mistake instanceof UnmatchedArgumentException unmatched
+                ? aboutUnmatched(command, unmatched.getUnmatched().getFirst())
+                : String.valueOf(mistake.getMessage());
+        command.getErr().println("rsal: " + message);
+        command.getErr().println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
+        return Exit.USAGE;
+    }
+
+    private static String aboutUnmatched(CommandLine command, String word) {
+        CommandSpec spec = command.getCommandSpec();
+        if (word.startsWith("-")) {
+            return "There is no option (%s). %s"
+                    .formatted(word, Suggestion.among(word, spec.optionsMap().keySet()));
+        }
+        if (!spec.subcommands().isEmpty()) {
+            return "There is no command (%s). %s"
+                    .formatted(word, Suggestion.among(word, spec.subcommands().keySet()));
+        }
+        return "(%s) is more than '%s' takes.".formatted(word, spec.qualifiedName());
+    }
+
+    private static int tellFailure(Exception failure, CommandLine command, ParseResult typed) throws IOException {
+        PrintWriter err = command.getErr();
+        return switch (failure) {
+            case InvalidSettings mistakes -> {
+                err.println(mistakes.getMessage());
+                yield Exit.INVALID;
+            }
+            case Unreachable unreachable -> {
+                err.println("rsal: " + unreachable.getMessage());
+                yield Exit.UNREACHABLE;
+            }
+            default -> {
+                tellInternal(failure, command, typed.originalArgs());
+                yield Exit.INTERNAL;
+            }
+        };
+    }
+
+    private static void tellInternal(Exception failure, CommandLine command, List<String> typed) throws IOException {
+        PrintWriter err = command.getErr();
+        String what = failure instanceof RunBroken broken ? String.valueOf(broken.getMessage()) : failure.toString();
+        err.println("rsal: Something went wrong: " + what);
+        if (typed.contains("--debug")) {
+            failure.printStackTrace(err);
+            return;
+        }
+        Path log = Files.createTempFile("rsal-", ".log");
+        try (var file = new PrintWriter(Files.newBufferedWriter(log))) {
+            file.println("rsal " + String.join(" ", typed));
+            Stream.of("java.vm.version", "os.name", "os.arch")
+                    .map(System::getProperty)
+                    .forEach(file::println);
+            failure.printStackTrace(file);
+        }
+        err.println("Where it went wrong is in " + log + "; please send that file with a report.");
     }
 }

@@ -17,13 +17,15 @@ record Ended(int code, String out, String err) {
 
     /// Waits for the end, with nothing more to read for the process.
     static Ended of(Process process) throws Exception {
+        var out = CompletableFuture.supplyAsync(() -> text(process.getInputStream()));
         var err = CompletableFuture.supplyAsync(() -> text(process.getErrorStream()));
         process.getOutputStream().close();
-        String out = text(process.getInputStream());
-        assertThat(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS))
-                .as("ended in time")
-                .isTrue();
-        return new Ended(process.exitValue(), out, err.get());
+        boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        if (!ended) {
+            process.destroyForcibly();
+        }
+        assertThat(ended).as("ended in time").isTrue();
+        return new Ended(process.exitValue(), out.get(), err.get());
     }
 
     /// Sends a signal, as `kill` does.

@@ -1,0 +1,78 @@
+package rsal.cli;
+
+import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.RunResult;
+import rsal.scenario.run.Snapshot;
+
+/// Tells on stderr how a run goes: what happens, and on a terminal a line with the time, drawn over and over.
+final class Progress {
+    private static final long PERIOD_MILLIS = 250;
+    private static final Set<String> KINDS = Set.of("caught", "collision", "fault", "health", "operator");
+    private static final String CLEAR_LINE = "\r\033[K";
+
+    private final PrintWriter err;
+    private final boolean terminal = Terminal.showsProgress();
+    private long lastEvent;
+
+    Progress(PrintWriter err) {
+        this.err = err;
+    }
+
+    /// Waits for the end of a run.
+    ///
+    /// @throws Exception what broke the run
+    RunResult await(LiveRun run) throws Exception {
+        RunPlan plan = run.plan();
+        err.printf("Running %s:%s with seed %d%n", plan.scenario().name(), plan.configuration(), plan.seed());
+        CompletableFuture<RunResult> result = run.result().toCompletableFuture();
+        while (true) {
+            try {
+                RunResult ended = result.get(PERIOD_MILLIS, TimeUnit.MILLISECONDS);
+                show(run);
+                clear();
+                return ended;
+            } catch (TimeoutException _) {
+                show(run);
+            } catch (ExecutionException e) {
+                clear();
+                throw e.getCause() instanceof Exception cause ? cause : e;
+            }
+        }
+    }
+
+    private void show(LiveRun run) {
+        for (RunEvent event : run.events(lastEvent)) {
+            lastEvent = event.sequence();
+            if (KINDS.contains(event.kind())) {
+                clear();
+                err.printf(Locale.ROOT, "%8.1f s  %s%n", seconds(event.time()), event.text());
+            }
+        }
+        if (terminal) {
+            Snapshot now = run.snapshot();
+            err.printf(Locale.ROOT, "%s%8.1f s  %.3g × real time", CLEAR_LINE, seconds(now.time()), now.rate());
+            err.flush();
+        }
+    }
+
+    private void clear() {
+        if (terminal) {
+            err.print(CLEAR_LINE);
+            err.flush();
+        }
+    }
+
+    private static double seconds(Duration time) {
+        return time.toNanos() / 1e9;
+    }
+}

@@ -1,0 +1,49 @@
+package rsal.cli;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.RunResult;
+
+/// A run's result for people.
+record ResultText(RunPlan plan, RunResult result) {
+    @Override
+    public String toString() {
+        var table = new Table("  ")
+                .row("outcome", result.outcome())
+                .row(
+                        "time",
+                        String.format(
+                                Locale.ROOT,
+                                "%.1f s simulated in %.1f s",
+                                result.simulatedSeconds(),
+                                result.wallSeconds()));
+        result.measures().forEach((name, value) -> table.row(name, measured(name, value)));
+        table.row("event hash", result.eventHash());
+        return "%s:%s, seed %d\n".formatted(result.scenario(), result.configuration(), result.seed()) + table;
+    }
+
+    private String measured(String name, OptionalDouble value) {
+        if (value.isEmpty()) {
+            return "–";
+        }
+        String unit = measure(name).map(RunPlan.Measured::unit).orElse("");
+        String bounds = result.outOfBounds().contains(name) ? "   out of bounds" : "";
+        return (number(value.getAsDouble()) + " " + unit).strip() + bounds;
+    }
+
+    /// Counts as they are, other numbers with three digits that say something.
+    private static String number(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e6
+                ? Long.toString((long) value)
+                : String.format(Locale.ROOT, "%.3g", value);
+    }
+
+    /// What a value is of: a robot's value is called `<name>.<robot>`.
+    private Optional<RunPlan.Measured> measure(String name) {
+        return plan.measures().stream()
+                .filter(m -> name.equals(m.name()) || (m.perRobot() && name.startsWith(m.name() + ".")))
+                .findFirst();
+    }
+}

@@ -1,0 +1,238 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.TypeConversionException;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunResult;
+import rsal.server.PortInUse;
+import rsal.server.RunServer;
+
+/// `rsal run`
+@Command(
+        name = "run",
+        description = {
+            "Run a scenario, to be watched in a browser or, with --headless, for its result alone.",
+            "The page's address is printed first; the page stays until Ctrl-C, or until the run ends with --once."
+        })
+final class RunCommand extends Subcommand {
+    static final int DEFAULT_PORT = 8735;
+
+    private static final Map<String, Integer> EXIT_BY_OUTCOME =
+            Map.of("success", Exit.SUCCESS, "failure", Exit.NO_SUCCESS, "timeout", Exit.NO_SUCCESS);
+
+    @Parameters(
+            paramLabel = "SCENARIO[:CONFIGURATION]",
+            arity = "0..1",
+            defaultValue = ScenarioReference.DEFAULT,
+            description = "A built-in scenario ('rsal list') or a file; ${DEFAULT-VALUE} when left out.")
+    private String scenario = "";
+
+    @Option(
+            names = "--set",
+            paramLabel = "NAME=VALUE",
+            description = "Set an argument of the scenario ('rsal show SCENARIO' lists them). May be repeated.")
+    private Map<String, String> arguments = new LinkedHashMap<>();
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            converter = Seed.class,
+            description = "Where all randomness comes from. The same seed gives the same run.")
+    private @Nullable Long seed;
+
+    @Option(names = "--headless", description = "No page: the command ends with the run.")
+    private boolean headless;
+
+    @Option(names = "--once", description = "With the page, too, end with the run.")
+    private boolean once;
+
+    @Option(
+            names = "--speed",
+            paramLabel = "X|max",
+            converter = Speed.class,
+            description = "Simulated over real time, from 0.1; max: as fast as it can.")
+    private @Nullable Double speed;
+
+    @Option(
+            names = "--for",
+            paramLabel = "SECONDS",
+            converter = Seconds.class,
+            description = "End after so many simulated seconds.")
+    private @Nullable Duration limit;
+
+    @Option(names = "--mas", paramLabel = "KEY", description = "Run the agents on another host ('rsal list mas').")
+    private @Nullable String mas;
+
+    @Option(names = "--mrs", paramLabel = "KEY", description = "Take the robots from another system ('rsal list mrs').")
+    private @Nullable String mrs;
+
+    @Option(
+            names = "--port",
+            paramLabel = "P",
+            converter = Port.class,
+            description = "Of the page, on this machine only; 0: any that is free. Left out: " + DEFAULT_PORT
+                    + ", or any when that is in use.")
+    private @Nullable Integer port;
+
+    @Override
+    int run() throws Exception {
+        ScenarioReference reference = ScenarioReference.parse(scenario);
+        RunPlan plan = reference.load().plan(options(reference.configuration()));
+        RunResult result = headless ? runHeadless(plan) : runWithPage(plan);
+        return EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS);
+    }
+
+    private RunResult runHeadless(RunPlan plan) throws Exception {
+        try (LiveRun run = LiveRun.start(plan)) {
+            var ending = new ClosedAtExit(run);
+            RunResult result = new Progress(err()).await(run);
+            ending.checkNoSignal();
+            print(plan, result);
+            return result;
+        }
+    }
+
+    /// Without `--once` it returns only by exception: the page may start further runs until a signal ends it all.
+    private RunResult runWithPage(RunPlan plan) throws Exception {
+        var runs = new LinkedBlockingQueue<LiveRun>();
+        try (RunServer server = serve(plan, runs::add)) {
+            var ending = new ClosedAtExit(server);
+            err().println("Watch it at " + server.url());
+            while (true) {
+                LiveRun run = runs.take();
+                RunResult result = new Progress(err()).await(run);
+                ending.checkNoSignal();
+                print(run.plan(), result);
+                if (once) {
+                    return result;
+                }
+                err().println("The page is still there, for another run, too; Ctrl-C ends it.");
+            }
+        }
+    }
+
+    private RunServer serve(RunPlan plan, Consumer<LiveRun> onStart) throws IOException {
+        Path page = page().orElseThrow(() ->
+                new Unreachable("The page is not built. Start with ./rsal, which builds it; or run --headless."));
+        String token = RunServer.newToken();
+        try {
+            if (port != null) {
+                return RunServer.start(plan, new RunServer.Options(port, token, page, onStart));
+            }
+            try {
+                return RunServer.start(plan, new RunServer.Options(DEFAULT_PORT, token, page, onStart));
+            } catch (PortInUse _) {
+                return RunServer.start(plan, new RunServer.Options(0, token, page, onStart));
+            }
+        } catch (PortInUse taken) {
+            throw new Unreachable(String.valueOf(taken.getMessage()));
+        }
+    }
+
+    private void print(RunPlan plan, RunResult result) {
+        if (json) {
+            printJson(ResultJson.of(result));
+        } else {
+            out().print(new ResultText(plan, result));
+            out().flush();
+        }
+    }
+
+    private RunOptions options(Optional<String> configuration) {
+        return new RunOptions(
+                configuration,
+                arguments,
+                seed == null ? OptionalLong.empty() : OptionalLong.of(seed),
+                Optional.ofNullable(mas),
+                Optional.ofNullable(mrs),
+                Optional.ofNullable(limit),
+                speed == null ? OptionalDouble.empty() : OptionalDouble.of(speed));
+    }
+
+    /// Where the launcher says the built page is.
+    static Optional<Path> page() {
+        return Optional.ofNullable(System.getProperty("rsal.page"))
+                .map(Path::of)
+                .filter(Files::isDirectory);
+    }
+
+    static final class Seed implements ITypeConverter<Long> {
+        @Override
+        public Long convert(String typed) {
+            try {
+                return Long.parseLong(typed);
+            } catch (NumberFormatException _) {
+                throw new TypeConversionException("(%s) is not a whole number, like 42.".formatted(typed));
+            }
+        }
+    }
+
+    static final class Speed implements ITypeConverter<Double> {
+        private static final double LEAST = 0.1;
+
+        @Override
+        public Double convert(String typed) {
+            if (typed.equals("max")) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double speed = number(typed);
+            if (!(speed >= LEAST)) {
+                throw new TypeConversionException(
+                        "(%s) is not a number of at least %s, like 4, and not max.".formatted(typed, LEAST));
+            }
+            return speed;
+        }
+    }
+
+    static final class Seconds implements ITypeConverter<Duration> {
+        private static final double MOST = 1e9; // 31 years
+
+        @Override
+        public Duration convert(String typed) {
+            double seconds = number(typed);
+            if (!(seconds > 0 && seconds <= MOST)) {
+                throw new TypeConversionException("(%s) is not a number of seconds above 0, like 60.".formatted(typed));
+            }
+            return Duration.ofNanos(Math.round(seconds * 1e9));
+        }
+    }
+
+    static final class Port implements ITypeConverter<Integer> {
+        private static final int MOST = 65535;
+
+        @Override
+        public Integer convert(String typed) {
+            double port = number(typed);
+            if (!(port >= 0 && port <= MOST && port == Math.rint(port))) {
+                throw new TypeConversionException(
+                        "(%s) is not a port from 0 to %d, like %d.".formatted(typed, MOST, DEFAULT_PORT));
+            }
+            return (int) port;
+        }
+    }
+
+    private static double number(String typed) {
+        try {
+            return Double.parseDouble(typed);
+        } catch (NumberFormatException _) {
+            return Double.NaN;
+        }
+    }
+}

@@ -1,0 +1,25 @@
+package rsal.cli;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import rsal.scenario.Scenario;
+
+/// A scenario as typed: `hunt-and-prey`, `hunt-and-prey:advanced`, `my.yaml:advanced`.
+///
+/// @param nameOrFile for [Scenario#load]
+record ScenarioReference(String nameOrFile, Optional<String> configuration) {
+    static final String DEFAULT = "hunt-and-prey";
+
+    static ScenarioReference parse(String typed) {
+        int colon = typed.lastIndexOf(':');
+        if (colon < 0 || typed.indexOf('/', colon) >= 0 || Files.exists(Path.of(typed))) {
+            return new ScenarioReference(typed, Optional.empty());
+        }
+        return new ScenarioReference(typed.substring(0, colon), Optional.of(typed.substring(colon + 1)));
+    }
+
+    Scenario load() {
+        return Scenario.load(nameOrFile);
+    }
+}

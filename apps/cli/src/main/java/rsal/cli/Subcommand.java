@@ -1,0 +1,56 @@
+package rsal.cli;
+
+import java.io.PrintWriter;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.MapperFeature;
+import tools.jackson.databind.json.JsonMapper;
+
+/// What all commands have in common: results go to stdout, as text for people or as JSON, all else to stderr.
+abstract class Subcommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    CommandSpec spec;
+
+    @Option(names = "--json", description = "Print the result as one JSON object.")
+    boolean json;
+
+    @Option(names = "--debug", description = "Log more, and show where internal errors come from.")
+    boolean debug;
+
+    @Option(
+            names = {"-h", "--help"},
+            usageHelp = true,
+            description = "Show this help.")
+    boolean help;
+
+    /// @return the exit code
+    abstract int run() throws Exception;
+
+    @Override
+    public final Integer call() throws Exception {
+        if (debug) {
+            Logging.tellMore();
+        }
+        return run();
+    }
+
+    final PrintWriter out() {
+        return spec.commandLine().getOut();
+    }
+
+    final PrintWriter err() {
+        return spec.commandLine().getErr();
+    }
+
+    /// Prints a result of maps, lists, records and values as JSON, on one line.
+    final void printJson(Object result) {
+        JsonMapper mapper = JsonMapper.builder()
+                .disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY)
+                .build();
+        out().println(mapper.writeValueAsString(result));
+        out().flush();
+    }
+}

@@ -1,0 +1,12 @@
+package rsal.cli;
+
+import picocli.CommandLine.Command;
+
+/// Listed here for the help; the launcher does it, because it builds what it tests.
+@Command(name = "test", description = "Build everything and run all tests, those of the page in a browser, too.")
+final class TestCommand extends Subcommand {
+    @Override
+    int run() {
+        throw new Unreachable("Tests are run by the launcher in the project's folder: ./rsal test");
+    }
+}

@@ -1,0 +1,375 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/// The whole command as a process of its own: exit codes, what is on stdout and stderr, signals.
+class CommandLineIT {
+    private static final String GUARD = """
+            rsal: 1
+            scenario: guard
+            title: A robot stands and waits
+            arguments:
+              guards: {type: integer, default: 1, min: 1, max: 4, description: How many robots stand.}
+            world: {map: office}
+            robots:
+              guard: {count: $guards, model: pioneer2dx, pose: {free: true}, devices: {laser: urg04lx}}
+            run:
+              seed: 3
+              stop:
+                - {when: time > 20, outcome: success}
+            measure:
+              - {name: collisions, from: count(collisions)}
+              - {name: firstCollision, unit: s, from: firstTime(collisions > 0)}
+            configurations:
+              long: {title: Twenty seconds}
+              short: {run: {stop: [{when: time > 5, outcome: success}]}}
+              late: {run: {stop: [{when: time > 5, outcome: timeout}]}}
+            """;
+
+    @TempDir
+    Path folder;
+
+    private Rsal rsal;
+
+    @BeforeEach
+    void writeScenario() throws IOException {
+        Files.writeString(folder.resolve("guard.yaml"), GUARD);
+        rsal = new Rsal(folder);
+    }
+
+    @Test
+    void helpGoesToStdout() throws Exception {
+        Ended ended = rsal.run("--help");
+        assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out()).contains("run", "list", "show", "validate", "doctor", "test", "Exit codes");
+        assertThat(ended.err()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            frobnicate          | (frobnicate)
+            rum                 | Maybe (run)
+                                | Say what to do
+            run --seed abc      | --seed': (abc) is not a whole number
+            run --seed 1.5      | (1.5)
+            run --sped 2        | (--sped)
+            run --speed fast    | (fast)
+            run --speed 0       | (0)
+            run --for -1        | (-1)
+            run --port 70000    | (70000)
+            run --set speed     | speed
+            run a b             | (b)
+            validate            | FILE
+            list things         | things
+            """)
+    void refusesWhatItCannotUnderstand(String line, String expected) throws Exception {
+        Ended ended = rsal.run(line == null ? new String[0] : line.split(" "));
+        assertThat(ended.code()).isEqualTo(Exit.USAGE);
+        assertThat(ended.out()).isEmpty();
+        assertThat(ended.err()).contains(expected, "--help'").doesNotContain("\tat ");
+        assertThat(ended.err().lines()).hasSizeLessThanOrEqualTo(2);
+    }
+
+    /// @param line that is put in the place of the one that begins like it
+    record Mistake(String line, int at, String... expected) {
+        String in(String scenario) {
+            List<String> lines = new ArrayList<>(scenario.lines().toList());
+            lines.set(at - 1, line);
+            return String.join("\n", lines);
+        }
+    }
+
+    static List<Mistake> mistakes() {
+        return List.of(
+                new Mistake("wrold: {map: office}", 6, "(wrold)", "Maybe (world)"),
+                new Mistake("world: {map: offcie}", 6, "(offcie)", "office"),
+                new Mistake("world: {map: maps/none.yaml}", 6, "none.yaml"),
+                new Mistake("  guard: {model: pioner2dx, pose: {free: true}}", 8, "(pioner2dx)", "Maybe (pioneer2dx)"),
+                new Mistake("  guard: {count: many, model: pioneer2dx}", 8, "(many)", "whole number"),
+                new Mistake("  guard: {count: 100000, model: pioneer2dx}", 8, "(100000)", "1000"),
+                new Mistake("  guard: {model: pioneer2dx, pose: [-31.475, 0, 0]}", 8, "(guard)"),
+                new Mistake("  guard: {model: pioneer2dx, devices: {laser: urg4}}", 8, "(urg4)"),
+                new Mistake("  guard: {count: $gards, model: pioneer2dx}", 8, "(gards)", "Maybe (guards)"),
+                new Mistake("world: {map: office}\nagents: {a: {type: guardian}}", 6, "(guardian)"),
+                new Mistake("    - {when: tim > 20, outcome: success}", 12, "tim"),
+                new Mistake("    - {when: time > 20, outcome: sucess}", 12, "(sucess)", "Maybe (success)"),
+                new Mistake("  - {name: collisions, from: sum(collisions)}", 14, "sum"),
+                new Mistake("world: [", 6, "YAML"),
+                new Mistake("world: !!java.net.URL [x]", 6, "Tags"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("mistakes")
+    void tellsWhereAScenarioIsWrongAndStartsNothing(Mistake mistake) throws Exception {
+        Files.writeString(folder.resolve("wrong.yaml"), mistake.in(GUARD));
+        Ended run = rsal.withPage().run("run", "wrong.yaml");
+        Ended validate = rsal.run("validate", "wrong.yaml");
+
+        assertThat(run.code()).isEqualTo(Exit.INVALID);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err())
+                .contains("wrong.yaml:")
+                .contains(mistake.expected)
+                .doesNotContain("\tat ", "Watch it at", "Exception");
+        assertThat(validate.code()).isEqualTo(Exit.INVALID);
+        assertThat(validate.out()).contains("wrong.yaml:").contains(mistake.expected);
+    }
+
+    @Test
+    void refusesAYamlBomb() throws Exception {
+        var bomb = new StringBuilder("a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n");
+        for (int i = 1; i < 10; i++) {
+            bomb.append("a%d: &a%d [".formatted(i, i))
+                    .append("*a%d, ".formatted(i - 1).repeat(10))
+                    .append("]\n");
+        }
+        Files.writeString(folder.resolve("bomb.yaml"), bomb);
+        Ended ended = rsal.run("run", "bomb.yaml");
+        assertThat(ended.code()).isEqualTo(Exit.INVALID);
+        assertThat(ended.err()).contains("bomb.yaml").doesNotContain("\tat ");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            run nowhere                       | (nowhere)
+            run nowhere.yaml                  | nowhere.yaml
+            run guard.yaml:fast               | (fast)
+            run guard.yaml --set guards=9     | from 1 to 4
+            run guard.yaml --set guards=x     | (x)
+            run guard.yaml --set gards=2      | Maybe (guards)
+            run guard.yaml --mas jsaon        | (jsaon)
+            run guard.yaml --mrs reality      | (reality)
+            show nowhere                      | (nowhere)
+            """)
+    void refusesWhatDoesNotFitTheScenario(String line, String expected) throws Exception {
+        Ended ended = rsal.run(line.split(" "));
+        assertThat(ended.code()).isEqualTo(Exit.INVALID);
+        assertThat(ended.out()).isEmpty();
+        assertThat(ended.err()).contains(expected).doesNotContain("\tat ");
+    }
+
+    @Test
+    void runEndsWithOneJsonObject() throws Exception {
+        Ended ended = headless("--seed", "7", "--json");
+        JsonNode result = JsonMapper.shared().readTree(ended.out());
+
+        assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out().lines()).hasSize(1);
+        assertThat(result.propertyNames())
+                .containsExactly(
+                        "scenario",
+                        "configuration",
+                        "seed",
+                        "outcome",
+                        "simulatedSeconds",
+                        "wallSeconds",
+                        "eventHash",
+                        "measures");
+        assertThat(result.get("scenario").stringValue()).isEqualTo("guard");
+        assertThat(result.get("configuration").stringValue()).isEqualTo("short");
+        assertThat(result.get("seed").longValue()).isEqualTo(7);
+        assertThat(result.get("outcome").stringValue()).isEqualTo("success");
+        assertThat(result.get("simulatedSeconds").doubleValue()).isBetween(5.0, 5.2);
+        assertThat(result.get("measures").get("collisions").doubleValue()).isZero();
+        assertThat(result.get("measures").get("firstCollision").isNull()).isTrue();
+    }
+
+    @Test
+    void theSameSeedGivesTheSameRunHeadlessOrWatched() throws Exception {
+        Ended headless = headless("--json");
+        Ended watched =
+                rsal.withPage().run("run", "guard.yaml:short", "--once", "--port", "0", "--speed", "max", "--json");
+        Ended other = headless("--json", "--seed", "4");
+
+        assertThat(hash(watched)).isEqualTo(hash(headless));
+        assertThat(hash(other)).isNotEqualTo(hash(headless));
+    }
+
+    private static String hash(Ended ended) {
+        return JsonMapper.shared().readTree(ended.out()).get("eventHash").stringValue();
+    }
+
+    @Test
+    void tellsPeopleTheResult() throws Exception {
+        Ended ended = headless("--seed", "7");
+        assertThat(ended.out()).contains("guard:short, seed 7", "success", "collisions", "event hash");
+    }
+
+    @Test
+    void aTimeoutHasAnExitCodeOfItsOwn() throws Exception {
+        Ended ended = rsal.run("run", "guard.yaml:late", "--headless", "--speed", "max");
+        assertThat(ended.code()).isEqualTo(Exit.NO_SUCCESS);
+        assertThat(ended.out()).contains("timeout");
+    }
+
+    @Test
+    void endsWhenToldForHowLong() throws Exception {
+        Ended ended = headless("--for", "2", "--json");
+        JsonNode result = JsonMapper.shared().readTree(ended.out());
+        assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
+        assertThat(result.get("outcome").stringValue()).isEqualTo("limit");
+        assertThat(result.get("simulatedSeconds").doubleValue()).isBetween(2.0, 2.1);
+    }
+
+    private Ended headless(String... options) throws Exception {
+        var line = new ArrayList<>(List.of("run", "guard.yaml:short", "--headless", "--speed", "max"));
+        line.addAll(List.of(options));
+        return rsal.run(line.toArray(String[]::new));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"INT, 130, --headless", "TERM, 143, --headless", "INT, 130, --json", "TERM, 143, --json"})
+    void aSignalEndsRunAndPage(String signal, int code, String option) throws Exception {
+        Process process = rsal.withPage().start("run", "guard.yaml", "--port", "0", option, "--set", "guards=2");
+        BufferedReader err = process.errorReader();
+        String first = err.readLine();
+        Ended.signal(signal, process);
+        Ended ended = Ended.of(process);
+
+        assertThat(ended.code()).isEqualTo(code);
+        assertThat(ended.out()).isEmpty();
+        assertThat(ended.err()).doesNotContain("\tat ", "Exception");
+        if (!option.equals("--headless")) {
+            assertThat(first).startsWith("Watch it at http://127.0.0.1:");
+            int port = URI.create(first.substring("Watch it at ".length())).getPort();
+            assertThat(isOpen(port)).isFalse();
+        }
+    }
+
+    @Test
+    void thePageStaysAfterTheRun() throws Exception {
+        Process process = rsal.withPage().start("run", "guard.yaml:short", "--port", "0", "--speed", "max");
+        BufferedReader err = process.errorReader();
+        int port = URI.create(err.readLine().substring("Watch it at ".length())).getPort();
+        assertThat(err.readLine()).contains("guard:short", "seed 3");
+        assertThat(err.readLine()).contains("Ctrl-C");
+        assertThat(process.isAlive()).isTrue();
+        assertThat(isOpen(port)).isTrue();
+        Ended.signal("INT", process);
+        assertThat(Ended.of(process).out()).contains("guard:short, seed 3", "success");
+    }
+
+    private static boolean isOpen(int port) {
+        try (var _ = new Socket(InetAddress.getLoopbackAddress(), port)) {
+            return true;
+        } catch (IOException _) {
+            return false;
+        }
+    }
+
+    @Test
+    void aPortThatWasAskedForAndIsInUseIsRefused() throws Exception {
+        try (var taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            Ended ended = rsal.withPage().run("run", "guard.yaml", "--port", Integer.toString(taken.getLocalPort()));
+            assertThat(ended.code()).isEqualTo(Exit.UNREACHABLE);
+            assertThat(ended.err()).contains("Port " + taken.getLocalPort() + " is in use", "--port 0");
+            assertThat(ended.err().lines()).hasSize(1);
+        }
+    }
+
+    @Test
+    void withoutAPageItSaysHowToGetOne() throws Exception {
+        Ended ended = rsal.run("run", "guard.yaml");
+        assertThat(ended.code()).isEqualTo(Exit.UNREACHABLE);
+        assertThat(ended.err()).contains("./rsal", "--headless");
+    }
+
+    @Test
+    void aReaderThatGoesAwayIsNoError() throws Exception {
+        String command = String.join("' '", rsal.command("show", "guard.yaml"));
+        Ended ended = Ended.of(new ProcessBuilder("sh", "-c", "'" + command + "' | true")
+                .directory(folder.toFile())
+                .start());
+        assertThat(ended.err()).isEmpty();
+        assertThat(ended.code()).isZero();
+    }
+
+    @Test
+    void colorsAreForTerminalsOnlyAndNotForEverybody() throws Exception {
+        Rsal onTerminal = rsal.with("-Drsal.terminal.out=true");
+        String escape = "\033[";
+        assertThat(onTerminal.run("--help").out()).contains(escape);
+        assertThat(onTerminal
+                        .inEnvironment(Map.of("NO_COLOR", "1"))
+                        .run("--help")
+                        .out())
+                .doesNotContain(escape);
+        assertThat(rsal.run("--help").out()).doesNotContain(escape);
+    }
+
+    @Test
+    void progressIsDrawnOnTerminalsOnly() throws Exception {
+        assertThat(headless().err()).doesNotContain("real time");
+        assertThat(rsal.with("-Drsal.terminal.err=true")
+                        .run("run", "guard.yaml:short", "--headless", "--speed", "max")
+                        .err())
+                .contains("real time");
+    }
+
+    @Test
+    void validateTellsAboutEachFile() throws Exception {
+        Files.writeString(folder.resolve("wrong.yaml"), GUARD.replace("pioneer2dx", "pioneer9"));
+        Ended ended = rsal.run("validate", "guard.yaml", "wrong.yaml", "--json");
+        JsonNode files = JsonMapper.shared().readTree(ended.out()).get("files");
+
+        assertThat(ended.code()).isEqualTo(Exit.INVALID);
+        assertThat(files.get(0).get("valid").booleanValue()).isTrue();
+        assertThat(files.get(1).get("valid").booleanValue()).isFalse();
+        JsonNode problem = files.get(1).get("problems").get(0);
+        assertThat(problem.get("file").stringValue()).isEqualTo("wrong.yaml");
+        assertThat(problem.get("line").intValue()).isEqualTo(8);
+        assertThat(problem.get("message").stringValue()).contains("pioneer9");
+        assertThat(rsal.run("validate", "guard.yaml").code()).isEqualTo(Exit.SUCCESS);
+    }
+
+    @Test
+    void showTellsWhatIsInAScenario() throws Exception {
+        Ended text = rsal.run("show", "guard.yaml:late");
+        JsonNode json = JsonMapper.shared()
+                .readTree(rsal.run("show", "guard.yaml:late", "--json").out());
+
+        assertThat(text.out())
+                .contains("guards", "a whole number from 1 to 4", "pioneer2dx", "office", "timeout", "time > 5");
+        assertThat(json.get("configuration").stringValue()).isEqualTo("late");
+        assertThat(json.get("robots").get(0).get("model").stringValue()).isEqualTo("pioneer2dx");
+        assertThat(json.get("ends").get(0).get("when").stringValue()).isEqualTo("time > 5");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"scenarios", "maps", "models", "parts", "agents", "drivers", "mas", "mrs"})
+    void listsWhatThereIs(String what) throws Exception {
+        Ended ended = rsal.run("list", what, "--json");
+        assertThat(JsonMapper.shared().readTree(ended.out()).get(what).isEmpty())
+                .as(ended.out())
+                .isFalse();
+    }
+
+    @Test
+    void doctorLooksAtTheMachine() throws Exception {
+        Ended ended = rsal.run("doctor", "--json");
+        assertThat(ended.code()).isZero();
+        assertThat(JsonMapper.shared().readTree(ended.out()).get("findings").findValuesAsString("what"))
+                .contains("JDK", "cores", "memory", "Node.js", "Chromium");
+    }
+}

@@ -1,0 +1,78 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/// Starts the command line as the launcher does: a JVM of its own, from the jars that were just packaged.
+final class Rsal {
+    private static final Path TARGET =
+            Path.of(System.getProperty("rsal.target", "target")).toAbsolutePath();
+
+    private final Path folder;
+    private final List<String> flags = new ArrayList<>();
+    private final Map<String, String> environment;
+
+    /// @param folder where it is started
+    Rsal(Path folder) {
+        this.folder = folder;
+        this.environment = Map.of();
+    }
+
+    private Rsal(Rsal other, List<String> flags, Map<String, String> environment) {
+        this.folder = other.folder;
+        this.flags.addAll(other.flags);
+        this.flags.addAll(flags);
+        this.environment = environment;
+    }
+
+    Rsal with(String... moreFlags) {
+        return new Rsal(this, List.of(moreFlags), environment);
+    }
+
+    Rsal inEnvironment(Map<String, String> variables) {
+        return new Rsal(this, List.of(), variables);
+    }
+
+    /// With a page that is blank.
+    Rsal withPage() throws IOException {
+        Path page = Files.createDirectories(folder.resolve("page"));
+        Files.writeString(page.resolve("index.html"), "<!doctype html>");
+        return with("-Drsal.page=" + page);
+    }
+
+    Process start(String... arguments) throws IOException {
+        var builder = new ProcessBuilder(command(arguments)).directory(folder.toFile());
+        builder.environment().putAll(environment);
+        return builder.start();
+    }
+
+    Ended run(String... arguments) throws Exception {
+        return Ended.of(start(arguments));
+    }
+
+    List<String> command(String... arguments) {
+        var command = new ArrayList<String>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.add("-XX:+UseSerialGC");
+        command.add("-XX:TieredStopAtLevel=1");
+        command.addAll(flags);
+        command.addAll(List.of("-cp", classPath(), "rsal.cli.Main"));
+        command.addAll(List.of(arguments));
+        return command;
+    }
+
+    private static String classPath() {
+        try (var jars = Files.list(TARGET.resolve("lib"))) {
+            return TARGET.resolve("rsal-cli.jar") + ":"
+                    + jars.map(Path::toString).sorted().collect(Collectors.joining(":"));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}
