@@ -52,6 +52,7 @@ final class PlanReader {
         String configuration = configuration();
         Value.Mapping over = overlay(configuration);
         Map<String, Object> arguments = arguments(configuration, over);
+        checkOptions();
         Value.Mapping merged = scenario.settings()
                 .without("configurations")
                 .merge(chosen(over.without("args").without("title")));
@@ -126,6 +127,19 @@ final class PlanReader {
                     Suggestion.among(asked, known));
         }
         return asked;
+    }
+
+    private void checkOptions() {
+        options.speed().stream()
+                .filter(speed -> !(speed > 0))
+                .forEach(speed -> problems.add(
+                        Location.of("--speed " + speed),
+                        "A speed must be positive, not (%s).".formatted(speed),
+                        "Maybe (max)?"));
+        options.limit()
+                .filter(limit -> !limit.isPositive())
+                .ifPresent(limit ->
+                        problems.add(Location.of("--for " + limit.toSeconds()), "A time limit must be positive.", ""));
     }
 
     private Value.Mapping overlay(String configuration) {
@@ -316,7 +330,7 @@ final class PlanReader {
             if (!type.needs().isEmpty() && !section.has("robot")) {
                 section.problem(
                         "type",
-                        "Agent (%s) needs a robot with %s.".formatted(type.key(), RobotReader.words(type.needs())),
+                        "Agent (%s) needs a robot with %s.".formatted(type.key(), DeviceReader.words(type.needs())),
                         "Add a line (robot: ROLE).");
             }
             return;
@@ -328,7 +342,7 @@ final class PlanReader {
                     "Agent (%s) needs a robot with %s, which robots of role (%s) don't have."
                             .formatted(
                                     type.key(),
-                                    RobotReader.words(missing),
+                                    DeviceReader.words(missing),
                                     role.get().name()),
                     "Add it to (robots.%s.devices).".formatted(role.get().name()));
         }

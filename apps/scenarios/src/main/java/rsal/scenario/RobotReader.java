@@ -1,35 +1,23 @@
 package rsal.scenario;
 
 import java.util.ArrayList;
-import java.util.Collection;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.device.Device;
-import rsal.device.DriveBase;
-import rsal.device.LaserScanner;
-import rsal.device.SonarArray;
 import rsal.map.FreeSpace;
-import rsal.robot.DeviceDriver;
-import rsal.robot.RobotModel;
 import rsal.robot.RobotModels;
 import rsal.robot.RobotSpec;
+import rsal.scenario.DeviceReader.Equipment;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
-import rsal.settings.Arguments;
 import rsal.settings.FileSource;
-import rsal.settings.InvalidSettings;
-import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Section;
-import rsal.settings.Suggestion;
 import rsal.settings.Value;
 
 /// Reads the robots of a scenario: what they are, what they carry, where they start.
@@ -40,16 +28,14 @@ final class RobotReader {
     private static final List<String> COLORS =
             List.of("#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442");
 
-    private final Catalog catalog;
-    private final RobotModels models;
+    private final DeviceReader devices;
     private final Optional<OccupancyGrid> map;
     private final Seeds seeds;
     private final Problems problems;
     private final List<Pose2d> taken = new ArrayList<>();
 
     RobotReader(Catalog catalog, FileSource files, Optional<OccupancyGrid> map, Seeds seeds, Problems problems) {
-        this.catalog = catalog;
-        this.models = new RobotModels(files);
+        this.devices = new DeviceReader(catalog, new RobotModels(files), problems);
         this.map = map;
         this.seeds = seeds;
         this.problems = problems;
@@ -66,13 +52,8 @@ final class RobotReader {
             List<Class<? extends Device>> has,
             boolean complete) {
         List<Class<? extends Device>> missing(List<Class<? extends Device>> needs) {
-            return RobotReader.missing(has, needs);
+            return DeviceReader.missing(has, needs);
         }
-    }
-
-    /// In messages: `a LaserScanner and a DriveBase`.
-    static String words(Collection<Class<? extends Device>> types) {
-        return types.stream().map(type -> "a " + type.getSimpleName()).collect(Collectors.joining(" and "));
     }
 
     List<Role> read(Section robots) {
@@ -81,14 +62,17 @@ final class RobotReader {
             drafts.add(draft(name, robots.section(name), drafts.size()));
         }
         robots.done();
-        checkNumber(robots, drafts);
+        boolean tooMany = checkNumber(robots, drafts);
         for (Draft draft : drafts) {
             taken.addAll(draft.fixed); // before any free place is chosen
         }
-        return drafts.stream().map(this::role).toList();
+        return drafts.stream()
+                .map(draft -> role(draft, draft.complete && !tooMany))
+                .toList();
     }
 
-    private void checkNumber(Section robots, List<Draft> drafts) {
+    /// @return whether there are too many to go on with
+    private static boolean checkNumber(Section robots, List<Draft> drafts) {
         var ids = drafts.stream().flatMap(draft -> draft.ids.stream()).toList();
         if (ids.isEmpty()) {
             robots.problem(robots.location(), "There are no robots.", "Add a group (robots) with at least one role.");
@@ -103,6 +87,7 @@ final class RobotReader {
             robots.problem(
                     robots.location(), "Two robots have the same name among %s.".formatted(ids), "Rename a role.");
         }
+        return ids.size() > Format.MAX_ROBOTS;
     }
 
     /// A role as far as it can be read by itself.
@@ -113,15 +98,11 @@ final class RobotReader {
             String name,
             Section section,
             List<String> ids,
-            Optional<RobotModel> model,
-            List<PlannedDraft> drivers,
-            List<Class<? extends Device>> has,
+            Equipment equipment,
             List<Pose2d> fixed,
             @Nullable Free free,
             String color,
             boolean complete) {}
-
-    private record PlannedDraft(String name, DeviceDriver driver, Arguments options) {}
 
     /// @param within x and y of the lower left and the upper right corner [m]; null for anywhere
     private record Free(double clearance, double @Nullable [] within) {
@@ -140,9 +121,7 @@ final class RobotReader {
             section.problem(section.location(), "(%s) can't be the role of robots.".formatted(name), "");
         }
         List<String> ids = ids(name, section);
-        var has = new ArrayList<Class<? extends Device>>(List.of(DriveBase.class));
-        var drivers = new ArrayList<PlannedDraft>();
-        Optional<RobotModel> model = devices(section, has, drivers);
+        Equipment equipment = devices.read(section);
         Free free = section.isMapping("pose") ? free(section.section("pose")) : null;
         List<Pose2d> fixed = free == null ? poses(section, ids.size()) : List.of();
         String color = section.text("color", COLORS.get(index % COLORS.size()));
@@ -152,7 +131,7 @@ final class RobotReader {
         }
         section.done();
         boolean complete = problems.all().size() == before;
-        return new Draft(name, section, ids, model, drivers, has, fixed, free, color, complete);
+        return new Draft(name, section, ids, equipment, fixed, free, color, complete);
     }
 
     private static List<String> ids(String role, Section section) {
@@ -165,95 +144,6 @@ final class RobotReader {
             ids.add(role + "-" + i);
         }
         return ids;
-    }
-
-    /// Reads model and devices: parts go into the model, drivers are noted in the order in which they are written.
-    private Optional<RobotModel> devices(
-            Section section, List<Class<? extends Device>> has, List<PlannedDraft> drivers) {
-        String modelName = section.text("model");
-        Section devices = section.section("devices");
-        var parts = new LinkedHashMap<String, RobotModels.Choice>();
-        var software = new LinkedHashMap<String, DeviceDriver>();
-        for (String device : devices.names()) {
-            if (devices.isMapping(device)) {
-                Section own = devices.section(device);
-                String key = own.text("type", device);
-                Catalog.find("device driver", catalog.drivers(), key, own.locationOf("type"), problems)
-                        .ifPresent(driver -> software.put(device, driver));
-                continue;
-            }
-            String key = devices.text(device);
-            DeviceDriver driver = catalog.drivers().get(key);
-            if (driver != null) {
-                software.put(device, driver);
-            } else if (isPart(key)) {
-                parts.put(device, new RobotModels.Choice(key, devices.locationOf(device)));
-            } else if (!key.isEmpty()) {
-                var known = new ArrayList<>(catalog.parts());
-                known.addAll(catalog.drivers().keySet());
-                devices.problem(
-                        device, "There is no part or device driver (%s).".formatted(key), Suggestion.among(key, known));
-            }
-        }
-        Optional<RobotModel> model = modelName.isEmpty() ? Optional.empty() : model(section, modelName, parts);
-        model.ifPresent(m -> m.sensors().values().forEach(part -> has.add(type(part))));
-        software.forEach((device, driver) -> {
-            if (model.isPresent()) {
-                checkNeeds(devices, device, driver, has);
-            }
-            has.add(driver.makes());
-            var options = devices.isMapping(device) ? devices.section(device) : null;
-            readOptions(options, driver).ifPresent(read -> drivers.add(new PlannedDraft(device, driver, read)));
-        });
-        return model;
-    }
-
-    private Optional<Arguments> readOptions(@Nullable Section options, DeviceDriver driver) {
-        var section =
-                options != null ? options : new Section("", Value.Mapping.empty(Location.of(driver.key())), problems);
-        section.has("type");
-        return PlanReader.settings(section, driver.parameters());
-    }
-
-    private boolean isPart(String key) {
-        return catalog.parts().contains(key)
-                || key.equals(RobotModels.NO_PART)
-                || key.endsWith(".yaml")
-                || key.endsWith(".yml");
-    }
-
-    private Optional<RobotModel> model(Section section, String name, Map<String, RobotModels.Choice> parts) {
-        try {
-            return Optional.of(models.read(name, section.locationOf("model"), parts));
-        } catch (InvalidSettings e) {
-            e.problems().forEach(problems::add);
-            return Optional.empty();
-        }
-    }
-
-    private void checkNeeds(Section devices, String device, DeviceDriver driver, List<Class<? extends Device>> has) {
-        var missing = missing(has, driver.needs());
-        if (!missing.isEmpty()) {
-            devices.problem(
-                    device,
-                    "Device driver (%s) needs %s, which the robot does not have before (%s)."
-                            .formatted(driver.key(), words(missing), device),
-                    "Add it to (devices), above (%s).".formatted(device));
-        }
-    }
-
-    private static List<Class<? extends Device>> missing(
-            List<Class<? extends Device>> has, List<Class<? extends Device>> needs) {
-        return needs.stream()
-                .filter(need -> has.stream().noneMatch(need::isAssignableFrom))
-                .toList();
-    }
-
-    private static Class<? extends Device> type(RobotModel.Part part) {
-        return switch (part) {
-            case RobotModel.Part.Laser _ -> LaserScanner.class;
-            case RobotModel.Part.Sonars _ -> SonarArray.class;
-        };
     }
 
     private static Free free(Section pose) {
@@ -297,9 +187,9 @@ final class RobotReader {
         return poses.size() < count ? List.of() : poses.subList(0, count);
     }
 
-    private Role role(Draft draft) {
+    private Role role(Draft draft, boolean readable) {
         var robots = new ArrayList<PlannedRobot>();
-        boolean complete = draft.complete;
+        boolean complete = readable;
         Free free = draft.free;
         FreeSpace space = free == null || map.isEmpty() ? null : new FreeSpace(map.get(), free.clearance);
         for (int i = 0; i < draft.ids.size() && complete; i++) {
@@ -317,7 +207,7 @@ final class RobotReader {
             }
             robots.add(robot(draft, id, mapFromBase));
         }
-        return new Role(draft.name, draft.section, robots, draft.has, complete);
+        return new Role(draft.name, draft.section, robots, draft.equipment.has(), complete);
     }
 
     private Optional<Pose2d> place(Free free, FreeSpace space, String id) {
@@ -330,12 +220,12 @@ final class RobotReader {
     }
 
     private PlannedRobot robot(Draft draft, String id, Optional<Pose2d> mapFromBase) {
-        var spec = new RobotSpec(id, draft.name, draft.model.orElseThrow(), mapFromBase, draft.color);
+        var spec = new RobotSpec(id, draft.name, draft.equipment.model().orElseThrow(), mapFromBase, draft.color);
         return new PlannedRobot(
                 spec,
-                draft.drivers.stream()
-                        .map(d ->
-                                new PlannedDevice(d.name, d.driver, d.options, seeds.of("device/" + id + "/" + d.name)))
+                draft.equipment.drivers().stream()
+                        .map(d -> new PlannedDevice(
+                                d.name(), d.driver(), d.options(), seeds.of("device/" + id + "/" + d.name())))
                         .toList());
     }
 }

@@ -1,5 +1,6 @@
 package rsal.scenario;
 
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -69,7 +70,7 @@ public final class Scenario {
     }
 
     private static boolean looksLikeFile(String name) {
-        return name.endsWith(".yaml") || name.endsWith(".yml") || name.contains("/") || name.contains("\\");
+        return name.endsWith(".yaml") || name.endsWith(".yml") || name.contains("/") || new File(name).isDirectory();
     }
 
     private static Scenario loadFile(String path) {

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.fail;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -306,6 +307,9 @@ class ScenarioTest {
                 .hasMessageContaining("hunters=many: (hunters) must be a whole number from 1 to 4")
                 .hasMessageContaining("huntrs=1: The scenario has no argument (huntrs).")
                 .hasMessageContaining("Maybe (hunters)");
+        assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withSpeed(0).withLimit(Duration.ZERO)))
+                .hasMessageContaining("--speed 0.0: A speed must be positive")
+                .hasMessageContaining("--for 0: A time limit must be positive");
         var mas = new RunOptions(
                 Optional.empty(),
                 Map.of(),

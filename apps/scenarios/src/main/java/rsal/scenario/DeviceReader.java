@@ -1,0 +1,149 @@
+package rsal.scenario;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import rsal.device.Device;
+import rsal.device.DriveBase;
+import rsal.device.LaserScanner;
+import rsal.device.SonarArray;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModels;
+import rsal.settings.Arguments;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Problems;
+import rsal.settings.Section;
+import rsal.settings.Suggestion;
+import rsal.settings.Value;
+
+/// Reads what robots of a role are and carry: parts go into the model, drivers are made later, in the order in
+/// which they are written.
+final class DeviceReader {
+    private final Catalog catalog;
+    private final RobotModels models;
+    private final Problems problems;
+
+    DeviceReader(Catalog catalog, RobotModels models, Problems problems) {
+        this.catalog = catalog;
+        this.models = models;
+        this.problems = problems;
+    }
+
+    /// @param model with its parts; empty when it can't be read
+    /// @param has types of all devices
+    record Equipment(Optional<RobotModel> model, List<Driver> drivers, List<Class<? extends Device>> has) {}
+
+    /// @param name of the device that it makes
+    record Driver(String name, DeviceDriver driver, Arguments options) {}
+
+    /// @param robot the role's settings
+    Equipment read(Section robot) {
+        Section devices = robot.section("devices");
+        var parts = new LinkedHashMap<String, RobotModels.Choice>();
+        var software = new LinkedHashMap<String, DeviceDriver>();
+        for (String name : devices.names()) {
+            if (!devices.isMapping(name) && isPart(devices.text(name))) {
+                parts.put(name, new RobotModels.Choice(devices.text(name), devices.locationOf(name)));
+            } else {
+                driver(devices, name).ifPresent(driver -> software.put(name, driver));
+            }
+        }
+        Optional<RobotModel> model = model(robot, parts);
+        var has = new ArrayList<Class<? extends Device>>(List.of(DriveBase.class));
+        model.ifPresent(m -> m.sensors().values().forEach(part -> has.add(type(part))));
+        var drivers = new ArrayList<Driver>();
+        software.forEach((name, driver) -> {
+            if (model.isPresent()) {
+                checkNeeds(devices, name, driver, has);
+            }
+            has.add(driver.makes());
+            options(devices, name, driver).ifPresent(options -> drivers.add(new Driver(name, driver, options)));
+        });
+        return new Equipment(model, drivers, has);
+    }
+
+    private boolean isPart(String word) {
+        return catalog.parts().contains(word)
+                || word.equals(RobotModels.NO_PART)
+                || word.endsWith(".yaml")
+                || word.endsWith(".yml");
+    }
+
+    private Optional<DeviceDriver> driver(Section devices, String name) {
+        if (devices.isMapping(name)) {
+            Section options = devices.section(name);
+            return Catalog.find(
+                    "device driver",
+                    catalog.drivers(),
+                    options.text("type", name),
+                    options.locationOf("type"),
+                    problems);
+        }
+        String word = devices.text(name);
+        var driver = Optional.ofNullable(catalog.drivers().get(word));
+        if (driver.isEmpty() && !word.isEmpty()) {
+            var known = new ArrayList<>(catalog.parts());
+            known.addAll(catalog.drivers().keySet());
+            devices.problem(
+                    name, "There is no part or device driver (%s).".formatted(word), Suggestion.among(word, known));
+        }
+        return driver;
+    }
+
+    private Optional<Arguments> options(Section devices, String name, DeviceDriver driver) {
+        Section options = devices.isMapping(name)
+                ? devices.section(name)
+                : new Section(devices.path(name), Value.Mapping.empty(devices.locationOf(name)), problems);
+        options.has("type");
+        return PlanReader.settings(options, driver.parameters());
+    }
+
+    private Optional<RobotModel> model(Section robot, Map<String, RobotModels.Choice> parts) {
+        String name = robot.text("model");
+        if (name.isEmpty()) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(models.read(name, robot.locationOf("model"), parts));
+        } catch (InvalidSettings e) {
+            e.problems().forEach(problems::add);
+            return Optional.empty();
+        }
+    }
+
+    private static void checkNeeds(
+            Section devices, String name, DeviceDriver driver, List<Class<? extends Device>> has) {
+        var missing = missing(has, driver.needs());
+        if (!missing.isEmpty()) {
+            devices.problem(
+                    name,
+                    "Device driver (%s) needs %s, which the robot does not have before (%s)."
+                            .formatted(driver.key(), words(missing), name),
+                    "Add it to (devices), above (%s).".formatted(name));
+        }
+    }
+
+    static List<Class<? extends Device>> missing(
+            List<Class<? extends Device>> has, List<Class<? extends Device>> needs) {
+        return needs.stream()
+                .filter(need -> has.stream().noneMatch(need::isAssignableFrom))
+                .toList();
+    }
+
+    /// In messages: `a LaserScanner and a DriveBase`.
+    static String words(Collection<Class<? extends Device>> types) {
+        return types.stream().map(type -> "a " + type.getSimpleName()).collect(Collectors.joining(" and "));
+    }
+
+    private static Class<? extends Device> type(RobotModel.Part part) {
+        return switch (part) {
+            case RobotModel.Part.Laser _ -> LaserScanner.class;
+            case RobotModel.Part.Sonars _ -> SonarArray.class;
+        };
+    }
+}
