@@ -14,9 +14,9 @@ import rsal.settings.Parameter;
 import tools.jackson.databind.SerializationFeature;
 import tools.jackson.databind.json.JsonMapper;
 
-/// The scenario format as a JSON Schema (2020-12), for editors. It knows what can be named in this installation, and
-/// which settings that takes. What one part of a scenario says about another (roles, arguments, poses and walls) is
-/// beyond it: that is checked by [Scenario#check].
+/// The scenario format as a JSON Schema (2020-12), for editors. It knows what can be named in this installation,
+/// and which settings that takes. What one part of a scenario says about another (roles, arguments, poses and
+/// walls) is beyond it: that is checked by [Scenario#check].
 public final class ScenarioSchema {
     private static final String ARGUMENT = "#/$defs/argument";
     private static final String DEVICE = "#/$defs/device";

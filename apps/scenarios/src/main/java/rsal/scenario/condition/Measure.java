@@ -82,8 +82,8 @@ public sealed interface Measure {
 
     /// What robots have samples of.
     enum Signal {
-        /// Distance between where a robot really is and where its localizer says it is, at each of the localizer's
-        /// readings [m].
+        /// Distance between where a robot really is and where its localizer says it is, at each of the
+        /// localizer's readings [m].
         POSE_ERROR("poseError"),
         /// Real distance between a prey and the robot that it says caught it, once per prey, when it says so [m].
         CAPTURE_DISTANCE("captureDistance");

@@ -36,10 +36,10 @@ import rsal.time.WallScheduler;
 /// A run under way, or ended. All methods may be called from any thread; listeners are called on the run's thread
 /// and must be quick.
 ///
-/// The run has a thread of its own, `run-<n>`, and helpers for heavy work, `run-<n>-helper-<m>`. Between two steps
-/// it takes commands and makes a snapshot if somebody wants one. How it is watched, paused and paced never changes
-/// what happens in it; placing robots, sending them somewhere and the emergency stop do, and are events of the run.
-/// A run in real time can't be paused or paced: it goes on at speed 1.
+/// The run has a thread of its own, `run-<n>`, and helpers for heavy work, `run-<n>-helper-<m>`. Between two
+/// steps it takes commands and makes a snapshot if somebody wants one. How it is watched, paused and paced never
+/// changes what happens in it; placing robots, sending them somewhere and the emergency stop do, and are events
+/// of the run. A run in real time can't be paused or paced: it goes on at speed 1.
 @AllowedToReadWallClock("It holds the run back to the pace that people want to watch, and says how long it took.")
 public final class LiveRun implements AutoCloseable {
     private static final Logger LOG = System.getLogger(LiveRun.class.getName());
@@ -71,12 +71,13 @@ public final class LiveRun implements AutoCloseable {
     private int stepsWanted;
     private long snapshotMade;
 
-    private LiveRun(RunPlan plan, String name) {
+    private LiveRun(RunPlan plan, String name, int helpers) {
         this.plan = plan;
-        this.helpers = helpers(name);
+        this.helpers = Executors.newFixedThreadPool(
+                helpers, Thread.ofPlatform().daemon().name(name + "-helper-", 1).factory());
         this.scheduler = switch (plan.clock()) {
-            case SIMULATED -> new LockstepScheduler(Instant.EPOCH, helpers);
-            case WALL -> new WallScheduler(name, helpers, this::breaks);
+            case SIMULATED -> new LockstepScheduler(Instant.EPOCH, this.helpers);
+            case WALL -> new WallScheduler(name, this.helpers, this::breaks);
         };
         this.began = scheduler.instant();
         this.journal = new Journal(this::elapsed, () -> eventListeners.forEach(Runnable::run));
@@ -88,20 +89,19 @@ public final class LiveRun implements AutoCloseable {
 
     /// Starts a run. Robots and agents are made on its own thread; what goes wrong there ends its [#result].
     public static LiveRun start(RunPlan plan) {
+        return start(plan, Math.max(1, Runtime.getRuntime().availableProcessors() - 1));
+    }
+
+    /// @param helpers how many threads help the run's own with heavy work
+    static LiveRun start(RunPlan plan, int helpers) {
         String name = "run-" + RUNS.incrementAndGet();
-        var run = new LiveRun(plan, name);
+        var run = new LiveRun(plan, name, helpers);
         switch (run.scheduler) {
             case LockstepScheduler time ->
                 Thread.ofPlatform().name(name).daemon().start(() -> run.simulate(time));
             default -> run.scheduler.execute(run::begin);
         }
         return run;
-    }
-
-    private static ExecutorService helpers(String run) {
-        int number = Math.max(1, Runtime.getRuntime().availableProcessors() - 1);
-        return Executors.newFixedThreadPool(
-                number, Thread.ofPlatform().daemon().name(run + "-helper-", 1).factory());
     }
 
     public RunPlan plan() {

@@ -42,8 +42,8 @@ import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.time.Scheduler;
 
-/// Everything that takes part in a run, put together after the plan: the robots of the robot system, their software
-/// devices, the agents. All calls on the run's thread.
+/// Everything that takes part in a run, put together after the plan: the robots of the robot system, their
+/// software devices, the agents. All calls on the run's thread.
 final class Stage implements AutoCloseable {
     private static final Duration DISCOVERY_LIMIT = Duration.ofSeconds(10);
     private static final int LAST_MESSAGES = 5;

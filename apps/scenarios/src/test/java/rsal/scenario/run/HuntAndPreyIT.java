@@ -1,4 +1,4 @@
-package rsal.scenario;
+package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -7,9 +7,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import rsal.scenario.run.LiveRun;
-import rsal.scenario.run.RunEvent;
-import rsal.scenario.run.RunResult;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
 
 @Timeout(300)
 class HuntAndPreyIT {
@@ -18,9 +17,13 @@ class HuntAndPreyIT {
     private record Hunt(RunResult result, List<RunEvent> events) {}
 
     private static Hunt hunt(String configuration, long seed) {
+        return hunt(configuration, seed, 1);
+    }
+
+    private static Hunt hunt(String configuration, long seed, int helpers) {
         var options =
                 RunOptions.NONE.withConfiguration(configuration).withSeed(seed).withSpeed(Double.POSITIVE_INFINITY);
-        try (var run = LiveRun.start(HUNT.plan(options))) {
+        try (var run = LiveRun.start(HUNT.plan(options), helpers)) {
             var result = run.result()
                     .toCompletableFuture()
                     .orTimeout(60, TimeUnit.SECONDS)
@@ -52,9 +55,9 @@ class HuntAndPreyIT {
     }
 
     @Test
-    void theSameSeedIsTheSameHunt() {
-        Hunt first = hunt("virtual", 3);
-        Hunt second = hunt("virtual", 3);
+    void theSameSeedIsTheSameHuntHoweverManyHelp() {
+        Hunt first = hunt("virtual", 3, 1);
+        Hunt second = hunt("virtual", 3, 4);
         assertThat(second.events).isEqualTo(first.events);
         assertThat(second.result.eventHash()).isEqualTo(first.result.eventHash());
     }
