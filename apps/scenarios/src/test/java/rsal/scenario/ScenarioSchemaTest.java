@@ -74,6 +74,7 @@ class ScenarioSchemaTest {
             "There is no file",
             "There is no part",
             "needs a LaserScanner",
+            "needs a RangeSensor",
             "Robot (prey)",
             "has 1 for 2 robots",
             "no free place",

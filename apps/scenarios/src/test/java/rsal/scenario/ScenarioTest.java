@@ -207,6 +207,12 @@ class ScenarioTest {
                 List.of("pioneer2dx", "pioneer2d", "There is no robot model (pioneer2d)", "Maybe (pioneer2dx)"),
                 List.of("urg04lx", "urg4lx", "good.yaml:14:22", "There is no part", "Maybe (urg04lx)"),
                 List.of("laser: urg04lx, ", "", "(truthful) needs a LaserScanner", "above (localizer)"),
+                List.of(
+                        "laser: urg04lx, localizer: {type: truthful, error: 0.1}",
+                        "laser: none, sonar: none, localizer: amcl",
+                        "good.yaml:14:52",
+                        "(amcl) needs a RangeSensor",
+                        "above (localizer)"),
                 List.of("type: truthful", "type: truthfull", "no device driver (truthfull)", "Maybe (truthful)"),
                 List.of(
                         "error: 0.1",

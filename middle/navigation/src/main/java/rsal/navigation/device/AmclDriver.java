@@ -10,6 +10,7 @@ import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
 import rsal.device.Localizer;
+import rsal.device.RangeSensor;
 import rsal.device.SonarArray;
 import rsal.navigation.amcl.Amcl;
 import rsal.navigation.amcl.Kld;
@@ -41,10 +42,9 @@ public final class AmclDriver implements DeviceDriver {
         return Localizer.class;
     }
 
-    /// A robot also needs a laser scanner or sonars, of which it may have either.
     @Override
     public List<Class<? extends Device>> needs() {
-        return List.of(DriveBase.class);
+        return List.of(DriveBase.class, RangeSensor.class);
     }
 
     @Override

@@ -9,6 +9,7 @@ import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
+import rsal.device.RangeSensor;
 import rsal.device.SonarArray;
 import rsal.navigation.vfh.DriveLimits;
 import rsal.navigation.vfh.Vfh;
@@ -34,10 +35,10 @@ public final class NavigatorDriver implements DeviceDriver {
         return Navigator.class;
     }
 
-    /// A robot also needs a laser scanner or sonars; where it has both, sonars look where the laser doesn't.
+    /// Where a robot has both a laser scanner and sonars, sonars look where the laser doesn't.
     @Override
     public List<Class<? extends Device>> needs() {
-        return List.of(DriveBase.class, Localizer.class);
+        return List.of(DriveBase.class, RangeSensor.class, Localizer.class);
     }
 
     @Override
@@ -64,10 +65,7 @@ public final class NavigatorDriver implements DeviceDriver {
         RobotModel model = context.robot().model();
         Optional<LaserScanner> laser = context.robot().find(LaserScanner.class);
         Optional<SonarArray> sonars = context.robot().find(SonarArray.class);
-        if (laser.isEmpty() && sonars.isEmpty()) {
-            throw new IllegalArgumentException("Robot (%s) can't navigate blindly. Maybe give it a laser or sonars."
-                    .formatted(context.robot().id()));
-        }
+        context.robot().require(RangeSensor.class); // or it would drive blindly
         double speed = Math.min(arguments.number("maxSpeed"), model.drive().maxSpeed());
         var limits = new DriveLimits(
                 speed,
