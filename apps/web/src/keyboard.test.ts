@@ -42,6 +42,11 @@ describe('a key', () => {
     expect(press('1', input)).toBeNull();
     expect(press('Escape', input)).toEqual({ kind: 'cancel' });
     expect(press('p', { target: { tagName: 'INPUT', type: 'checkbox' } })).toEqual({ kind: 'pause' });
-    expect(press('ArrowLeft', { target: { tagName: 'INPUT', type: 'range' } })).toBeNull();
+  });
+
+  it('belongs to a slider when it moves it', () => {
+    const slider = { target: { tagName: 'INPUT', type: 'range' } };
+    expect(press('ArrowLeft', slider)).toBeNull();
+    expect(press('-', slider)).toEqual({ kind: 'slower' });
   });
 });

@@ -61,13 +61,16 @@ export function actionOf(event: Pressed): Action | null {
 
 /** Whether the focused element needs the key itself. */
 function takesKeys(target: EventTarget | null, key: string): boolean {
-  const element = target as { tagName?: string; type?: string; scrollHeight?: number } | null;
+  const element = target as { tagName?: string; type?: string } | null;
+  if (key === 'Escape') {
+    return false;
+  }
   switch (element?.tagName) {
     case 'TEXTAREA':
     case 'SELECT':
-      return key !== 'Escape';
+      return true;
     case 'INPUT':
-      return key !== 'Escape' && (element.type !== 'checkbox' || key === ' ');
+      return element.type === 'range' ? key.startsWith('Arrow') : element.type !== 'checkbox';
     default:
       return false;
   }

@@ -1,3 +1,5 @@
+import type { DeviceDetails } from './api/messages';
+
 /** Every text of the page. */
 export const texts = {
   name: 'RSAL',
@@ -88,8 +90,12 @@ export const texts = {
     x: 'x [m]',
     y: 'y [m]',
     heading: 'heading [°]',
-    sendThere: 'Send there',
-    placeThere: 'Place there',
+    sendThere: 'Send',
+    sendHint: 'Send it to this pose',
+    placeThere: 'Place',
+    placeHint: 'Put it there, in the simulation and in the belief of its localizer',
+    allWork: 'all work',
+    someWork: (sick: number) => `${sick} ill`,
     health: { OK: 'works', STALE: 'stale', LOST: 'lost' },
     none: 'There are no robots in this run.',
   },
@@ -134,3 +140,7 @@ export const texts = {
   },
   dismiss: 'Dismiss',
 };
+
+export function deviceText({ name, driver, health, reason }: DeviceDetails): string {
+  return `${name} (${driver}) ${texts.robots.health[health]}. ${reason}`.trim();
+}

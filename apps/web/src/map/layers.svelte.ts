@@ -20,8 +20,8 @@ const order: [Switchable | null, Layer][] = [
   ['particles', drawParticles],
   ['paths', drawPaths],
   ['goals', drawGoals],
-  ['estimates', drawEstimates],
   [null, drawRobots],
+  ['estimates', drawEstimates],
   ['names', drawNames],
   [null, drawDraft],
 ];

@@ -1,32 +1,48 @@
-import type { Estimate } from '../../live/frame';
+import type { Estimate, Pose } from '../../live/frame';
 import type { Layer } from '../scene';
 import { enter } from './frames';
+import { size } from './robots';
 
 /** Radius in deviations that holds 95 % of a two-dimensional normal distribution: √(−2 ln 0.05). */
 const DEVIATIONS = 2.45;
 
+/** A robot that is drawn smaller than this [px] would be hidden by an outline. */
+const LEAST_PIXELS = 10;
+
 /** Where localizers believe robots to be: outline, and the ellipse they are in with 95 % certainty. */
-export const drawEstimates: Layer = (context, { info, frame, view }) => {
+export const drawEstimates: Layer = (context, { info, frame, view, palette }) => {
   frame.robots.forEach(({ estimate }, i) => {
     if (estimate === null) {
       return;
     }
     const { color, footprint } = info.robots[i]!;
-    context.strokeStyle = color;
-    context.lineWidth = 1.5 / view.scale;
-    context.save();
-    enter(context, estimate.pose);
-    context.setLineDash([3 / view.scale, 3 / view.scale]);
-    context.beginPath();
-    footprint.forEach(([x, y]) => context.lineTo(x!, y!));
-    context.closePath();
-    context.stroke();
-    context.restore();
-    drawEllipse(context, estimate, color);
+    if (size(footprint) * view.scale > LEAST_PIXELS) {
+      drawOutline(context, estimate.pose, footprint, palette.text, view.scale);
+    }
+    drawEllipse(context, estimate, color, view.scale);
   });
 };
 
-function drawEllipse(context: CanvasRenderingContext2D, estimate: Estimate, color: string) {
+function drawOutline(
+  context: CanvasRenderingContext2D,
+  pose: Pose,
+  footprint: number[][],
+  color: string,
+  scale: number,
+) {
+  context.save();
+  enter(context, pose);
+  context.beginPath();
+  footprint.forEach(([x, y]) => context.lineTo(x!, y!));
+  context.closePath();
+  context.setLineDash([3 / scale, 3 / scale]);
+  context.strokeStyle = color;
+  context.lineWidth = 1.25 / scale;
+  context.stroke();
+  context.restore();
+}
+
+function drawEllipse(context: CanvasRenderingContext2D, estimate: Estimate, color: string, scale: number) {
   const { major, minor, angle } = ellipse(estimate);
   context.beginPath();
   context.ellipse(estimate.pose.x, estimate.pose.y, major, minor, angle, 0, 2 * Math.PI);
@@ -34,6 +50,8 @@ function drawEllipse(context: CanvasRenderingContext2D, estimate: Estimate, colo
   context.fillStyle = color;
   context.fill();
   context.globalAlpha = 0.7;
+  context.strokeStyle = color;
+  context.lineWidth = 1.5 / scale;
   context.stroke();
   context.globalAlpha = 1;
 }

@@ -2,43 +2,73 @@ import type { MapInfo } from '../../api/messages';
 import { rgb, type Palette } from '../palette';
 import type { View } from '../view';
 
+const FREE = 0;
 const OCCUPIED = 100;
 const UNKNOWN = 255;
 
-/** The map as a picture, a pixel a cell, upper row first. */
-export function paintFloor(map: MapInfo, cells: Uint8Array, palette: Palette): OffscreenCanvas {
-  const [free, occupied, unknown] = [rgb(palette.free), rgb(palette.occupied), rgb(palette.unknown)];
-  const colors = new Uint8Array(3 * 256);
-  for (let value = 0; value < 256; value++) {
-    colors.set(value === UNKNOWN ? unknown : value >= OCCUPIED / 2 ? occupied : free, 3 * value);
-  }
-  const canvas = new OffscreenCanvas(map.width, map.height);
-  const context = canvas.getContext('2d')!;
-  const image = context.createImageData(map.width, map.height);
-  for (let row = 0; row < map.height; row++) {
-    let to = 4 * (map.height - 1 - row) * map.width;
-    for (let column = 0; column < map.width; column++, to += 4) {
-      const from = 3 * cells[row * map.width + column]!;
-      image.data[to] = colors[from]!;
-      image.data[to + 1] = colors[from + 1]!;
-      image.data[to + 2] = colors[from + 2]!;
+/** A picture of a map; of a map seen from afar, one pixel is `pool` × `pool` cells. */
+export interface Floor {
+  picture: OffscreenCanvas;
+  map: MapInfo;
+  pool: number;
+}
+
+/** How many cells of a map share a pixel. */
+export function poolOf(map: MapInfo, view: View): number {
+  return Math.max(1, Math.floor(1 / (map.resolution * view.scale)));
+}
+
+/** Pictures a map, upper row first. */
+export function paintFloor(map: MapInfo, cells: Uint8Array, pool: number, palette: Palette): Floor {
+  const pooled = poolCells(cells, map.width, map.height, pool);
+  const colors = {
+    [FREE]: rgb(palette.free),
+    [OCCUPIED]: rgb(palette.occupied),
+    [UNKNOWN]: rgb(palette.unknown),
+  };
+  const width = Math.ceil(map.width / pool);
+  const height = Math.ceil(map.height / pool);
+  const picture = new OffscreenCanvas(width, height);
+  const context = picture.getContext('2d')!;
+  const image = context.createImageData(width, height);
+  for (let row = 0; row < height; row++) {
+    let to = 4 * (height - 1 - row) * width;
+    for (let column = 0; column < width; column++, to += 4) {
+      image.data.set(colors[pooled[row * width + column] as keyof typeof colors], to);
       image.data[to + 3] = 255;
     }
   }
   context.putImageData(image, 0, 0);
-  return canvas;
+  return { picture, map, pool };
 }
 
-/** Draws the floor in canvas coordinates. */
-export function drawFloor(
-  context: CanvasRenderingContext2D,
-  map: MapInfo,
-  picture: OffscreenCanvas,
-  view: View,
-) {
-  const { px, py } = view.toPixel({ x: map.originX, y: map.originY + map.height * map.resolution });
-  const cell = map.resolution * view.scale;
-  context.imageSmoothingEnabled = cell < 3; // close up, cells are cells
+/**
+ * Makes one cell of `pool` × `pool`. A wall wins over all else, and free over unknown, so that walls that are
+ * thinner than a pixel are still seen.
+ */
+export function poolCells(cells: Uint8Array, width: number, height: number, pool: number): Uint8Array {
+  const columns = Math.ceil(width / pool);
+  const pooled = new Uint8Array(columns * Math.ceil(height / pool)).fill(UNKNOWN);
+  for (let row = 0; row < height; row++) {
+    const start = Math.floor(row / pool) * columns;
+    for (let column = 0; column < width; column++) {
+      const value = cells[row * width + column]!;
+      const to = start + Math.floor(column / pool);
+      if (value === OCCUPIED) {
+        pooled[to] = OCCUPIED;
+      } else if (value === FREE && pooled[to] === UNKNOWN) {
+        pooled[to] = FREE;
+      }
+    }
+  }
+  return pooled;
+}
+
+/** Draws a floor in canvas coordinates. */
+export function drawFloor(context: CanvasRenderingContext2D, { picture, map, pool }: Floor, view: View) {
+  const pixel = pool * map.resolution * view.scale;
+  const { px, py } = view.toPixel({ x: map.originX, y: map.originY });
+  context.imageSmoothingEnabled = pixel < 3; // close up, cells are cells
   context.imageSmoothingQuality = 'high';
-  context.drawImage(picture, px, py, map.width * cell, map.height * cell);
+  context.drawImage(picture, px, py - picture.height * pixel, picture.width * pixel, picture.height * pixel);
 }

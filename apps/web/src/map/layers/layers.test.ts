@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { ellipse } from './estimates';
+import { poolCells } from './floor';
 import { gridStep } from './grid';
 import { handleOf, radius } from './robots';
 
@@ -34,7 +35,7 @@ describe('a robot', () => {
   });
 
   it('is drawn larger on a large map', () => {
-    expect(radius(footprint, 5) * 5).toBeCloseTo(7);
+    expect(radius(footprint, 5) * 5).toBeCloseTo(9);
   });
 
   it('has its handle in front of it', () => {
@@ -49,4 +50,23 @@ it('a grid has lines at round distances, neither dense nor sparse', () => {
     expect(gridStep(scale) * scale).toBeGreaterThanOrEqual(40);
     expect(gridStep(scale) * scale).toBeLessThanOrEqual(101);
   }
+});
+
+describe('cells that share a pixel', () => {
+  const [free, wall, unknown] = [0, 100, 255];
+
+  it('are a wall when one of them is', () => {
+    const cells = Uint8Array.of(free, free, unknown, free, free, wall, unknown, unknown);
+    expect([...poolCells(cells, 4, 2, 2)]).toEqual([wall, free]);
+  });
+
+  it('may be fewer at the edge', () => {
+    const cells = Uint8Array.of(free, free, wall, unknown, unknown, unknown);
+    expect([...poolCells(cells, 3, 2, 2)]).toEqual([free, wall]);
+  });
+
+  it('are themselves when each has its own', () => {
+    const cells = Uint8Array.of(free, wall, unknown, free);
+    expect(poolCells(cells, 2, 2, 1)).toEqual(cells);
+  });
 });

@@ -4,7 +4,7 @@ import type { Point } from '../view';
 import { enter } from './frames';
 
 /** A robot is drawn at least this long [px], so that it is seen on a large map. */
-const LEAST_PIXELS = 14;
+const LEAST_PIXELS = 18;
 export const HANDLE_PIXELS = 5;
 
 /** Robots: outline, heading and id. */
@@ -125,7 +125,8 @@ export function radius(footprint: number[][], scale: number): number {
   return size(footprint) * magnification(footprint, scale);
 }
 
-function size(footprint: number[][]): number {
+/** Radius of a robot [m]. */
+export function size(footprint: number[][]): number {
   return Math.max(...footprint.map(([x, y]) => Math.hypot(x!, y!)));
 }
 
