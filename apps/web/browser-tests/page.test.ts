@@ -1,0 +1,395 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { chromium, flags } from './chromium';
+import { Rsal } from './rsal';
+
+const SEED = '42';
+
+describe.skipIf(!chromium)('the page', () => {
+  let rsal: Rsal;
+  let browser: Browser;
+  let contexts: BrowserContext[] = [];
+  /** What no page may do: fail, break its security policy, call somebody else. */
+  let faults: string[] = [];
+  let page: Page;
+
+  beforeAll(async () => {
+    [rsal, browser] = await Promise.all([
+      Rsal.run('hunt-and-prey', '--port', '0', '--seed', SEED),
+      driver.launch({ executablePath: chromium!, args: flags }),
+    ]);
+  });
+
+  afterAll(async () => {
+    await browser.close();
+    await rsal.end();
+  });
+
+  beforeEach(async () => {
+    faults = [];
+    await rsal.post('restart', { configuration: 'virtual', arguments: {}, seed: SEED });
+    await rsal.post('speed', { factor: '1' });
+    page = await open(rsal.url);
+  });
+
+  afterEach(async () => {
+    await Promise.all(contexts.map((context) => context.close()));
+    contexts = [];
+    expect(faults).toEqual([]);
+  });
+
+  async function open(url: string, options: Parameters<Browser['newContext']>[0] = {}): Promise<Page> {
+    const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+    contexts.push(context);
+    const opened = await context.newPage();
+    opened.on('pageerror', (error) => faults.push(error.message));
+    opened.on('console', (message) => {
+      if (message.type() === 'error' && !/status of 4(09|22)/.test(message.text())) {
+        faults.push(message.text());
+      }
+    });
+    opened.on('request', (request) => {
+      if (new URL(request.url()).host !== new URL(rsal.url).host) {
+        faults.push(`asks ${request.url()}`);
+      }
+    });
+    await opened.goto(url);
+    await opened.locator('tr[data-robot][data-x]').first().waitFor();
+    return opened;
+  }
+
+  /** Waits until something holds, however slow the machine is. */
+  async function eventually(holds: () => Promise<boolean>, what: string) {
+    for (let tries = 0; tries < 200; tries++) {
+      if (await holds()) {
+        return;
+      }
+      await page.waitForTimeout(100);
+    }
+    throw new Error(`It never came true that ${what}.`);
+  }
+
+  /** Simulated seconds on the page's clock. */
+  async function time(of = page): Promise<number> {
+    const text = await of.getByTestId('time').innerText();
+    return text.split(':').reduce((sum, part) => 60 * sum + Number(part), 0);
+  }
+
+  async function pose(robot: string) {
+    const row = page.locator(`tr[data-robot="${robot}"]`);
+    const [x, y, heading] = await Promise.all(
+      ['data-x', 'data-y', 'data-heading'].map(async (name) => Number(await row.getAttribute(name))),
+    );
+    return { x: x!, y: y!, heading: heading! };
+  }
+
+  /** Where a place of the map is on the screen. */
+  async function onScreen({ x, y }: { x: number; y: number }) {
+    const map = page.locator('#map');
+    const box = (await map.boundingBox())!;
+    const [scale, originX, originY] = await Promise.all(
+      ['data-scale', 'data-origin-x', 'data-origin-y'].map(async (name) =>
+        Number(await map.getAttribute(name)),
+      ),
+    );
+    return { x: box.x + originX! + x * scale!, y: box.y + originY! - y * scale! };
+  }
+
+  async function drag(from: { x: number; y: number }, to: { x: number; y: number }) {
+    const [start, end] = [await onScreen(from), await onScreen(to)];
+    await page.mouse.move(start.x, start.y);
+    await page.mouse.down();
+    await page.mouse.move((start.x + end.x) / 2, (start.y + end.y) / 2);
+    await page.mouse.move(end.x, end.y);
+    await page.mouse.up();
+  }
+
+  async function pause() {
+    await page.getByRole('button', { name: 'Pause' }).click();
+    await page.getByRole('button', { name: 'Resume' }).waitFor();
+    await settled();
+  }
+
+  /** What was sent before the pause has been drawn. */
+  async function settled() {
+    let before = -1;
+    await eventually(async () => {
+      const now = await time();
+      const same = now === before;
+      before = now;
+      await page.waitForTimeout(300);
+      return same;
+    }, 'time stands still');
+  }
+
+  const picture = () => page.locator('#map').screenshot();
+
+  it('shows robots that move', async () => {
+    const before = await pose('prey-1');
+    const seen = await picture();
+    await eventually(async () => {
+      const now = await pose('prey-1');
+      return Math.hypot(now.x - before.x, now.y - before.y) > 0.3;
+    }, 'the prey has moved');
+    expect((await picture()).equals(seen)).toBe(false);
+    expect(await page.locator('tr[data-robot]').count()).toBe(3);
+    expect(await page.getByText('following the wall').count()).toBeGreaterThan(0);
+  });
+
+  it('pauses, steps and goes on', async () => {
+    await pause();
+    const [paused, seen, before] = [await time(), await picture(), await pose('prey-1')];
+    await page.waitForTimeout(1000);
+    expect(await time()).toBe(paused);
+    expect(await pose('prey-1')).toEqual(before);
+    expect((await picture()).equals(seen)).toBe(true);
+
+    await page.getByRole('button', { name: 'Step' }).click();
+    await eventually(async () => (await time()) > paused, 'a step was made');
+    await settled();
+    expect(await time()).toBeCloseTo(paused + 0.1);
+
+    await page.keyboard.press('p');
+    await eventually(async () => (await time()) > paused + 0.5, 'time goes on');
+  });
+
+  it('goes as fast as it is told', async () => {
+    const rate = async () =>
+      Number.parseFloat((await page.getByTestId('rate').innerText()).replace(/^\D*/, ''));
+    const speed = page.getByTestId('speed');
+    await page.getByRole('slider', { name: 'Speed' }).fill('6'); // 10×
+    await eventually(async () => (await speed.innerText()) === '10×', 'the speed is 10×');
+    await eventually(async () => (await rate()) > 4, 'it runs much faster than real time');
+    for (const expected of ['5×', '2×', '1×', '0.5×', '0.2×']) {
+      await page.keyboard.press('-');
+      await eventually(async () => (await speed.innerText()) === expected, `the speed is ${expected}`);
+    }
+    await eventually(async () => (await rate()) < 0.5, 'it runs slower than real time');
+    await page.keyboard.press('+');
+    await eventually(async () => (await speed.innerText()) === '0.5×', 'the speed is 0.5×');
+  });
+
+  it('puts a robot where it is dragged', async () => {
+    await pause();
+    const before = await pose('prey-1');
+    const target = { x: 10, y: -1.6 };
+    await drag(before, target);
+    await eventually(async () => {
+      const now = await pose('prey-1');
+      return Math.hypot(now.x - target.x, now.y - target.y) < 0.2;
+    }, 'the prey is there');
+    expect((await pose('prey-1')).heading).toBeCloseTo(before.heading, 1);
+    await page.getByRole('searchbox', { name: 'Filter events' }).fill('operator prey-1');
+    await page.locator('li', { hasText: 'operator' }).first().waitFor();
+    // its localizer was told, too
+    await page.keyboard.press('Escape');
+    await page.locator('#map').focus();
+    await page.keyboard.press('p');
+    await eventually(async () => {
+      const error = await page.locator('tr[data-robot="prey-1"] td').nth(2).innerText();
+      return Number.parseFloat(error) < 0.5 && (await time()) > 1;
+    }, 'the prey knows where it is');
+  });
+
+  it('says why a robot cannot be put into a wall, and leaves it where it is', async () => {
+    await pause();
+    const before = await pose('prey-1');
+    await drag(before, { x: 0, y: 7.75 });
+    const notice = page.getByRole('alert');
+    await notice.getByText(/./).first().waitFor();
+    expect(await pose('prey-1')).toEqual(before);
+    await notice.getByRole('button', { name: 'Dismiss' }).click();
+    expect(await notice.getByText(/./).count()).toBe(0);
+  });
+
+  it('sends a robot where it is told, with keys and a click', async () => {
+    const start = await pose('hunter-1');
+    await page.keyboard.press('2');
+    await page.keyboard.press('g');
+    await page.getByText('Click where hunter-1 shall go').waitFor();
+    const target = { x: start.x > 0 ? -25 : 25, y: -1.6 };
+    const { x, y } = await onScreen(target);
+    await page.mouse.click(x, y);
+    await page.getByText('Click where hunter-1 shall go').waitFor({ state: 'hidden' });
+    await page.getByRole('searchbox', { name: 'Filter events' }).fill('operator hunter-1');
+    await page.locator('li', { hasText: 'operator' }).first().waitFor();
+    await rsal.post('speed', { factor: '10' });
+    await eventually(async () => {
+      const now = await pose('hunter-1');
+      return Math.hypot(now.x - start.x, now.y - start.y) > 1;
+    }, 'the hunter is on its way');
+  });
+
+  it('places a robot by typed numbers', async () => {
+    await pause();
+    await page.keyboard.press('1');
+    await page.getByLabel('x [m]').fill('5');
+    await page.getByLabel('y [m]').fill('-1.6');
+    await page.getByLabel('heading [°]').fill('90');
+    await page.getByRole('button', { name: 'Place', exact: true }).click();
+    await eventually(async () => {
+      const now = await pose('prey-1');
+      return Math.abs(now.x - 5) < 0.1 && Math.abs(now.heading - Math.PI / 2) < 0.1;
+    }, 'the prey is there');
+  });
+
+  it('stops all robots in an emergency, until they are re-armed', async () => {
+    await eventually(async () => (await time()) > 1, 'the run goes on');
+    await page.getByRole('button', { name: 'Emergency stop' }).click();
+    await page.getByText('all robots are disabled').waitFor();
+    await eventually(async () => {
+      const speeds = await page.locator('tr[data-robot] td:nth-of-type(2)').allInnerTexts();
+      return speeds.every((speed) => Math.abs(Number.parseFloat(speed)) < 0.01);
+    }, 'all robots stand');
+    const stopped = await pose('prey-1');
+    await page.getByRole('button', { name: 'Re-arm' }).click();
+    await page.getByText('all robots are disabled').waitFor({ state: 'hidden' });
+    await eventually(async () => {
+      const now = await pose('prey-1');
+      return Math.hypot(now.x - stopped.x, now.y - stopped.y) > 0.2;
+    }, 'the prey moves again');
+  });
+
+  it('shows everything to a viewer that comes late and may only watch', async () => {
+    await eventually(async () => (await time()) > 2, 'the run goes on');
+    const late = await open(rsal.origin);
+    await late.getByText('View only').waitFor();
+    expect(await late.locator('tr[data-robot]').count()).toBe(3);
+    await late.getByText('3 robots, 3 agents').waitFor(); // the first events are there, too
+    await eventually(async () => Math.abs((await time(late)) - (await time())) < 1, 'both see the same time');
+    for (const name of ['Pause', 'Restart…', 'Stop', 'Emergency stop']) {
+      expect(await late.getByRole('button', { name, exact: true }).isDisabled(), name).toBe(true);
+    }
+    await late.keyboard.press('p');
+    await late.keyboard.press('r');
+    expect(await late.getByRole('dialog').count()).toBe(0);
+    const before = await time();
+    await eventually(async () => (await time()) > before + 0.5, 'the run still goes on');
+  });
+
+  it('keeps the token out of sight, for this tab only', async () => {
+    expect(page.url()).toBe(`${rsal.origin}/`);
+    await page.reload();
+    await page.locator('tr[data-robot][data-x]').first().waitFor();
+    expect(await page.getByText('View only').count()).toBe(0);
+    expect(await page.evaluate(() => localStorage.length + document.cookie.length)).toBe(0);
+  });
+
+  it('runs again with another seed, configuration and arguments', async () => {
+    await page.getByRole('button', { name: 'Restart…' }).click();
+    const dialog = page.getByRole('dialog');
+    await dialog.getByLabel('Configuration').selectOption('advanced');
+    await eventually(
+      async () => (await dialog.getByLabel('hunters', { exact: true }).inputValue()) === '4',
+      'there are 4 hunters',
+    );
+    await dialog.getByLabel('prey', { exact: true }).fill('99');
+    await dialog.getByRole('button', { name: 'Restart' }).click();
+    await dialog.getByRole('alert').getByText('(99)').waitFor();
+    expect(await page.getByText('hunt-and-prey:virtual').count()).toBe(1); // the old run goes on
+    await dialog.getByLabel('prey', { exact: true }).fill('2');
+    await dialog.getByLabel('Seed').fill('4711');
+    await dialog.getByRole('button', { name: 'Restart' }).click();
+    await dialog.waitFor({ state: 'hidden' });
+    await page.getByText('hunt-and-prey:advanced').waitFor();
+    await page.getByText('4711').first().waitFor();
+    await eventually(
+      async () => (await page.locator('tr[data-robot][data-x]').count()) === 6,
+      'there are 6 robots',
+    );
+  });
+
+  it('says how a run ended', async () => {
+    await page.getByRole('button', { name: 'Stop', exact: true }).click();
+    expect(await page.getByTestId('outcome').innerText()).toBe('Stopped');
+    expect(await page.getByTestId('rate').innerText()).toBe('over');
+    expect(await page.getByRole('button', { name: 'Pause' }).isDisabled()).toBe(true);
+    await page.getByRole('region', { name: 'Stopped' }).getByRole('button', { name: 'Restart' }).click();
+    await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
+    await page.getByTestId('outcome').waitFor({ state: 'hidden' });
+    await eventually(async () => (await time()) > 0, 'the next run goes on');
+  });
+
+  it('moves, zooms and follows by keyboard', async () => {
+    const map = page.locator('#map');
+    const scale = async () => Number(await map.getAttribute('data-scale'));
+    const whole = await scale();
+    await page.keyboard.press('i');
+    expect(await scale()).toBeGreaterThan(whole);
+    const left = Number(await map.getAttribute('data-origin-x'));
+    await page.keyboard.press('ArrowLeft');
+    expect(Number(await map.getAttribute('data-origin-x'))).toBeCloseTo(left + 60);
+    await page.keyboard.press('1');
+    await page.keyboard.press('f');
+    const box = (await map.boundingBox())!;
+    await eventually(async () => {
+      const { x, y } = await onScreen(await pose('prey-1'));
+      return Math.hypot(x - box.x - box.width / 2, y - box.y - box.height / 2) < 20;
+    }, 'the prey is in the middle');
+    await page.keyboard.press('0');
+    expect(await scale()).toBeCloseTo(whole);
+    await page.keyboard.press('?');
+    await page.getByRole('dialog', { name: 'Keys' }).waitFor();
+    await page.keyboard.press('Escape');
+    expect(await page.getByRole('dialog').count()).toBe(0);
+  });
+
+  it('hides and shows layers', async () => {
+    await pause();
+    const all = await picture();
+    const scans = page.getByRole('button', { name: 'Laser scans' });
+    await scans.click();
+    expect(await scans.getAttribute('aria-pressed')).toBe('false');
+    await eventually(async () => !(await picture()).equals(all), 'scans are gone');
+    await scans.click();
+    await eventually(async () => (await picture()).equals(all), 'scans are back');
+  });
+
+  describe.each(['light', 'dark'] as const)('in the %s', (colorScheme) => {
+    it.each([
+      [1280, 720],
+      [820, 1180],
+    ])('breaks no rule of accessibility at %i × %i', async (width, height) => {
+      page = await open(rsal.url, { colorScheme, viewport: { width, height } });
+      const check = async (what: string) => {
+        const { violations } = await new AxeBuilder({ page }).analyze();
+        expect(
+          violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`),
+          what,
+        ).toEqual([]);
+      };
+      await check('as it comes');
+      await page.keyboard.press('1');
+      await check('with a robot selected');
+      await page.keyboard.press('?');
+      await check('with the keys');
+      await page.keyboard.press('Escape');
+      await page.keyboard.press('r');
+      await check('with the form to run again');
+      await page.keyboard.press('Escape');
+      await rsal.post('estop');
+      await page.getByText('all robots are disabled').waitFor();
+      await check('after an emergency stop');
+      await rsal.post('stop');
+      await page.getByTestId('outcome').waitFor();
+      await check('at the end');
+    });
+  });
+
+  it('says when the server is gone, and comes back with it', async () => {
+    const first = await Rsal.run('hunt-and-prey', '--port', '0');
+    const context = await browser.newContext();
+    contexts.push(context);
+    page = await context.newPage();
+    await page.goto(first.origin);
+    await page.locator('tr[data-robot][data-x]').first().waitFor();
+    await first.end();
+    await page.getByText('The server is gone.').waitFor();
+    const second = await Rsal.run('hunt-and-prey', '--port', first.port, '--seed', '7');
+    await page.getByText('The server is gone.').waitFor({ state: 'hidden' });
+    await page.locator('header').getByText('seed 7').waitFor();
+    await page.locator('tr[data-robot][data-x]').first().waitFor();
+    await second.end();
+  });
+});

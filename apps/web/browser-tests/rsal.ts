@@ -1,0 +1,66 @@
+import { spawn, type ChildProcess } from 'node:child_process';
+import { once } from 'node:events';
+import { fileURLToPath } from 'node:url';
+
+/** The launcher, as people use it; RSAL names another command. */
+const launcher = process.env.RSAL ?? fileURLToPath(new URL('../../../rsal', import.meta.url));
+
+/** A run with its page, in a process of its own. */
+export class Rsal {
+  private constructor(
+    private readonly process: ChildProcess,
+    /** With the token. */
+    readonly url: string,
+  ) {}
+
+  static async run(...options: string[]): Promise<Rsal> {
+    const child = spawn(launcher, ['run', ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
+    let output = '';
+    const url = await new Promise<string>((resolve, reject) => {
+      const listen = (text: Buffer) => {
+        output += text.toString();
+        const found = /http:\/\/127\.0\.0\.1:\d+\/#token=[\w-]+/.exec(output);
+        if (found) {
+          resolve(found[0]);
+        }
+      };
+      child.stdout.on('data', listen);
+      child.stderr.on('data', listen);
+      child.on('error', reject);
+      child.on('exit', (code) => reject(new Error(`${launcher} ended with ${String(code)}:\n${output}`)));
+    });
+    return new Rsal(child, url);
+  }
+
+  get origin(): string {
+    return new URL(this.url).origin;
+  }
+
+  get port(): string {
+    return new URL(this.url).port;
+  }
+
+  get token(): string {
+    return new URLSearchParams(new URL(this.url).hash.slice(1)).get('token')!;
+  }
+
+  /** Commands the run as the page does. */
+  async post(command: string, body: object = {}): Promise<void> {
+    const response = await fetch(`${this.origin}/api/run/${command}`, {
+      method: 'POST',
+      headers: { Authorization: `Bearer ${this.token}` },
+      body: JSON.stringify(body),
+    });
+    if (!response.ok) {
+      throw new Error(`${command}: ${await response.text()}`);
+    }
+  }
+
+  async end(): Promise<void> {
+    if (this.process.exitCode === null) {
+      const ended = once(this.process, 'exit');
+      this.process.kill('SIGINT');
+      await ended;
+    }
+  }
+}
