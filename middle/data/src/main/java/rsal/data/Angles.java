@@ -11,8 +11,8 @@ public final class Angles {
         if (angle >= -Math.PI && angle < Math.PI) {
             return angle;
         }
-        double wrapped = angle - TURN * Math.floor((angle + Math.PI) / TURN);
-        return wrapped >= Math.PI || wrapped < -Math.PI ? -Math.PI : wrapped; // rounding may land on π or beside -π
+        double wrapped = Math.IEEEremainder(angle, TURN); // exact, however far the angle is
+        return wrapped == Math.PI ? -Math.PI : wrapped;
     }
 
     /// The smallest turn from one direction to another, in [-π, π); positive is counter-clockwise.

@@ -3,6 +3,7 @@ package rsal.data;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.math.BigDecimal;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,6 +44,13 @@ class AnglesTest {
     @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
     void whatIsNoAngleIsNotANumber(double angle) {
         assertThat(Angles.wrap(angle)).isNaN();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e9, -1e16, 9.42e36, -1e300})
+    void anglesFarAwayKeepTheirDirection(double angle) {
+        var turns = new BigDecimal(angle).remainder(new BigDecimal(2 * Math.PI));
+        assertThat(Angles.wrap(angle)).isEqualTo(Angles.wrap(turns.doubleValue()));
     }
 
     @Test
