@@ -28,12 +28,17 @@ public record OccupancyGrid(int width, int height, double resolution, double ori
 
     /// Column of a place in the map frame; outside `0 … width-1` when the place is outside.
     public int column(double x) {
-        return (int) Math.floor((x - originX) / resolution);
+        return cell(x - originX);
     }
 
     /// Row of a place in the map frame; outside `0 … height-1` when the place is outside.
     public int row(double y) {
-        return (int) Math.floor((y - originY) / resolution);
+        return cell(y - originY);
+    }
+
+    private int cell(double fromEdge) {
+        double cell = Math.floor(fromEdge / resolution);
+        return Double.isNaN(cell) ? -1 : (int) cell; // a cast alone would take NaN for the first cell
     }
 
     /// x of the middle of a column [m].

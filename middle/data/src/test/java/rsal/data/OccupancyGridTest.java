@@ -29,6 +29,8 @@ class OccupancyGridTest {
         assertThat(GRID.at(3, 0)).isEqualTo(OccupancyGrid.UNKNOWN);
         assertThat(GRID.isFree(-1.01, -1.75)).isFalse();
         assertThat(GRID.isFree(Double.POSITIVE_INFINITY, 0)).isFalse();
+        assertThat(GRID.isFree(Double.NaN, -1.75)).isFalse();
+        assertThat(GRID.isFree(-0.75, Double.NaN)).isFalse();
         assertThat(GRID.isFree(-0.75, -1.75)).isTrue();
         assertThat(GRID.isFree(-0.25, -1.75)).isFalse();
     }
