@@ -12,15 +12,19 @@ public record Footprint(List<Point2d> corners) {
                     "A footprint needs at least 3 corners, not %d.".formatted(corners.size()));
         }
         for (int i = 0; i < corners.size(); i++) {
-            Point2d a = corners.get(i);
-            Point2d b = corners.get((i + 1) % corners.size());
-            Point2d c = corners.get((i + 2) % corners.size());
-            double turn = (b.x() - a.x()) * (c.y() - b.y()) - (b.y() - a.y()) * (c.x() - b.x());
-            if (!(turn > 0)) {
-                throw new IllegalArgumentException(
-                        "A footprint turns left at every corner; this one does not at (%s, %s)."
-                                .formatted(b.x(), b.y()));
+            for (int j = 2; j < corners.size(); j++) {
+                requireLeft(
+                        corners.get(i), corners.get((i + 1) % corners.size()), corners.get((i + j) % corners.size()));
             }
+        }
+    }
+
+    private static void requireLeft(Point2d from, Point2d to, Point2d corner) {
+        double turn = (to.x() - from.x()) * (corner.y() - to.y()) - (to.y() - from.y()) * (corner.x() - to.x());
+        if (!(turn > 0)) {
+            throw new IllegalArgumentException(
+                    "A footprint is convex and counter-clockwise: (%s, %s) must be left of its edge from (%s, %s) to (%s, %s)."
+                            .formatted(corner.x(), corner.y(), from.x(), from.y(), to.x(), to.y()));
         }
     }
 

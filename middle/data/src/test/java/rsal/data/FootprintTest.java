@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class FootprintTest {
@@ -37,5 +38,13 @@ class FootprintTest {
         assertThatIllegalArgumentException().isThrownBy(() -> new Footprint(List.of(c, b, a)));
         assertThatIllegalArgumentException().isThrownBy(() -> new Footprint(List.of(a, b, c, new Point2d(0.9, 0.2))));
         assertThatIllegalArgumentException().isThrownBy(() -> new Footprint(List.of(a, b, new Point2d(Double.NaN, 1))));
+    }
+
+    @Test
+    void refusesWhatGoesAroundTwice() {
+        List<Point2d> star = IntStream.range(0, 5)
+                .mapToObj(i -> Pose2d.polar(1, i * Math.toRadians(144)).position())
+                .toList();
+        assertThatIllegalArgumentException().isThrownBy(() -> new Footprint(star));
     }
 }
