@@ -11,6 +11,14 @@ import java.util.List;
 public record RangeArray(
         List<Pose2d> baseFromSensors, double fieldOfView, double rangeMin, double rangeMax, float[] ranges) {
 
+    public RangeArray {
+        baseFromSensors = List.copyOf(baseFromSensors);
+        if (baseFromSensors.size() != ranges.length) {
+            throw new IllegalArgumentException(
+                    "Each of %d sensors has a range, not %d.".formatted(baseFromSensors.size(), ranges.length));
+        }
+    }
+
     public int count() {
         return ranges.length;
     }

@@ -1,8 +1,10 @@
 package rsal.data;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -16,12 +18,24 @@ class RangesTest {
     @Test
     void onlyWhatWasMeasuredIsAHit() {
         var scan = new LaserScan(Pose2d.ORIGIN, -1, 0.5, 0.2, 5, RANGES);
-        var sonars = new RangeArray(List.of(), 0.5, 0.2, 5, RANGES);
+        var sonars = new RangeArray(mounts(RANGES.length), 0.5, 0.2, 5, RANGES);
         for (int i = 0; i < RANGES.length; i++) {
             assertThat(scan.isHit(i)).as("beam of %s", RANGES[i]).isEqualTo(HITS[i]);
             assertThat(sonars.isHit(i)).as("sonar of %s", RANGES[i]).isEqualTo(HITS[i]);
         }
         assertThat(scan.count()).isEqualTo(8);
         assertThat(scan.angle(3)).isCloseTo(0.5, within(1e-12));
+    }
+
+    @Test
+    void eachSensorHasARange() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new RangeArray(mounts(3), 0.5, 0.2, 5, new float[2]))
+                .withMessageContaining("3 sensors")
+                .withMessageContaining("2");
+    }
+
+    private static List<Pose2d> mounts(int count) {
+        return Collections.nCopies(count, Pose2d.ORIGIN);
     }
 }
