@@ -4,10 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.time.Instant;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import rsal.time.AllowedToReadWallClock;
 
@@ -22,6 +26,9 @@ class ArchitectureRulesTest {
                 .withMessageContaining("Offender.instant")
                 .withMessageContaining("Offender.nanos")
                 .withMessageContaining("Offender.sleep")
+                .withMessageContaining("Offender.doze")
+                .withMessageContaining("Offender.park")
+                .withMessageContaining("Offender.handsOutTheClock")
                 .satisfies(e -> assertThat(e.getMessage()).doesNotContain("Excused"));
     }
 
@@ -37,7 +44,8 @@ class ArchitectureRulesTest {
         assertThatExceptionOfType(AssertionError.class)
                 .isThrownBy(rules::nothingRunsInTheCommonPool)
                 .withMessageContaining("Offender.async")
-                .withMessageContaining("Offender.parallel");
+                .withMessageContaining("Offender.parallel")
+                .withMessageContaining("Offender.sort");
     }
 
     @Test
@@ -46,6 +54,8 @@ class ArchitectureRulesTest {
                 .isThrownBy(rules::randomnessIsHandedIn)
                 .withMessageContaining("Offender.random")
                 .withMessageContaining("Offender.unseeded")
+                .withMessageContaining("Offender.handsOutRandomness")
+                .withMessageContaining("Offender.shuffle")
                 .satisfies(e -> assertThat(e.getMessage()).doesNotContain("Offender.seeded"));
     }
 
@@ -54,6 +64,19 @@ class ArchitectureRulesTest {
         assertThatExceptionOfType(AssertionError.class)
                 .isThrownBy(rules::onlyTheCommandLineTalksToTheConsole)
                 .withMessageContaining("Offender.print");
+    }
+
+    @Test
+    void findAgentsAndRobotSystemsThatSeeEachOther() {
+        assertThatExceptionOfType(AssertionError.class)
+                .isThrownBy(rules::agentsDoNotSeeWhereRobotsComeFrom)
+                .withMessageContaining("rsal.agents.offending.Seer");
+        assertThatExceptionOfType(AssertionError.class)
+                .isThrownBy(rules::robotSystemsDoNotSeeAgents)
+                .withMessageContaining("rsal.sim.offending.Seen");
+        assertThatExceptionOfType(AssertionError.class)
+                .isThrownBy(rules::packagesKnowEachOtherOneWayOnly)
+                .withMessageContainingAll("rsal.agents.offending", "rsal.sim.offending");
     }
 
     private static final class Rules extends ArchitectureRules {
@@ -76,6 +99,18 @@ class ArchitectureRulesTest {
             Thread.sleep(1);
         }
 
+        void doze() throws InterruptedException {
+            TimeUnit.SECONDS.sleep(1);
+        }
+
+        void park() {
+            LockSupport.parkNanos(1);
+        }
+
+        Supplier<Instant> handsOutTheClock() {
+            return Instant::now;
+        }
+
         CompletableFuture<String> timeout(CompletableFuture<String> future) {
             return future.orTimeout(1, TimeUnit.SECONDS);
         }
@@ -88,12 +123,24 @@ class ArchitectureRulesTest {
             return list.parallelStream().count();
         }
 
+        void sort(double[] values) {
+            Arrays.parallelSort(values);
+        }
+
         double random() {
             return Math.random();
         }
 
         Random unseeded() {
             return new Random();
+        }
+
+        Supplier<Random> handsOutRandomness() {
+            return Random::new;
+        }
+
+        void shuffle(List<String> list) {
+            Collections.shuffle(list);
         }
 
         Random seeded() {
