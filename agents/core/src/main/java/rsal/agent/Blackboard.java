@@ -19,15 +19,20 @@ public final class Blackboard {
 
     /// Writes a note that stays for a time.
     public <M> void write(Topic<M> topic, String name, M content, Duration lifetime) {
-        erase(topic, name);
         Instant now = clock.instant();
-        notes.add(new Note<>(topic, name, content, now, Optional.of(now.plus(lifetime))));
+        boolean outlivesTime = lifetime.compareTo(Duration.between(now, Instant.MAX)) > 0;
+        add(new Note<>(topic, name, content, now, outlivesTime ? Optional.empty() : Optional.of(now.plus(lifetime))));
     }
 
     /// Writes a note that stays until it is erased.
     public <M> void write(Topic<M> topic, String name, M content) {
-        erase(topic, name);
-        notes.add(new Note<>(topic, name, content, clock.instant(), Optional.empty()));
+        add(new Note<>(topic, name, content, clock.instant(), Optional.empty()));
+    }
+
+    private void add(Note<?> note) {
+        fade(); // else a board that nobody reads would grow for ever
+        erase(note.topic, note.name);
+        notes.add(note);
     }
 
     public void erase(Topic<?> topic, String name) {

@@ -1,6 +1,7 @@
 package rsal.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.InstanceOfAssertFactories.LIST;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -33,6 +34,21 @@ class BlackboardTest {
         assertThat(board.read(NUMBERS, "one")).isPresent();
         board.erase(NUMBERS, "one");
         assertThat(board.all()).isEmpty();
+    }
+
+    @Test
+    void lifetimesMayBeLongerThanTimeItself() {
+        board.write(NUMBERS, "one", 1, Duration.ofSeconds(Long.MAX_VALUE));
+        clock.advance(Duration.ofDays(365));
+        assertThat(board.read(NUMBERS, "one")).isPresent();
+    }
+
+    @Test
+    void fadedNotesTakeNoPlaceThoughNobodyReads() {
+        board.write(NUMBERS, "one", 1, Duration.ofSeconds(1));
+        clock.advance(Duration.ofSeconds(1));
+        board.write(OTHERS, "two", 2);
+        assertThat(board).extracting("notes").asInstanceOf(LIST).hasSize(1);
     }
 
     @Test
