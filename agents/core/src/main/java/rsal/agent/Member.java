@@ -89,8 +89,10 @@ final class Member implements AgentContext {
     }
 
     void stop() {
-        if (agent != null) {
-            act(agent, begun -> begun.stop(this));
+        Agent leaving = agent;
+        agent = null; // its last words may make somebody stop it again
+        if (leaving != null) {
+            act(leaving, begun -> begun.stop(this));
         }
         if (status == Society.Status.RUNNING) {
             end(Society.Status.ENDED, "");
@@ -104,7 +106,7 @@ final class Member implements AgentContext {
         }
         try {
             code.accept(value);
-        } catch (RuntimeException | StackOverflowError | AssertionError e) {
+        } catch (RuntimeException | StackOverflowError | AssertionError | LinkageError e) {
             fail(e);
         }
     }

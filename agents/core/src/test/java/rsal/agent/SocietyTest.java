@@ -128,6 +128,9 @@ class SocietyTest {
                     throw new IllegalStateException("in task");
                 }));
         run.start("endless", self -> self.scheduler().execute(this::endless));
+        run.start("in-linking", _ -> {
+            throw new NoClassDefFoundError("rsal/Missing");
+        });
         run.start("in-stop", new Agent() {
             @Override
             public void start(AgentContext self) {}
@@ -143,7 +146,13 @@ class SocietyTest {
         assertThat(run.society.views()).extracting(Society.View::status).containsOnly(Status.FAILED);
         assertThat(run.society.views())
                 .extracting(Society.View::state)
-                .containsExactly("in start", "in listener", "in task", "java.lang.StackOverflowError", "in stop");
+                .containsExactly(
+                        "in start",
+                        "in listener",
+                        "in task",
+                        "java.lang.StackOverflowError",
+                        "rsal/Missing",
+                        "in stop");
     }
 
     @SuppressWarnings("InfiniteRecursion") // on purpose
@@ -234,6 +243,27 @@ class SocietyTest {
         run.society.stop("bob");
         run.advance(1);
         assertThat(log).containsExactly("bob: bye");
+    }
+
+    @Test
+    void lastWordsAreSaidOnceThoughTheyEndTheRun() {
+        run.society.onMessage(m -> {
+            log.add(m.sender() + ": " + m.content());
+            run.society.close();
+        });
+        run.start("bob", new Agent() {
+            @Override
+            public void start(AgentContext self) {}
+
+            @Override
+            public void stop(AgentContext self) {
+                self.publish(WORDS, "bye");
+            }
+        });
+        run.advance(1);
+        run.society.stop("bob");
+        assertThat(log).containsExactly("bob: bye");
+        assertThat(run.view("bob").status()).isEqualTo(Status.ENDED);
     }
 
     @Test
