@@ -18,8 +18,8 @@ import rsal.settings.Parameter;
 /// Tells the others where a robot believes to be: whenever its localizer knows better, at most once a period, and
 /// when somebody asks. What comes too early is not lost: the newest pose goes out when the period is over.
 ///
-/// A robot without a localizer reports its odometry once a second, which is right in the map as far as its
-/// odometry started there.
+/// A robot without a localizer reports its odometry, once a second at most, which is right in the map as far as
+/// its odometry started there.
 final class Reporter {
     static final Parameter PERIOD = Parameter.number(
             "period", 0.5, 0, 60, "s", "Least time between two reports of its pose; 0 reports every one.");
@@ -53,12 +53,12 @@ final class Reporter {
         });
         localizer.ifPresentOrElse(
                 device -> self.subscribe(device, _ -> reportWhenDue()),
-                () -> self.scheduler().every(WITHOUT_LOCALIZER, this::report));
+                () -> self.scheduler().every(WITHOUT_LOCALIZER, this::reportWhenDue));
     }
 
-    /// Where the robot believes to be now; empty before it knows.
+    /// Where the robot believes to be now; empty while it does not know.
     Optional<Pose2d> mapFromBase() {
-        return newest.get();
+        return newest.get().filter(Pose2d::isFinite);
     }
 
     private static Supplier<Optional<Pose2d>> fromLocalizer(Localizer localizer) {
@@ -87,7 +87,7 @@ final class Reporter {
     }
 
     private void report() {
-        newest.get().ifPresent(mapFromBase -> {
+        mapFromBase().ifPresent(mapFromBase -> {
             due = self.scheduler().instant().plus(period);
             var report = new PoseReport(robot.id(), robot.role(), mapFromBase);
             self.publish(PoseReport.TOPIC, report);

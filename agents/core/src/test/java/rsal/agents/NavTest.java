@@ -117,6 +117,31 @@ class NavTest {
     }
 
     @Test
+    void reportsOdometryNoMoreOftenThanItIsAsked() {
+        scene.start("nav", "r1", Optional.of(r1.withoutLocalizer().with(r1.navigator)), Map.of("period", 3));
+        r1.base.roll(Pose2d.ORIGIN, scene.scheduler.instant());
+        scene.advance(9.5);
+        assertThat(scene.said("r1", PoseReport.TOPIC)).hasSize(3); // after 1, 4 and 7 s
+    }
+
+    @Test
+    void saysNothingOfAPoseThatIsNotFinite() {
+        scene.start("nav", r1, Map.of());
+        r1.isAt(Double.NaN, 0);
+        scene.advance(1);
+        assertThat(scene.said("r1", PoseReport.TOPIC)).isEmpty();
+        r1.isAt(1, 1);
+        scene.advance(1);
+        assertThat(scene.said("r1", PoseReport.TOPIC)).hasSize(1);
+    }
+
+    @Test
+    void reportedPoseMustBeAPlace() {
+        assertThatThrownBy(() -> scene.report("r1", "rover", Double.NaN, 0))
+                .isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
     void reportsItsPoseWhenAsked() {
         scene.start("nav", r1, Map.of("period", 60));
         scene.hear("operator", PoseRequest.TOPIC, new PoseRequest("r1"));

@@ -10,4 +10,10 @@ import rsal.data.Pose2d;
 /// @param mapFromBase its pose in the map frame
 public record PoseReport(String robot, String role, Pose2d mapFromBase) {
     public static final Topic<PoseReport> TOPIC = new Topic<>("pose", PoseReport.class);
+
+    public PoseReport {
+        if (!mapFromBase.isFinite()) {
+            throw new IllegalArgumentException("A robot must be somewhere, not at (%s).".formatted(mapFromBase));
+        }
+    }
 }
