@@ -22,8 +22,9 @@ public interface AgentContext {
     /// The robot it acts for; empty for those without a body.
     Optional<Robot> robot();
 
-    /// Time and timers. Tasks run on the agent's lane; one that throws ends the agent. Hand it to what comes later
-    /// from elsewhere, too: `goal.result().thenAcceptAsync(this::onArrival, self.scheduler())`.
+    /// Time and timers. Tasks run on the agent's lane; one that throws ends the agent. Hand it to what comes
+    /// later from elsewhere, too: `goal.result().thenAccept(r -> self.scheduler().execute(() -> onArrival(r)))`.
+    /// Without this, or by `thenAcceptAsync`, the stage would keep to itself what `onArrival` throws.
     Scheduler scheduler();
 
     /// A stream of this agent's own, from the run's seed and the agent's name.

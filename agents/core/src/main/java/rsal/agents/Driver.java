@@ -31,14 +31,12 @@ final class Driver {
         underWay = drive;
         drive.handle
                 .result()
-                .thenAcceptAsync(
-                        result -> {
-                            if (drive.equals(underWay)) {
-                                underWay = null;
-                            }
-                            onEnd.accept(result);
-                        },
-                        self.scheduler());
+                .thenAccept(result -> self.scheduler().execute(() -> {
+                    if (drive.equals(underWay)) {
+                        underWay = null;
+                    }
+                    onEnd.accept(result);
+                }));
     }
 
     /// Where it drives; empty when it does not.

@@ -12,10 +12,10 @@ import rsal.settings.Parameter;
 import rsal.time.LockstepScheduler;
 
 /// A society on the plain host in simulated time, with agents written as lambdas.
-final class Run {
+public final class Run {
     static final Topic<String> WORDS = new Topic<>("words", String.class);
 
-    final LockstepScheduler scheduler = new LockstepScheduler();
+    public final LockstepScheduler scheduler = new LockstepScheduler();
     final Society society = new Society(
             scheduler, new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler), Optional.empty());
 
@@ -23,7 +23,7 @@ final class Run {
         society.start(spec(name, agent, Optional.empty()));
     }
 
-    void start(String name, Agent agent, Robot robot) {
+    public void start(String name, Agent agent, Robot robot) {
         society.start(spec(name, agent, Optional.of(robot)));
     }
 
@@ -32,11 +32,11 @@ final class Run {
         start(name, self -> self.subscribe(WORDS, m -> heard.accept(m.sender() + ": " + m.content())));
     }
 
-    void advance(double seconds) {
+    public void advance(double seconds) {
         scheduler.advance(Duration.ofMillis(Math.round(seconds * 1000)));
     }
 
-    Society.View view(String name) {
+    public Society.View view(String name) {
         return society.views().stream()
                 .filter(view -> view.agent().name().equals(name))
                 .findFirst()
