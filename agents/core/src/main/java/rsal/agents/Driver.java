@@ -45,8 +45,10 @@ final class Driver {
     }
 
     void stop() {
-        if (underWay != null) {
-            underWay.handle.cancel();
+        Drive last = underWay;
+        underWay = null;
+        if (last != null) {
+            last.handle.cancel();
         }
     }
 

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
@@ -45,6 +46,7 @@ final class Hunt {
     private final Duration updateInterval;
     private final boolean nearest;
     private final int turn;
+    private final SortedSet<String> everHeardOf = new TreeSet<>(); // of its prey
     private final Set<String> caught = new HashSet<>();
     private final Map<String, String> chases = new HashMap<>();
     private @Nullable String target;
@@ -87,6 +89,9 @@ final class Hunt {
         if (!isPrey(report) && !isHunter(report)) {
             return;
         }
+        if (isPrey(report)) {
+            everHeardOf.add(report.robot());
+        }
         boolean discovered = sightings.note(report);
         if (discovered && isPrey(report)) {
             decide();
@@ -126,9 +131,7 @@ final class Hunt {
 
     /// The prey that has this hunter's number among all prey ever heard of, or the next free one after it.
     private Optional<String> inTurn(Set<String> free) {
-        var all = new TreeSet<>(free);
-        all.addAll(caught);
-        var fromItsNumberOn = new ArrayList<>(all);
+        var fromItsNumberOn = new ArrayList<>(everHeardOf);
         Collections.rotate(fromItsNumberOn, -turn);
         return fromItsNumberOn.stream().filter(free::contains).findFirst();
     }
@@ -196,7 +199,8 @@ final class Hunt {
     }
 
     private boolean isPrey(PoseReport report) {
-        return report.role().equals(preyName) || report.robot().equals(preyName);
+        boolean itself = report.robot().equals(robot.id());
+        return !itself && (report.role().equals(preyName) || report.robot().equals(preyName));
     }
 
     private boolean isHunter(PoseReport report) {

@@ -152,6 +152,40 @@ class FollowTest {
     }
 
     @Test
+    void fixedHuntersKeepTheirPreyWhenAnotherFallsSilent() {
+        FakeRobot h2 = scene.robot("h2", "hunter");
+        hunterAt(h1, 0, Map.of());
+        hunterAt(h2, 0, Map.of());
+        scene.report("p1", "prey", 10, 0);
+        for (int i = 0; i < 10; i++) {
+            scene.report("p2", "prey", 20, 0);
+            scene.report("p3", "prey", 30, 0);
+            scene.advance(2);
+        }
+        assertThat(h2.navigator.goals.getLast()).isEqualTo(at(20));
+        assertThat(h1.navigator.goals.getLast()).isEqualTo(at(20)); // helps, as its own is gone
+    }
+
+    @Test
+    void doesNotHuntItselfWhenAllHuntEachOther() {
+        hunterAt(h1, 0, Map.of("prey", "hunter"));
+        move(h1, 1);
+        assertThat(scene.state("h1")).isEqualTo("looking for prey");
+        scene.report("h2", "hunter", 10, 0);
+        assertThat(h1.navigator.goals).containsExactly(at(10));
+    }
+
+    @Test
+    void setsOffAgainAtTheInstantInWhichItHasStopped() {
+        hunterAt(h1, 0, Map.of());
+        scene.report("p1", "prey", 10, 0);
+        scene.society.publish("radio", Caught.TOPIC, new Caught("p1", "h2", 1));
+        scene.society.publish("radio", PoseReport.TOPIC, new PoseReport("p2", "prey", at(10)));
+        scene.advance(0);
+        assertThat(h1.navigator.driving()).isTrue();
+    }
+
+    @Test
     void nearestHuntersDivideThePreyWithTheLeastWayForAll() {
         FakeRobot h2 = scene.robot("h2", "hunter");
         hunterAt(h1, 0, NEAREST);
