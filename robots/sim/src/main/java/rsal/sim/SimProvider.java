@@ -13,6 +13,7 @@ import rsal.robot.RobotSystemProvider.InvalidRobots.Problem;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.sim.world.Body;
+import rsal.sim.world.World;
 import rsal.time.Scheduler;
 
 /// Makes simulated worlds. All that they do follows from their configuration and seed.
@@ -69,6 +70,13 @@ public final class SimProvider implements RobotSystemProvider {
         for (RobotSpec spec : specs) {
             if (!ids.add(spec.id())) {
                 problems.add(new Problem(spec.id(), "id", "Two robots have this id; ids must differ."));
+            }
+            if (spec.id().equals(World.WALL)) {
+                problems.add(new Problem(
+                        spec.id(),
+                        "id",
+                        "Robots run into what is called (%s); one of this id could not be told from it. Maybe (%s-1)?"
+                                .formatted(World.WALL, spec.role())));
             }
             for (String message : Ability.problems(spec.model())) {
                 problems.add(new Problem(spec.id(), "model", message));

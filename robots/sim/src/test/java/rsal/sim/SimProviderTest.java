@@ -78,6 +78,11 @@ class SimProviderTest {
     }
 
     @Test
+    void refusesARobotThatIsCalledWhatWallsAreCalledInContacts() {
+        assertRefused("id", "(wall)", robot("wall", Models.box(), new Pose2d(2, 2, 0)));
+    }
+
+    @Test
     void refusesModelsThatItCannotSimulate() {
         RobotModel model = Models.box(Models.DRIVE, Models.laser(0, Duration.ZERO));
         assertRefused("model", "period [s] must be positive", robot("r1", model, new Pose2d(2, 2, 0)));
