@@ -54,6 +54,7 @@ abstract class RangeSensor<T> extends SensorCore<T> {
     }
 
     void close(Health.Lost why) {
+        seen = null; // whoever closed may have been told by another device of this very robot
         health(why);
     }
 

@@ -6,6 +6,7 @@ import java.util.Optional;
 import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
+import rsal.device.Health;
 import rsal.device.SimulationControl;
 import rsal.sim.world.World;
 
@@ -54,5 +55,9 @@ final class SimControl extends DeviceCore implements SimulationControl {
     @Override
     public List<Contact> contacts() {
         return touches.contacts();
+    }
+
+    void close(Health.Lost why) {
+        health(why);
     }
 }

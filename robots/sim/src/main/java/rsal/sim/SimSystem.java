@@ -137,6 +137,7 @@ final class SimSystem implements RobotSystem {
             }
             var why = new Health.Lost("The simulation was closed.");
             robots.forEach(robot -> robot.close(why));
+            control.close(why);
         }
     }
 }

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.device.Device;
 import rsal.device.Health;
 import rsal.device.LaserScanner;
 import rsal.device.SimulationControl.Contact;
@@ -132,8 +133,9 @@ class SimSystemTest {
         run.advance(1);
         var told = new ArrayList<Health>();
         run.robot("r1").devices().forEach(device -> device.onHealth(told::add));
+        run.simulation.onHealth(told::add);
         run.system.close();
-        assertThat(told).hasSize(3).containsOnly(new Health.Lost("The simulation was closed."));
+        assertThat(told).hasSize(4).containsOnly(new Health.Lost("The simulation was closed."));
         assertThat(run.system.discover().toCompletableFuture()).isCompletedExceptionally();
     }
 
@@ -147,5 +149,9 @@ class SimSystemTest {
         run.advance(1);
         assertThat(run.base("r2").latest()).isEmpty();
         assertThat(run.base("r2").health().isOk()).isFalse();
+        assertThat(run.robot("r1").require(LaserScanner.class).latest()).isEmpty();
+        assertThat(run.robot("r1").devices())
+                .extracting(Device::health)
+                .containsOnly(new Health.Lost("The simulation was closed."));
     }
 }
