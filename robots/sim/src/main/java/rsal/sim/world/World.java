@@ -2,7 +2,7 @@ package rsal.sim.world;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import rsal.data.Footprint;
 import rsal.data.Pose2d;
 
@@ -42,8 +42,7 @@ public final class World {
         var outline = new Outline(footprint);
         outline.placeAt(mapFromBase);
         double fromRobots = Math.max(apart, HAIR);
-        return clearance(outline, Optional.empty(), HAIR) >= HAIR
-                && clearanceOfRobots(outline, Optional.empty(), fromRobots) >= fromRobots;
+        return clearance(outline, null, HAIR) >= HAIR && clearanceOfRobots(outline, null, fromRobots) >= fromRobots;
     }
 
     /// Puts a robot somewhere.
@@ -51,7 +50,7 @@ public final class World {
     /// @return false when it stays where it was, as something is in the way: [#obstacle]
     public boolean place(Body body, Pose2d mapFromBase) {
         body.trial.placeAt(mapFromBase);
-        boolean free = clearance(body.trial, Optional.of(body), HAIR) >= HAIR;
+        boolean free = clearance(body.trial, body, HAIR) >= HAIR;
         if (free) {
             body.outline.placeAt(mapFromBase);
         }
@@ -65,17 +64,16 @@ public final class World {
     public double advance(Body body, Arc arc) {
         double way = arc.longestWay(body.outline.radius());
         double reach = Math.clamp(way, HAIR, LOOK_AHEAD);
-        var itself = Optional.of(body);
         double made = way > 0 ? 0 : 1;
-        double free = clearance(body.outline, itself, reach);
+        double free = clearance(body.outline, body, reach);
         while (made < 1) {
             double step = Math.min(1 - made, (free + HAIR) / way);
             body.trial.placeAt(arc.at(made + step));
-            free = clearance(body.trial, itself, reach);
+            free = clearance(body.trial, body, reach);
             while (free < HAIR && step * way > HAIR / 4) {
                 step /= 2;
                 body.trial.placeAt(arc.at(made + step));
-                free = clearance(body.trial, itself, reach);
+                free = clearance(body.trial, body, reach);
             }
             if (free < HAIR) {
                 return made;
@@ -120,17 +118,18 @@ public final class World {
         return bodies;
     }
 
-    private double clearance(Outline outline, Optional<Body> itself, double reach) {
+    /// @param itself who is not in its own way; null for one that is not there yet
+    private double clearance(Outline outline, @Nullable Body itself, double reach) {
         double fromWalls = walls.separation(outline, reach);
         obstacle = WALL;
         return clearanceOfRobots(outline, itself, fromWalls);
     }
 
-    private double clearanceOfRobots(Outline outline, Optional<Body> itself, double reach) {
+    private double clearanceOfRobots(Outline outline, @Nullable Body itself, double reach) {
         double least = reach;
         for (int i = 0; i < bodies.size(); i++) {
             Body other = bodies.get(i);
-            if (itself.isEmpty() || other != itself.get()) {
+            if (other != itself) {
                 double gap = outline.separation(other.outline, least);
                 if (gap < least) {
                     least = gap;
