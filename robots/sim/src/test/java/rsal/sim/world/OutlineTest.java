@@ -30,7 +30,7 @@ class OutlineTest {
     void separationTellsOverlapFromAGapAndNeverTooMuch() {
         var random = new SplittableRandom(5);
         int overlaps = 0;
-        for (int i = 0; i < 2000; i++) {
+        for (int i = 0; i < 500; i++) {
             Pose2d a = anywhere(random);
             Pose2d b = anywhere(random);
             double separation = outline(BOX, a).separation(outline(TRIANGLE, b), 10);
@@ -41,7 +41,7 @@ class OutlineTest {
             assertThat(outline(TRIANGLE, b).separation(outline(BOX, a), 10)).isEqualTo(separation);
             overlaps += common.isEmpty() ? 0 : 1;
         }
-        assertThat(overlaps).isBetween(500, 1500);
+        assertThat(overlaps).isBetween(125, 375);
     }
 
     /// Between points all along the two borders; more than the true gap by as much as those are apart.
