@@ -4,6 +4,7 @@ import com.sun.management.OperatingSystemMXBean;
 import java.io.File;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.lang.module.ModuleDescriptor.Version;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
@@ -19,6 +20,7 @@ import picocli.CommandLine.Command;
 @Command(name = "doctor", description = "Look at this machine: is all here that RSAL needs, and if not, what to do?")
 final class DoctorCommand extends Subcommand {
     private static final long ENOUGH_MEMORY = 2L << 30;
+    private static final Version NODE_LEAST = Version.parse("20.19");
     private static final List<Path> MAC_BROWSERS =
             List.of(Path.of("/Applications/Chromium.app"), Path.of("/Applications/Google Chrome.app"));
 
@@ -105,28 +107,49 @@ final class DoctorCommand extends Subcommand {
     }
 
     private static Finding node() {
-        return tool("Node.js", "The page is built with Node.js 20.19 or newer: https://nodejs.org", "node");
+        Optional<Path> node = program("node");
+        Optional<String> version = node.flatMap(DoctorCommand::version);
+        boolean newEnough = version.map(v -> Version.parse(v.substring(1)).compareTo(NODE_LEAST) >= 0)
+                .orElse(false);
+        return new Finding(
+                "Node.js",
+                newEnough,
+                version.map(v -> v + ", " + node.orElseThrow()).orElse("not found"),
+                newEnough ? "" : "The page is built with Node.js 20.19 or newer: https://nodejs.org");
     }
 
     private static Finding chromium() {
-        String remedy = "The page's tests need it: apt-get install chromium, or brew install --cask chromium";
-        Finding found =
-                tool("Chromium", remedy, "chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
-        return MAC_BROWSERS.stream()
-                .filter(Files::exists)
-                .findFirst()
-                .map(browser -> new Finding("Chromium", true, browser.toString(), ""))
-                .orElse(found);
+        Optional<Path> browser = program("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+                .or(() -> MAC_BROWSERS.stream().filter(Files::exists).findFirst());
+        return new Finding(
+                "Chromium",
+                browser.isPresent(),
+                browser.map(Path::toString).orElse("not found"),
+                browser.isPresent()
+                        ? ""
+                        : "Some tests of the page need it: apt-get install chromium, or brew install --cask chromium");
     }
 
     /// Looks for a program on the PATH under any of its names.
-    private static Finding tool(String what, String remedy, String... names) {
+    private static Optional<Path> program(String... names) {
         String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
         return Arrays.stream(path.split(File.pathSeparator))
                 .flatMap(folder -> Arrays.stream(names).map(name -> Path.of(folder, name)))
                 .filter(Files::isExecutable)
-                .findFirst()
-                .map(program -> new Finding(what, true, program.toString(), ""))
-                .orElseGet(() -> new Finding(what, false, "not found", remedy));
+                .findFirst();
+    }
+
+    /// What a program prints when asked for its version, if that looks like one.
+    private static Optional<String> version(Path program) {
+        try {
+            var process = new ProcessBuilder(program.toString(), "--version")
+                    .redirectErrorStream(true)
+                    .start();
+            try (var reader = process.inputReader()) {
+                return Optional.ofNullable(reader.readLine()).filter(line -> line.matches("v\\d+(\\.\\d+)*"));
+            }
+        } catch (IOException _) {
+            return Optional.empty();
+        }
     }
 }
