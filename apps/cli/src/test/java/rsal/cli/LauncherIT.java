@@ -28,6 +28,7 @@ class LauncherIT {
                 public static void main(String[] args) {
                     System.out.println("args " + String.join(" ", args));
                     System.out.println("in " + System.getProperty("user.dir"));
+                    System.out.println("page " + System.getProperty("rsal.page"));
                 }
             }
             """;
@@ -44,6 +45,14 @@ class LauncherIT {
             cp main.jar apps/cli/target/lib/other.jar
             """;
 
+    private static final String NPM = """
+            #!/bin/sh
+            echo "$3 $4" >> "$2/../../builds"
+            case "$3" in
+                ci) mkdir -p "$2/node_modules"; touch "$2/node_modules/.package-lock.json";;
+                run) mkdir -p "$2/dist"; touch "$2/dist/index.html";;
+            esac
+            """;
     private static final Duration PATIENCE = Duration.ofSeconds(10);
 
     @TempDir
@@ -162,6 +171,34 @@ class LauncherIT {
         assertThat(ended.code()).isZero();
         assertThat(ended.out()).startsWith("args list\n");
         assertThat(ended.err()).isEmpty();
+    }
+
+    @Test
+    void buildsThePageOnceAndOnlyForThoseWhoLookAtIt() throws Exception {
+        layOutPage("#!/bin/sh\n");
+        assertThat(run("run", "--headless").out()).contains("page null");
+        Ended watched = run("run");
+        Ended again = run("run");
+
+        assertThat(watched.out()).contains("page " + project.toRealPath().resolve("target/launcher/page-"));
+        assertThat(again.out()).isEqualTo(watched.out());
+        assertThat(builds().subList(1, builds().size())).containsExactly("ci --no-audit", "run build");
+    }
+
+    @Test
+    void runsWithoutThePageWhereNodeIsTooOld() throws Exception {
+        layOutPage("#!/bin/sh\nexit 1\n");
+        Ended ended = run("run", "patrol.yaml");
+        assertThat(ended.code()).isZero();
+        assertThat(ended.out()).startsWith("args run patrol.yaml --headless\n");
+        assertThat(ended.err()).contains("The page needs Node.js", "apt-get install");
+    }
+
+    private void layOutPage(String node) throws IOException {
+        Path web = Files.createDirectories(project.resolve("apps/web"));
+        Files.writeString(web.resolve("package-lock.json"), "{}");
+        writeExecutable(folder.resolve("bin/node"), node);
+        writeExecutable(folder.resolve("bin/npm"), NPM);
     }
 
     @Test
