@@ -48,6 +48,7 @@ final class Rsal {
 
     Process start(String... arguments) throws IOException {
         var builder = new ProcessBuilder(command(arguments)).directory(folder.toFile());
+        builder.environment().remove("NO_COLOR");
         builder.environment().putAll(environment);
         return builder.start();
     }
