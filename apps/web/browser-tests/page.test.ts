@@ -160,7 +160,7 @@ describe.skipIf(!chromium)('the page', () => {
     const speed = page.getByTestId('speed');
     await page.getByRole('slider', { name: 'Speed' }).fill('6'); // 10×
     await eventually(async () => (await speed.innerText()) === '10×', 'the speed is 10×');
-    await eventually(async () => (await rate()) > 4, 'it runs much faster than real time');
+    await eventually(async () => (await rate()) > 2, 'it runs faster than real time');
     for (const expected of ['5×', '2×', '1×', '0.5×', '0.2×']) {
       await page.keyboard.press('-');
       await eventually(async () => (await speed.innerText()) === expected, `the speed is ${expected}`);

@@ -20,14 +20,20 @@ class Notices {
 
 export const notices = new Notices();
 
-/** Waits for a command; when it is refused, says why. */
-export async function attempt(command: Promise<unknown>): Promise<void> {
+/**
+ * Waits for a command; when it is refused, says why.
+ *
+ * @returns whether it was done
+ */
+export async function attempt(command: Promise<unknown>): Promise<boolean> {
   try {
     await command;
+    return true;
   } catch (e) {
     if (!(e instanceof RefusedError)) {
       throw e;
     }
     notices.add(e.message);
+    return false;
   }
 }

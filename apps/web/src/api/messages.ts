@@ -80,6 +80,11 @@ export interface MapInfo {
   originY: number;
 }
 
+export interface MeasureInfo {
+  name: string;
+  unit: string;
+}
+
 export interface Mistake {
   where: string;
   message: string;
@@ -140,6 +145,7 @@ export interface RunInfo {
   step: number;
   map: MapInfo;
   robots: RobotInfo[];
+  measures: MeasureInfo[];
 }
 
 export interface ServerMessage {

@@ -3,7 +3,6 @@
 module rsal.server {
     requires transitive rsal.scenarios;
     requires io.javalin;
-    requires kotlin.stdlib;
     requires org.eclipse.jetty.ee10.servlet;
     requires org.eclipse.jetty.ee10.websocket.jetty.server;
     requires org.eclipse.jetty.server;

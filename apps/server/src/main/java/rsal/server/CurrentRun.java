@@ -9,6 +9,7 @@ import rsal.scenario.run.LiveRun;
 final class CurrentRun implements AutoCloseable {
     private final Consumer<LiveRun> onStart;
     private volatile Numbered now;
+    private boolean closed;
 
     /// @param number counts this server's runs, from 1
     record Numbered(int number, LiveRun run) {
@@ -30,6 +31,9 @@ final class CurrentRun implements AutoCloseable {
     ///
     /// @throws rsal.settings.InvalidSettings with every mistake; then the run goes on
     synchronized void restart(RunOptions options) {
+        if (closed) {
+            throw new Refusal(503, "The server is ending.");
+        }
         double speed = now.run().snapshot().speed();
         RunPlan next = now.run().plan().scenario().plan(options.withSpeed(speed));
         now.run().close();
@@ -44,6 +48,7 @@ final class CurrentRun implements AutoCloseable {
 
     @Override
     public synchronized void close() {
+        closed = true;
         now.run().close();
     }
 }

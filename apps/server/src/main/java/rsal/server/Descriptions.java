@@ -28,6 +28,7 @@ import rsal.server.Messages.DeviceDetails;
 import rsal.server.Messages.Ending;
 import rsal.server.Messages.EventInfo;
 import rsal.server.Messages.MapInfo;
+import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.RobotDetails;
 import rsal.server.Messages.RobotInfo;
 import rsal.server.Messages.RunInfo;
@@ -53,7 +54,10 @@ final class Descriptions {
                 Long.toString(plan.seed()),
                 plan.step().toNanos() / 1e9,
                 map(plan.mapName(), plan.map()),
-                plan.robots().stream().map(robot -> robot(robot.spec())).toList());
+                plan.robots().stream().map(robot -> robot(robot.spec())).toList(),
+                plan.measures().stream()
+                        .map(measured -> new MeasureInfo(measured.name(), measured.unit()))
+                        .toList());
     }
 
     static List<ArgumentInfo> arguments(RunPlan plan) {

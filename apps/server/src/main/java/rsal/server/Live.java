@@ -71,10 +71,19 @@ final class Live implements AutoCloseable {
             }
             feed.look();
             for (Viewer viewer : viewers) {
-                viewer.offer(feed);
+                offer(viewer, feed);
             }
         } catch (RuntimeException e) {
             LOG.error("Could not show the run.", e); // the next snapshot may do
+        }
+    }
+
+    private void offer(Viewer viewer, Feed news) {
+        try {
+            viewer.offer(news);
+        } catch (RuntimeException e) {
+            LOG.warn("Let a viewer go that could not be sent to.", e);
+            viewers.remove(viewer);
         }
     }
 

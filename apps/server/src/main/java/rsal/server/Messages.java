@@ -36,6 +36,7 @@ final class Messages {
     /// @param seed as text: numbers in browsers end at 2⁵³
     /// @param step length of a world step [s]
     /// @param robots in the order in which frames have them
+    /// @param measures that its ending will have
     record RunInfo(
             int number,
             String scenario,
@@ -47,7 +48,8 @@ final class Messages {
             String seed,
             double step,
             MapInfo map,
-            List<RobotInfo> robots) {}
+            List<RobotInfo> robots,
+            List<MeasureInfo> measures) {}
 
     record ConfigurationInfo(String name, String title) {}
 
@@ -86,13 +88,16 @@ final class Messages {
     /// @param footprint corners in its base frame, x and y [m]
     record RobotInfo(String id, String role, String color, String model, List<List<Double>> footprint) {}
 
+    /// @param unit `m`, `s`; empty when it has none
+    record MeasureInfo(String name, String unit) {}
+
     /// What changes now and then.
     ///
     /// @param ending once the run is over
     record Details(int run, Optional<Ending> ending, List<RobotDetails> robots, List<AgentDetails> agents) {}
 
     /// @param outcome as in [rsal.scenario.run.RunResult]; `broken` when the run itself failed
-    /// @param measures by name; `null` for what could not be measured
+    /// @param measures by name (`captureTime`; `distance.prey-1` of those per robot); `null` where there was none
     /// @param outOfBounds names of the measures that are worse than the scenario allows
     /// @param failure why it broke; else empty
     record Ending(

@@ -69,7 +69,12 @@ public final class RunServer implements AutoCloseable {
             configure(config, door);
             new Api(current, gate, page).configure(config.routes);
         });
-        http.start();
+        try {
+            http.start();
+        } catch (RuntimeException e) {
+            close();
+            throw e;
+        }
     }
 
     private static ServerSocketChannel open(int port) throws IOException, PortInUse {

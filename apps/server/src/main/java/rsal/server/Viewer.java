@@ -23,8 +23,7 @@ final class Viewer {
 
         void send(byte[] bytes);
 
-        /// Whether all that was sent has left this machine's memory. What the viewer says it has taken is only its
-        /// word.
+        /// Whether all that was sent has left this process. What a viewer says it has taken is only its word.
         boolean isClear();
 
         /// Ends it without a word, since none would get through.

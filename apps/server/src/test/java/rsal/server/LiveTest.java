@@ -130,6 +130,13 @@ class LiveTest {
                             .join();
             }
             bad.socket.abort();
+            byte[] noise = new byte[random.nextInt(1, 300)];
+            random.nextBytes(noise);
+            int port = server.url().getPort();
+            assertThat(RawHttp.upgradeAndSend(port, noise, "Host: 127.0.0.1:" + port)
+                            .status())
+                    .as("seed %d, round %d", seed, i)
+                    .isEqualTo(101);
         }
         assertThat(good.next(Message::isFrame).header().getInt(0)).isEqualTo(FrameEncoder.MAGIC);
         int newest = good.newest;

@@ -34,7 +34,13 @@ final class RawHttp {
 
     /// Asks for a WebSocket as a browser does; 101 is a yes.
     static Response upgrade(int port, String... headers) throws IOException {
-        return headOf(port, """
+        return upgradeAndSend(port, new byte[0], headers);
+    }
+
+    /// Asks for a WebSocket and sends bytes there that need not be frames.
+    static Response upgradeAndSend(int port, byte[] bytes, String... headers) throws IOException {
+        var request = new ByteArrayOutputStream();
+        request.writeBytes("""
                 GET /api/live HTTP/1.1\r
                 Upgrade: websocket\r
                 Connection: Upgrade\r
@@ -42,6 +48,8 @@ final class RawHttp {
                 Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r
                 %s\r
                 """.formatted(lines(List.of(headers))).getBytes(StandardCharsets.ISO_8859_1));
+        request.writeBytes(bytes);
+        return headOf(port, request.toByteArray());
     }
 
     private static Response send(int port, String method, String path, String body, List<String> headers)

@@ -12,6 +12,7 @@ import java.net.NetworkInterface;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
@@ -458,9 +459,13 @@ class RunServerTest {
         Response response = RawHttp.upgrade(port, host);
         assertThat(response.status()).isEqualTo(101);
         server.close();
-        assertThat(Thread.getAllStackTraces().keySet())
-                .extracting(Thread::getName)
-                .noneMatch(name -> name.startsWith("server") || name.matches("run-\\d+"));
+        for (Thread thread : Thread.getAllStackTraces().keySet()) {
+            if (thread.getName().startsWith("server") || thread.getName().startsWith("run-")) {
+                assertThat(thread.join(Duration.ofSeconds(1)))
+                        .as(thread.getName())
+                        .isTrue();
+            }
+        }
         assertThatThrownBy(() -> get("/")).isInstanceOf(ConnectException.class);
         server.close(); // twice does nothing
     }
