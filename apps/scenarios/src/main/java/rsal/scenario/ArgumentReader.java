@@ -133,8 +133,11 @@ final class ArgumentReader {
         return values;
     }
 
-    /// The same settings with each `$name` replaced by the argument's value.
-    static Value.Mapping replace(Value.Mapping settings, Map<String, Object> values, Problems problems) {
+    /// The same settings with each `$name` replaced by the argument's value. Where that has none, because the name
+    /// is unknown or the argument itself is wrong, this is all that the author hears about the place.
+    static Value.Mapping replace(
+            Value.Mapping settings, List<Parameter> declared, Map<String, Object> values, Problems problems) {
+        List<String> names = declared.stream().map(Parameter::name).toList();
         return (Value.Mapping) settings.map(scalar -> {
             if (!(scalar.value() instanceof String text) || text.indexOf('$') < 0) {
                 return scalar;
@@ -145,11 +148,14 @@ final class ArgumentReader {
                 if (value != null) {
                     return new Value.Scalar(scalar.location(), value);
                 }
-                problems.add(
-                        scalar.location(),
-                        "There is no argument (%s).".formatted(reference.group(1)),
-                        Suggestion.among(reference.group(1), values.keySet()));
-            } else if (reference.reset().results().anyMatch(found -> values.containsKey(found.group(1)))) {
+                if (!names.contains(reference.group(1))) {
+                    problems.add(
+                            scalar.location(),
+                            "There is no argument (%s).".formatted(reference.group(1)),
+                            Suggestion.among(reference.group(1), names));
+                }
+                problems.settle(scalar.location());
+            } else if (reference.reset().results().anyMatch(found -> names.contains(found.group(1)))) {
                 problems.add(
                         scalar.location(),
                         "An argument stands for a whole value, never inside other text (%s).".formatted(text),

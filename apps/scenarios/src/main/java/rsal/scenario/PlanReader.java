@@ -56,7 +56,8 @@ final class PlanReader {
         Value.Mapping merged = scenario.settings()
                 .without("configurations")
                 .merge(chosen(over.without("args").without("title")));
-        Value.Mapping body = ArgumentReader.replace(merged.without("arguments"), arguments, problems);
+        Value.Mapping body =
+                ArgumentReader.replace(merged.without("arguments"), scenario.arguments(), arguments, problems);
         var root = new Section("", body, problems);
         for (String header : List.of("rsal", "scenario", "title", "description")) {
             root.has(header); // Scenario has read them

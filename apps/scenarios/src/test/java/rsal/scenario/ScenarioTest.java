@@ -304,6 +304,18 @@ class ScenarioTest {
     }
 
     @Test
+    void aMistakeIsToldOnceAndNotAgainForWhatFollowsFromIt() {
+        assertThat(mistakes(GOOD.replace("type: integer, default: 2", "type: integer, default: 9"))
+                        .lines())
+                .as("the argument stands for the number of hunters")
+                .hasSize(1);
+        assertThat(mistakes(GOOD.replace("count: $hunters", "count: $huntrs")).lines())
+                .as("its value isn't a number")
+                .filteredOn(line -> line.startsWith("good.yaml"))
+                .hasSize(1);
+    }
+
+    @Test
     void mistakesOfOptionsAreToldToo() {
         Scenario scenario = scenario(GOOD);
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withConfiguration("secnd")))

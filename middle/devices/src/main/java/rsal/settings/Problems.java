@@ -1,18 +1,28 @@
 package rsal.settings;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /// Collects the mistakes of a document, so that its author hears of all of them at once.
 public final class Problems {
     private final List<Problem> problems = new ArrayList<>();
+    private final Set<Location> settled = new HashSet<>();
 
     public void add(Location location, String message, String remedy) {
-        problems.add(new Problem(location, message, remedy));
+        add(new Problem(location, message, remedy));
     }
 
     public void add(Problem problem) {
-        problems.add(problem);
+        if (!settled.contains(problem.location())) {
+            problems.add(problem);
+        }
+    }
+
+    /// Enough has been said about what stands at a place: what else is wrong with it follows from that.
+    public void settle(Location location) {
+        settled.add(location);
     }
 
     public boolean isEmpty() {

@@ -147,7 +147,7 @@ final class Observer implements Facts {
 
     @Override
     public double time() {
-        return elapsed().toNanos() * 1e-9;
+        return elapsed().toNanos() / 1e9; // not * 1e-9, which makes 147.6 s 147.60000000000002
     }
 
     @Override
