@@ -8,7 +8,7 @@ const SEED = '42';
 
 describe.skipIf(!chromium)('the page', () => {
   let rsal: Rsal;
-  let browser: Browser;
+  let browser: Browser | undefined;
   let contexts: BrowserContext[] = [];
   /** What no page may do: fail, break its security policy, call somebody else. */
   let faults: string[] = [];
@@ -22,8 +22,8 @@ describe.skipIf(!chromium)('the page', () => {
   });
 
   afterAll(async () => {
-    await browser.close();
-    await rsal.end();
+    await browser?.close();
+    await Rsal.endAll();
   });
 
   beforeEach(async () => {
@@ -40,7 +40,7 @@ describe.skipIf(!chromium)('the page', () => {
   });
 
   async function open(url: string, options: Parameters<Browser['newContext']>[0] = {}): Promise<Page> {
-    const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+    const context = await browser!.newContext({ viewport: { width: 1280, height: 720 }, ...options });
     contexts.push(context);
     const opened = await context.newPage();
     opened.on('pageerror', (error) => faults.push(error.message));
@@ -379,7 +379,7 @@ describe.skipIf(!chromium)('the page', () => {
 
   it('says when the server is gone, and comes back with it', async () => {
     const first = await Rsal.run('hunt-and-prey', '--port', '0');
-    const context = await browser.newContext();
+    const context = await browser!.newContext();
     contexts.push(context);
     page = await context.newPage();
     await page.goto(first.origin);
@@ -390,6 +390,5 @@ describe.skipIf(!chromium)('the page', () => {
     await page.getByText('The server is gone.').waitFor({ state: 'hidden' });
     await page.locator('header').getByText('seed 7').waitFor();
     await page.locator('tr[data-robot][data-x]').first().waitFor();
-    await second.end();
   });
 });

@@ -7,6 +7,8 @@ const launcher = process.env.RSAL ?? fileURLToPath(new URL('../../../rsal', impo
 
 /** A run with its page, in a process of its own. */
 export class Rsal {
+  private static readonly started = new Set<Rsal>();
+
   private constructor(
     private readonly process: ChildProcess,
     /** With the token. */
@@ -29,7 +31,14 @@ export class Rsal {
       child.on('error', reject);
       child.on('exit', (code) => reject(new Error(`${launcher} ended with ${String(code)}:\n${output}`)));
     });
-    return new Rsal(child, url);
+    const rsal = new Rsal(child, url);
+    Rsal.started.add(rsal);
+    return rsal;
+  }
+
+  /** Ends all that a test has left, however it went. */
+  static async endAll(): Promise<void> {
+    await Promise.all([...Rsal.started].map((rsal) => rsal.end()));
   }
 
   get origin(): string {
@@ -57,6 +66,7 @@ export class Rsal {
   }
 
   async end(): Promise<void> {
+    Rsal.started.delete(this);
     if (this.process.exitCode === null) {
       const ended = once(this.process, 'exit');
       this.process.kill('SIGINT');
