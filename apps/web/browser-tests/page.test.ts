@@ -386,7 +386,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.locator('tr[data-robot][data-x]').first().waitFor();
     await first.end();
     await page.getByText('The server is gone.').waitFor();
-    const second = await Rsal.run('hunt-and-prey', '--port', first.port, '--seed', '7');
+    await Rsal.run('hunt-and-prey', '--port', first.port, '--seed', '7');
     await page.getByText('The server is gone.').waitFor({ state: 'hidden' });
     await page.locator('header').getByText('seed 7').waitFor();
     await page.locator('tr[data-robot][data-x]').first().waitFor();
