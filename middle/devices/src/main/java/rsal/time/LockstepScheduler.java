@@ -13,8 +13,8 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.FutureTask;
-import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /// Simulated time. It stands still while tasks run, then jumps to the next: tasks run by time, then [Phase], then
 /// the order in which they were scheduled. Same tasks, same order, however many workers there are and however
@@ -30,10 +30,11 @@ public final class LockstepScheduler implements Scheduler {
     private final Queue<Runnable> fromOutside = new ConcurrentLinkedQueue<>();
     private final ArrayDeque<Runnable> next = new ArrayDeque<>();
     private final List<FutureTask<Runnable>> work = new ArrayList<>();
+    private final ArrayDeque<FutureTask<Runnable>> done = new ArrayDeque<>(); // but not completed
     private final Executor workers;
     private final Instant start;
     private volatile Instant now;
-    private volatile Thread thread;
+    private volatile @Nullable Thread thread; // none before the first advance: who made it may not be who runs it
     private long nanos;
     private long order;
 
@@ -42,7 +43,6 @@ public final class LockstepScheduler implements Scheduler {
         this.start = start;
         this.now = start;
         this.workers = workers;
-        this.thread = Thread.currentThread();
     }
 
     /// Starts at the epoch and computes on the caller's thread.
@@ -81,23 +81,6 @@ public final class LockstepScheduler implements Scheduler {
             throw new IllegalArgumentException("A period must be positive, not (%s).".formatted(period));
         }
         return add(new Entry(Math.addExact(nanos, step), phase, step, task));
-    }
-
-    @Override
-    public <T> CompletionStage<T> within(Duration limit, CompletionStage<T> stage) {
-        var result = new CompletableFuture<T>();
-        Task timer = after(
-                limit,
-                () -> result.completeExceptionally(new TimeoutException("No answer within %s.".formatted(limit))));
-        stage.whenComplete((value, error) -> {
-            timer.cancel();
-            if (error == null) {
-                result.complete(value);
-            } else {
-                result.completeExceptionally(error);
-            }
-        });
-        return result;
     }
 
     @Override
@@ -187,20 +170,23 @@ public final class LockstepScheduler implements Scheduler {
 
     private void settle() {
         runNext();
-        while (!work.isEmpty()) {
-            var batch = List.copyOf(work);
-            work.clear();
-            if (batch.size() == 1) {
-                batch.getFirst().run(); // not worth a hand-over
-            } else {
-                batch.forEach(workers::execute);
-                batch.forEach(FutureTask::run); // helps: a task runs only once, here or there
-            }
-            for (FutureTask<Runnable> done : batch) {
-                completion(done).run();
+        while (!work.isEmpty() || !done.isEmpty()) {
+            runWork();
+            while (!done.isEmpty()) {
+                completion(done.remove()).run();
                 runNext();
             }
         }
+    }
+
+    private void runWork() {
+        var batch = List.copyOf(work);
+        work.clear();
+        if (batch.size() > 1) { // one alone is not worth a hand-over
+            batch.forEach(workers::execute);
+        }
+        batch.forEach(FutureTask::run); // helps: each runs only once, here or there
+        done.addAll(batch);
     }
 
     private static Runnable completion(FutureTask<Runnable> done) {

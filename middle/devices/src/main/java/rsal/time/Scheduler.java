@@ -2,8 +2,10 @@ package rsal.time;
 
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 
 /// What time it is, and which code runs when. Tasks of one scheduler never overlap: all callbacks, behaviors and
@@ -30,8 +32,23 @@ public interface Scheduler extends InstantSource, Executor {
         return every(period, Phase.THINK, task);
     }
 
-    /// The stage's own ending, or a [TimeoutException] when it has none within the limit.
-    <T> CompletionStage<T> within(Duration limit, CompletionStage<T> stage);
+    /// The stage's own ending, or a [TimeoutException] when it has none within the limit. Comes on the scheduler's
+    /// thread, whichever thread ends the stage.
+    default <T> CompletionStage<T> within(Duration limit, CompletionStage<T> stage) {
+        var result = new CompletableFuture<T>();
+        Task timer = after(
+                limit,
+                () -> result.completeExceptionally(new TimeoutException("No answer within %s.".formatted(limit))));
+        stage.whenComplete((value, error) -> execute(() -> {
+            timer.cancel();
+            if (error == null) {
+                result.complete(value);
+            } else {
+                result.completeExceptionally(error);
+            }
+        }));
+        return result;
+    }
 
     /// Heavy work of one robot. It runs on another thread, beside the work that other robots hand in during the
     /// same phase, and may touch only what nobody else touches meanwhile. In simulated time it is done before the

@@ -8,7 +8,6 @@ import java.util.PriorityQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
-import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -76,23 +75,6 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     }
 
     @Override
-    public <T> CompletionStage<T> within(Duration limit, CompletionStage<T> stage) {
-        var result = new CompletableFuture<T>();
-        Task timer = after(
-                limit,
-                () -> result.completeExceptionally(new TimeoutException("No answer within %s.".formatted(limit))));
-        stage.whenComplete((value, error) -> {
-            timer.cancel();
-            if (error == null) {
-                result.complete(value);
-            } else {
-                result.completeExceptionally(error);
-            }
-        });
-        return result;
-    }
-
-    @Override
     public <T> CompletionStage<T> compute(Supplier<T> work) {
         var result = new CompletableFuture<T>();
         workers.execute(() -> {
@@ -146,7 +128,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     private void report(Throwable failure) {
         try {
             onFailure.accept(failure);
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             LOG.log(Level.ERROR, "The handler of failures failed itself.", e);
         }
     }

@@ -133,6 +133,19 @@ public abstract class SchedulerContract {
     }
 
     @Test
+    void withinAnswersOnItsOwnThreadWhoeverAnswers() throws InterruptedException {
+        var threads = new ArrayList<Thread>();
+        var thread = onScheduler(Thread::currentThread);
+        var answer = new CompletableFuture<String>();
+        var within = onScheduler(() -> scheduler()
+                .within(Duration.ofMinutes(1), answer)
+                .whenComplete((_, _) -> threads.add(Thread.currentThread())));
+        Thread.ofPlatform().start(() -> answer.complete("from elsewhere")).join();
+        assertThat(await(within.toCompletableFuture())).isEqualTo("from elsewhere");
+        assertThat(threads).containsExactly(thread);
+    }
+
+    @Test
     void computesBesideAndCompletesOnItsOwnThread() {
         var threads = new ArrayList<Thread>();
         var thread = onScheduler(Thread::currentThread);

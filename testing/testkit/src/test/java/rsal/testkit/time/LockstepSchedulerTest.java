@@ -81,6 +81,21 @@ class LockstepSchedulerTest extends SchedulerContract {
         assertThat(ran).containsExactly("same time", "later", "later");
     }
 
+    @Test
+    void computationsEndEvenIfATaskAmongThemThrows() {
+        var ended = new ArrayList<String>();
+        run.compute(() -> "first").thenAccept(value -> {
+            ended.add(value);
+            run.execute(() -> {
+                throw new IllegalStateException("thrown between two computations");
+            });
+        });
+        run.compute(() -> "second").thenAccept(ended::add);
+        assertThatIllegalStateException().isThrownBy(() -> run.advance(millis(10)));
+        run.advance(millis(10));
+        assertThat(ended).containsExactly("first", "second");
+    }
+
     /// Tasks that make and cancel tasks, compared with a list that is searched for the first each time.
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})

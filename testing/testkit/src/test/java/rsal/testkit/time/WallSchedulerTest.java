@@ -65,7 +65,7 @@ class WallSchedulerTest extends SchedulerContract {
     @Test
     void aHandlerThatThrowsDoesNotEndItEither() {
         try (var fragile = new WallScheduler("run-fragile", workers, _ -> {
-            throw new IllegalStateException("The handler of a test.");
+            throw new AssertionError("The handler of a test.");
         })) {
             fragile.execute(() -> {
                 throw new IllegalStateException("A task of a test.");
