@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
-import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 
@@ -31,9 +30,57 @@ public final class SectorFusion {
     private static final double CONE = 0.5;
 
     private final double limit;
-    private final @Nullable Instant[] seenAt = new Instant[Surroundings.SECTORS];
-    private Surroundings last = new Surroundings(nothing());
-    private Pose2d odomFromLast = Pose2d.ORIGIN;
+    private Memory memory = new Memory();
+    private Memory spare = new Memory();
+    private @Nullable Fan fan;
+
+    /// What the laser saw, by the sector that it is in now: where in the odometry frame [m], and when. Sectors are
+    /// too coarse to be moved along by each small turn.
+    private static final class Memory {
+        private final double[] x = new double[Surroundings.SECTORS];
+        private final double[] y = new double[Surroundings.SECTORS];
+        private final @Nullable Instant[] seen = new Instant[Surroundings.SECTORS];
+
+        void put(int sector, double odomX, double odomY, Instant time) {
+            x[sector] = odomX;
+            y[sector] = odomY;
+            seen[sector] = time;
+        }
+    }
+
+    /// The directions that a laser's beams stand for, in the base frame: the same for all its scans.
+    private static final class Fan {
+        private final Pose2d baseFromLaser;
+        private final double angleMin;
+        private final double angleIncrement;
+        private final int count;
+        private final int copies; // a coarse scanner's beams stand for all between them
+        private final double[] cos;
+        private final double[] sin;
+
+        Fan(LaserScan scan) {
+            baseFromLaser = scan.baseFromLaser();
+            angleMin = scan.angleMin();
+            angleIncrement = scan.angleIncrement();
+            count = scan.count();
+            copies = Math.max(1, (int) Math.ceil(Math.abs(angleIncrement) / Surroundings.WIDTH));
+            cos = new double[count * copies];
+            sin = new double[count * copies];
+            for (int i = 0; i < cos.length; i++) {
+                double beside = ((i % copies + 0.5) / copies - 0.5) * angleIncrement;
+                double direction = baseFromLaser.theta() + scan.angle(i / copies) + beside;
+                cos[i] = Math.cos(direction);
+                sin[i] = Math.sin(direction);
+            }
+        }
+
+        boolean isOf(LaserScan scan) {
+            return count == scan.count()
+                    && angleMin == scan.angleMin()
+                    && angleIncrement == scan.angleIncrement()
+                    && baseFromLaser.equals(scan.baseFromLaser());
+        }
+    }
 
     /// @param limit things farther away than this do not count [m]
     public SectorFusion(double limit) {
@@ -44,35 +91,48 @@ public final class SectorFusion {
     public Surroundings fuse(Instant now, Pose2d odomFromBase, Optional<LaserScan> laser, Optional<RangeArray> sonars) {
         float[] ranges = nothing();
         laser.ifPresent(scan -> look(scan, ranges));
-        float[] sharp = ranges.clone();
-        sonars.ifPresent(round -> listen(round, sharp, ranges));
-        remember(now, odomFromBase, sharp, ranges);
-        last = new Surroundings(ranges);
-        odomFromLast = odomFromBase;
-        return last;
+        float[] seen = ranges.clone();
+        sonars.ifPresent(round -> listen(round, seen, ranges));
+        recall(now, odomFromBase, ranges);
+        remember(now, odomFromBase, seen);
+        return new Surroundings(ranges);
     }
 
-    private void remember(Instant now, Pose2d odomFromBase, float[] sharp, float[] ranges) {
-        Pose2d baseFromLast = odomFromBase.inverse().compose(odomFromLast);
-        float[] seen = ranges.clone();
-        @Nullable Instant[] before = seenAt.clone();
-        for (int sector = 0; sector < sharp.length; sector++) {
-            seenAt[sector] = Float.isNaN(sharp[sector]) ? null : now;
-        }
-        for (int from = 0; from < ranges.length; from++) {
-            float range = last.range(from);
-            Instant then = before[from];
-            if (!(range < Float.POSITIVE_INFINITY)
-                    || then == null
-                    || then.plus(REMEMBERED).isBefore(now)) {
+    /// Adds what is remembered of sectors that no sensor looks into. The rest is forgotten.
+    private void recall(Instant now, Pose2d odomFromBase, float[] ranges) {
+        float[] sensed = ranges.clone();
+        double cos = Math.cos(odomFromBase.theta());
+        double sin = Math.sin(odomFromBase.theta());
+        Memory before = memory;
+        memory = spare;
+        spare = before;
+        Arrays.fill(memory.seen, null);
+        for (int i = 0; i < Surroundings.SECTORS; i++) {
+            Instant then = before.seen[i];
+            if (then == null || then.plus(REMEMBERED).isBefore(now)) {
                 continue;
             }
-            Point2d thing = baseFromLast.transform(last.thing(from));
-            int sector = Surroundings.sector(Math.atan2(thing.y(), thing.x()));
-            float noted = (float) Math.hypot(thing.x(), thing.y());
-            if (Float.isNaN(seen[sector]) && !(ranges[sector] <= noted)) {
-                ranges[sector] = noted;
-                seenAt[sector] = then;
+            double dx = before.x[i] - odomFromBase.x();
+            double dy = before.y[i] - odomFromBase.y();
+            double x = cos * dx + sin * dy;
+            double y = cos * dy - sin * dx;
+            int sector = Surroundings.sector(Math.atan2(y, x));
+            float range = (float) Math.hypot(x, y);
+            if (Float.isNaN(sensed[sector]) && !(ranges[sector] <= range)) {
+                ranges[sector] = range;
+                memory.put(sector, before.x[i], before.y[i], then);
+            }
+        }
+    }
+
+    private void remember(Instant now, Pose2d odomFromBase, float[] seen) {
+        double cos = Math.cos(odomFromBase.theta());
+        double sin = Math.sin(odomFromBase.theta());
+        for (int sector = 0; sector < seen.length; sector++) {
+            if (seen[sector] < Float.POSITIVE_INFINITY) {
+                double x = seen[sector] * Surroundings.cos(sector);
+                double y = seen[sector] * Surroundings.sin(sector);
+                memory.put(sector, odomFromBase.x() + cos * x - sin * y, odomFromBase.y() + sin * x + cos * y, now);
             }
         }
     }
@@ -84,13 +144,15 @@ public final class SectorFusion {
     }
 
     private void look(LaserScan scan, float[] ranges) {
-        int copies = Math.max(1, (int) Math.ceil(Math.abs(scan.angleIncrement()) / Surroundings.WIDTH));
-        for (int beam = 0; beam < scan.count(); beam++) {
-            double range = measured(scan.ranges()[beam], scan.rangeMin(), scan.rangeMax());
-            for (int copy = 0; copy < copies; copy++) { // a coarse scanner's beams stand for all between them
-                double angle = scan.angle(beam) + ((copy + 0.5) / copies - 0.5) * scan.angleIncrement();
-                note(scan.baseFromLaser(), angle, range, ranges);
-            }
+        Fan beams = fan;
+        if (beams == null || !beams.isOf(scan)) {
+            beams = new Fan(scan);
+            fan = beams;
+        }
+        Pose2d mount = scan.baseFromLaser();
+        for (int i = 0; i < beams.cos.length; i++) {
+            double range = measured(scan.ranges()[i / beams.copies], scan.rangeMin(), scan.rangeMax());
+            note(mount, beams.cos[i], beams.sin[i], range, ranges);
         }
     }
 
@@ -106,7 +168,8 @@ public final class SectorFusion {
                 double angle = cone * ((double) step / steps - 0.5);
                 boolean unseen = Float.isNaN(seen[sector(baseFromSonar, angle, range)]);
                 if (unseen || !explained) {
-                    note(baseFromSonar, angle, range, ranges);
+                    double direction = baseFromSonar.theta() + angle;
+                    note(baseFromSonar, Math.cos(direction), Math.sin(direction), range, ranges);
                 }
             }
         }
@@ -118,8 +181,8 @@ public final class SectorFusion {
         for (int step = 0; step <= steps; step++) {
             int sector = sector(baseFromSonar, fieldOfView * ((double) step / steps - 0.5), range);
             if (seen[sector] < Float.POSITIVE_INFINITY) {
-                double x = seen[sector] * Math.cos(Surroundings.direction(sector)) - baseFromSonar.x();
-                double y = seen[sector] * Math.sin(Surroundings.direction(sector)) - baseFromSonar.y();
+                double x = seen[sector] * Surroundings.cos(sector) - baseFromSonar.x();
+                double y = seen[sector] * Surroundings.sin(sector) - baseFromSonar.y();
                 nearest = Math.min(nearest, Math.hypot(x, y));
             }
         }
@@ -135,15 +198,16 @@ public final class SectorFusion {
         return range > Math.min(max, limit) ? Double.POSITIVE_INFINITY : range;
     }
 
-    private void note(Pose2d baseFromSensor, double angle, double range, float[] ranges) {
+    /// @param cos of the direction in the base frame
+    private void note(Pose2d baseFromSensor, double cos, double sin, double range, float[] ranges) {
         if (Double.isNaN(range)) {
             return;
         }
         double reach = Math.min(range, limit);
-        double x = baseFromSensor.x() + reach * Math.cos(baseFromSensor.theta() + angle);
-        double y = baseFromSensor.y() + reach * Math.sin(baseFromSensor.theta() + angle);
+        double x = baseFromSensor.x() + reach * cos;
+        double y = baseFromSensor.y() + reach * sin;
         int sector = Surroundings.sector(Math.atan2(y, x));
-        float noted = range < Double.POSITIVE_INFINITY ? (float) Math.hypot(x, y) : Float.POSITIVE_INFINITY;
+        float noted = range < Double.POSITIVE_INFINITY ? (float) Math.sqrt(x * x + y * y) : Float.POSITIVE_INFINITY;
         if (!(ranges[sector] <= noted)) { // also when nothing was noted yet
             ranges[sector] = noted;
         }

@@ -1,7 +1,6 @@
 package rsal.behavior;
 
 import rsal.data.Angles;
-import rsal.data.Point2d;
 
 /// How far a robot can see around itself: the distance from the base's origin to the nearest thing in each of
 /// [#SECTORS] equal sectors, counter-clockwise from straight behind. +∞ means that nothing is there as far as the
@@ -53,13 +52,18 @@ public final class Surroundings {
         return -Math.PI + (sector + 0.5) * WIDTH;
     }
 
-    public float range(int sector) {
-        return ranges[sector];
+    /// Cosine of a sector's direction.
+    static double cos(int sector) {
+        return COS[sector];
     }
 
-    /// Where the nearest thing of a sector is, in the base frame; only of one that has a thing in it.
-    Point2d thing(int sector) {
-        return new Point2d(ranges[sector] * COS[sector], ranges[sector] * SIN[sector]);
+    /// Sine of a sector's direction.
+    static double sin(int sector) {
+        return SIN[sector];
+    }
+
+    public float range(int sector) {
+        return ranges[sector];
     }
 
     /// How many sectors have a thing in them.

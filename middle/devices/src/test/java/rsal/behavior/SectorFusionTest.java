@@ -8,6 +8,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
@@ -79,6 +81,34 @@ class SectorFusionTest {
         assertThat(fusion.fuse(Instant.ofEpochSecond(11), ahead, Optional.empty(), Optional.empty())
                         .things())
                 .isZero();
+    }
+
+    /// Turns that are no whole sectors, to the left by 40° in all.
+    @ParameterizedTest
+    @ValueSource(ints = {100, 60, 45, 32, 8})
+    void whatItRemembersStaysWhereItIsWhileTheRobotTurns(int updates) {
+        float[] ranges = ranges(Float.POSITIVE_INFINITY);
+        ranges[2] = 1; // 89° to the right
+        var scan = new LaserScan(Pose2d.ORIGIN, Math.toRadians(-90), Math.toRadians(0.5), 0.05, 30, ranges);
+        var fusion = new SectorFusion(5);
+        Surroundings around = fusion.fuse(Instant.EPOCH, Pose2d.ORIGIN, Optional.of(scan), Optional.empty());
+        for (int update = 1; update <= updates; update++) {
+            around = fusion.fuse(
+                    Instant.EPOCH.plusMillis(90L * update),
+                    Pose2d.ofDegrees(0, 0, 40.0 * update / updates),
+                    Optional.empty(),
+                    Optional.empty());
+        }
+        assertThat(around.things()).isEqualTo(1);
+        assertThat(around.nearest(Math.toRadians(-131), Math.toRadians(-127))).isCloseTo(1, within(0.01));
+    }
+
+    @Test
+    void whatSonarsHearIsNotRememberedEvenWhereTheLaserLooks() {
+        var fusion = new SectorFusion(5);
+        fusion.fuse(Instant.EPOCH, Pose2d.ORIGIN, Optional.of(scan(3)), Optional.of(sonar(1)));
+        Surroundings later = fusion.fuse(Instant.ofEpochMilli(100), Pose2d.ORIGIN, Optional.empty(), Optional.empty());
+        assertThat(later.nearest(-0.05, 0.05)).isCloseTo(3.1, within(0.05));
     }
 
     /// Without a memory.
