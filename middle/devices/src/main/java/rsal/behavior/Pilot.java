@@ -23,7 +23,7 @@ import rsal.robot.Robot;
 /// `<robot>/base_link`.
 ///
 /// When odometry or a range sensor falls silent it stands still and is stale until they are back. When a behavior
-/// throws it stands still, lets go of the stack and is lost until it is given another.
+/// throws, or wants what is not finite, it stands still, lets go of the stack and is lost until it is given another.
 public final class Pilot extends SensorCore<Decision> {
     static final Duration PERIOD = Duration.ofMillis(100);
 
@@ -70,10 +70,13 @@ public final class Pilot extends SensorCore<Decision> {
 
     void update() {
         Subsumption driving = stack;
+        Instant now = clock.instant();
         if (driving == null) {
+            if (health() instanceof Health.Stale && silent(now).isEmpty()) {
+                health(Health.ok());
+            }
             return;
         }
-        Instant now = clock.instant();
         Optional<String> silent = silent(now);
         if (silent.isPresent()) {
             base.command(Twist2d.STOP);
@@ -83,6 +86,10 @@ public final class Pilot extends SensorCore<Decision> {
         Decision decision;
         try {
             decision = driving.decide(percept(now));
+            if (!decision.twist().isFinite()) {
+                throw new IllegalStateException(
+                        "Layer (%s) wants (%s).".formatted(decision.inCharge(), decision.twist()));
+            }
         } catch (RuntimeException e) {
             LOG.log(Level.ERROR, () -> "A behavior of (%s) failed.".formatted(info().id()), e);
             release();

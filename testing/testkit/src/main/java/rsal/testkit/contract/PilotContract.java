@@ -109,6 +109,16 @@ public abstract class PilotContract extends SensorContract<Decision, Pilot> {
     }
 
     @Test
+    void aBehaviorThatWantsWhatIsNoNumberCountsAsOneThatThrows() {
+        wake();
+        advance(1);
+        device().engage(new Subsumption().layer("dizzy", (_, _) -> Twist2d.drive(0.3, Double.NaN)));
+        advance(1);
+        assertThat(device().engaged()).isFalse();
+        assertThat(device().health()).isInstanceOf(Health.Lost.class);
+    }
+
+    @Test
     void behaviorsPerceiveWhatTheSensorsSee() {
         var percepts = new ArrayList<Percept>();
         device().engage(new Subsumption().layer("look", (percept, below) -> {

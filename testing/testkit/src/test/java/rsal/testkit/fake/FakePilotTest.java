@@ -29,4 +29,18 @@ class FakePilotTest extends PilotContract {
         assertThat(device().health().isOk()).isTrue();
         assertThat(base.commands().getLast()).isEqualTo(Twist2d.drive(0.3, 0));
     }
+
+    @Test
+    void releasedItIsWellAgainWhenOdometryIsBack() {
+        FakeDriveBase base = robot().require(FakeDriveBase.class);
+        wake();
+        base.turn(new Health.Lost("unplugged by a test"));
+        run.advance(Duration.ofSeconds(2));
+        device().release();
+        run.advance(Duration.ofSeconds(1));
+        assertThat(device().health().isOk()).isFalse();
+        base.turn(Health.ok());
+        run.advance(Duration.ofSeconds(1));
+        assertThat(device().health().isOk()).isTrue();
+    }
 }
