@@ -200,9 +200,8 @@ final class PathNavigator extends DeviceCore implements Navigator {
                 + STRANGER_ROOM_PER_SPEED * odometry.get().value().velocity().speed();
         keepOffStrangers(estimate.get().value().mapFromBase(), room);
         scan.ifPresent(s -> {
-            int seen = obstacles.count();
             blindSpot.recall(s.value(), odomFromBase, scheduler.instant(), room, obstacles);
-            blindSpot.note(obstacles, seen, odomFromBase, scheduler.instant());
+            blindSpot.note(s.value(), obstacles, odomFromBase, scheduler.instant());
             addWallsBehind(estimate.get().value().mapFromBase());
         });
         return Optional.of(new Situation(

@@ -26,31 +26,26 @@ public final class BlindSpot {
         this.fades = fades;
     }
 
-    public void forget() {
-        count = 0;
-    }
-
     /// Adds what is remembered of the places that the scan doesn't look at.
     ///
     /// @param moverRoom to keep from what may move [m]
     public void recall(LaserScan scan, Pose2d odomFromBase, Instant now, double moverRoom, Obstacles obstacles) {
         Pose2d baseFromOdom = odomFromBase.inverse();
-        Pose2d mount = scan.baseFromLaser();
         int kept = 0;
         for (int i = 0; i < count; i++) {
             Point2d place = baseFromOdom.transform(new Point2d(x[i], y[i]));
-            double direction = Math.atan2(place.y() - mount.y(), place.x() - mount.x());
             boolean gone = Math.hypot(place.x(), place.y()) > reach
                     || (!wall[i] && seen[i].plus(fades).isBefore(now))
-                    || Obstacles.covers(scan, direction);
+                    || isLookedAt(scan, place);
             if (!gone) {
                 x[kept] = x[i];
                 y[kept] = y[i];
                 wall[kept] = wall[i];
                 seen[kept] = seen[i];
                 kept++;
+                int before = obstacles.count();
                 obstacles.add(place.x(), place.y());
-                if (!wall[i]) {
+                if (!wall[i] && obstacles.count() > before) {
                     obstacles.keepRoom(obstacles.count() - 1, moverRoom);
                 }
             }
@@ -58,12 +53,13 @@ public final class BlindSpot {
         count = kept;
     }
 
-    /// Notes what is seen now near the robot: the first obstacles, without those that were only recalled. What
-    /// keeps more room may move.
-    public void note(Obstacles obstacles, int seenNow, Pose2d odomFromBase, Instant now) {
-        for (int i = 0; i < seenNow && count < MOST; i++) {
-            if (Math.hypot(obstacles.x(i), obstacles.y(i)) <= reach) {
-                Point2d place = odomFromBase.transform(obstacles.at(i));
+    /// Notes what is near the robot where the scan looks. What is known of other places (by recalling, or from
+    /// sonars) is not noted: it would be noted again each time. What keeps more room may move.
+    public void note(LaserScan scan, Obstacles obstacles, Pose2d odomFromBase, Instant now) {
+        for (int i = 0; i < obstacles.count() && count < MOST; i++) {
+            Point2d seenAt = obstacles.at(i);
+            if (Math.hypot(seenAt.x(), seenAt.y()) <= reach && isLookedAt(scan, seenAt)) {
+                Point2d place = odomFromBase.transform(seenAt);
                 x[count] = place.x();
                 y[count] = place.y();
                 wall[count] = obstacles.room(i) == 0;
@@ -71,5 +67,10 @@ public final class BlindSpot {
                 count++;
             }
         }
+    }
+
+    private static boolean isLookedAt(LaserScan scan, Point2d place) {
+        Pose2d mount = scan.baseFromLaser();
+        return Obstacles.covers(scan, Math.atan2(place.y() - mount.y(), place.x() - mount.x()));
     }
 }

@@ -23,7 +23,16 @@ class BlindSpotTest {
         seen.add(0.3, 0.4);
         seen.add(0.3, -0.4);
         seen.keepRoom(1, 0.2);
-        blindSpot.note(seen, 2, Pose2d.ORIGIN, Instant.EPOCH);
+        blindSpot.note(AHEAD, seen, Pose2d.ORIGIN, Instant.EPOCH);
+    }
+
+    @Test
+    void whatOthersThanTheLaserPerceiveIsNotRemembered() {
+        seen.clear();
+        seen.add(-0.3, 0.2); // behind the robot, where a sonar may hear it
+        blindSpot.note(AHEAD, seen, Pose2d.ORIGIN, Instant.EPOCH);
+        recallAt(Pose2d.ORIGIN, 1);
+        assertThat(recalled.count()).isZero();
     }
 
     @Test
