@@ -59,7 +59,7 @@ final class Trip {
     private boolean planning;
     private Instant planned;
     private boolean arrived;
-    private double yardstick = Double.POSITIVE_INFINITY; // what is left, when last nearer
+    private double yardstick = Double.POSITIVE_INFINITY; // what was left, when last nearer
     private Instant nearer;
     private double best = Double.POSITIVE_INFINITY; // least that was ever left
     private Instant giveUp;
@@ -109,7 +109,7 @@ final class Trip {
         route = new Route(way.extended(mapFromBase.position(), mapFromGoal.position()));
         planned = old.planned;
         nearer = old.nearer;
-        yardstick = route.remaining();
+        yardstick = left(route);
         manoeuvre = old.manoeuvre;
         manoeuvreEnds = old.manoeuvreEnds;
     }
@@ -169,7 +169,7 @@ final class Trip {
             return Twist2d.STOP;
         }
         route.advance(mapFromBase.position());
-        watch(now, route.remaining());
+        watch(now, left(route));
         if (source.ended()) {
             return Twist2d.STOP;
         }
@@ -238,7 +238,13 @@ final class Trip {
 
     // Does it get on?
 
-    /// @param left of the way [m] or of the turn at its end [rad]
+    /// What is left while the robot is on its way: the way [m] and any turn at its end [rad]. So both arriving and
+    /// turning then are progress.
+    private static double left(Route way) {
+        return way.remaining() + Math.PI;
+    }
+
+    /// @param left of the way, or of the turn at its end [rad]
     private void watch(Situation now, double left) {
         if (left < yardstick - NEARER) {
             yardstick = left;
@@ -345,9 +351,9 @@ final class Trip {
     private void adopt(Plan plan) {
         switch (plan) {
             case Plan.Found(var path, var _) -> {
-                double before = route == null ? Double.POSITIVE_INFINITY : route.remaining();
+                double before = route == null ? Double.POSITIVE_INFINITY : left(route);
                 route = new Route(path);
-                yardstick = route.remaining();
+                yardstick = left(route);
                 if (yardstick > before + 1 && detours < MOST_DETOURS) {
                     detours++;
                     best = yardstick;

@@ -29,6 +29,7 @@ import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.RobotSpec;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.contract.RobotBench;
 
 /// Localizers and navigators at work on the office floor, several robots at once.
 class NavigationTest {
@@ -146,6 +147,22 @@ class NavigationTest {
         run.navigator("r0").resume();
         run.advance(200);
         assertThat(ended).hasSize(2).last().isInstanceOf(Result.Reached.class);
+    }
+
+    @Test
+    void aTurnAtTheGoalMayTakeLongerThanItsPatience() {
+        var specs = List.of(NavigationRun.robot("r0", NavigationRun.pioneer("urg04lx"), RobotBench.START));
+        NavigationRun run = new NavigationRun(RobotBench.WORLD.grid(), 9, Runnable::run, specs)
+                .with(new AmclDriver(), Map.of())
+                .with(new NavigatorDriver(), Map.of("patience", 6.0, "maxTurnRate", 10.0));
+        run.advance(1);
+        var ended = new ArrayList<Result>();
+        run.navigator("r0")
+                .goTo(RobotBench.START.compose(new Pose2d(1.5, 0, 3)))
+                .result()
+                .thenAccept(ended::add);
+        run.advance(60);
+        assertThat(ended).hasSize(1).first().isInstanceOf(Result.Reached.class);
     }
 
     private static List<Pose2d> placesAfterAMinute(Executor workers) {
