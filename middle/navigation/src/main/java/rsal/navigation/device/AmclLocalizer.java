@@ -1,5 +1,7 @@
 package rsal.navigation.device;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -31,7 +33,11 @@ import rsal.time.Scheduler;
 /// A localizer by [Amcl]. Each odometry reading gives an estimate: the newest belief, moved as the wheels moved
 /// since. The belief itself is corrected beside the other robots' work ([Scheduler#compute]) when the robot has
 /// moved enough; ranges that come meanwhile are skipped.
+///
+/// Without ranges or odometry it falls silent and is stale until they are back. When the filter fails it is lost
+/// and silent, and starts again from what it believed until that works.
 final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer {
+    private static final Logger LOG = System.getLogger(AmclLocalizer.class.getName());
     private static final Duration PATIENCE = Duration.ofSeconds(2);
 
     private final Amcl amcl;
@@ -41,11 +47,13 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private boolean restart = true;
     private boolean follows; // the belief follows the newest start
     private boolean busy;
+    private boolean failed;
     private @Nullable Belief belief;
     private @Nullable Stamped<Odometry> older;
     private @Nullable Stamped<Odometry> newest;
     private @Nullable Stamped<ParticleCloud> particles;
-    private Instant heard;
+    private Instant lastRanges;
+    private Instant lastOdometry;
 
     /// What is believed, and where odometry was then.
     private record Belief(PoseEstimate estimate, Pose2d odomFromBase) {
@@ -65,7 +73,8 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         this.amcl = amcl;
         this.scheduler = scheduler;
         this.start = start;
-        this.heard = scheduler.instant();
+        this.lastRanges = scheduler.instant();
+        this.lastOdometry = lastRanges;
     }
 
     void follow(DriveBase base) {
@@ -100,13 +109,14 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     private void onOdometry(Stamped<Odometry> odometry) {
+        lastOdometry = scheduler.instant();
         older = newest;
         newest = odometry;
         if (belief == null && start.isPresent()) {
             belief = new Belief(start.get(), odometry.value().odomFromBase());
         }
-        // Wheels alone are no localizer: without ranges it falls silent.
-        if (belief != null && silence().compareTo(PATIENCE) <= 0) {
+        // Wheels alone are no localizer.
+        if (belief != null && !failed && !isSilent(lastRanges)) {
             deliver(new Stamped<>(
                     odometry.time(), "map", belief.moved(odometry.value().odomFromBase())));
             answerFollowers();
@@ -123,7 +133,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     /// Waits until everything measured at this instant is here, odometry too.
     private void onRanges(Instant time, Supplier<Beams> beams) {
-        heard = scheduler.instant();
+        lastRanges = scheduler.instant();
         if (!busy) {
             busy = true;
             scheduler.after(Duration.ZERO, Phase.DEVICES, () -> correct(time, beams));
@@ -136,21 +146,42 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             busy = false;
             return;
         }
-        if (restart) {
-            start.ifPresentOrElse(amcl::start, amcl::startAnywhere);
-            restart = false;
-        }
         Pose2d odomFromBase = odometry.get();
-        scheduler.compute(() -> amcl.update(odomFromBase, beams.get())).whenComplete((found, error) -> {
+        boolean again = restart;
+        Optional<PoseEstimate> from = start;
+        restart = false;
+        var work = scheduler.compute(() -> {
+            if (again) {
+                from.ifPresentOrElse(amcl::start, amcl::startAnywhere);
+            }
+            return amcl.update(odomFromBase, beams.get());
+        });
+        work.whenComplete((found, error) -> {
             busy = false;
             if (error != null) {
-                health(new Health.Lost("The particle filter failed: %s".formatted(error)));
-            } else if (!restart) { // else someone knows better by now
+                fail(error, odomFromBase);
+                return;
+            }
+            failed = false;
+            if (!restart) { // else someone knows better by now
                 belief = new Belief(found.estimate(), odomFromBase);
                 particles = new Stamped<>(time, "map", found.particles());
                 follows = true;
             }
         });
+    }
+
+    /// What the failure left of the particles is not to be trusted.
+    private void fail(Throwable error, Pose2d odomFromBase) {
+        if (!failed) {
+            LOG.log(Level.ERROR, () -> "The particle filter of (%s) failed.".formatted(info().id()), error);
+        }
+        failed = true;
+        health(new Health.Lost("The particle filter failed: %s".formatted(error)));
+        if (!restart && belief != null) { // else someone knows better by now
+            start = Optional.of(belief.moved(odomFromBase));
+        }
+        restart = true;
     }
 
     /// Odometry when the ranges were measured: between the two newest readings, or the newest when it is older.
@@ -172,13 +203,18 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     private void checkHealth() {
-        if (silence().compareTo(PATIENCE) > 0) {
+        if (failed) {
+            return; // that is worse
+        }
+        if (isSilent(lastRanges)) {
             health(new Health.Stale("No ranges for more than %d s.".formatted(PATIENCE.toSeconds())));
+        } else if (isSilent(lastOdometry)) {
+            health(new Health.Stale("No odometry for more than %d s.".formatted(PATIENCE.toSeconds())));
         }
     }
 
-    private Duration silence() {
-        return Duration.between(heard, scheduler.instant());
+    private boolean isSilent(Instant last) {
+        return last.plus(PATIENCE).isBefore(scheduler.instant());
     }
 
     private static double seconds(Instant from, Instant to) {

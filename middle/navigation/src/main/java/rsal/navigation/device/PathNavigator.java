@@ -165,6 +165,9 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private void beat() {
         Trip now = trip;
         if (now == null || paused) {
+            if (!health().isOk()) {
+                look(); // it may be well again
+            }
             return;
         }
         Optional<Situation> situation = look();

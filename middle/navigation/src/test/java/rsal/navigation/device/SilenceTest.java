@@ -1,0 +1,110 @@
+package rsal.navigation.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import rsal.data.Twist2d;
+import rsal.device.Health;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.robot.DeviceDriver;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.testkit.contract.RobotBench;
+import rsal.testkit.fake.FakeDriveBase;
+import rsal.testkit.fake.FakeSystem;
+import rsal.time.LockstepScheduler;
+
+/// Software devices when what they stand on fails, and when it is back.
+class SilenceTest {
+    private final LockstepScheduler scheduler = new LockstepScheduler();
+    private final SplittableRandom seeded = new SplittableRandom(3);
+    private boolean broken;
+    private final FakeSystem system = FakeSystem.pioneers(scheduler, RobotBench.WORLD, RobotBench.START);
+    private Robot robot = system.robots().getFirst();
+    private final FakeDriveBase base = robot.require(FakeDriveBase.class);
+
+    @BeforeEach
+    void setUp() {
+        system.discover();
+        RandomGenerator random = () -> {
+            if (broken) {
+                throw new IllegalStateException("broken by a test");
+            }
+            return seeded.nextLong();
+        };
+        for (DeviceDriver driver : new DeviceDriver[] {new AmclDriver(), new NavigatorDriver()}) {
+            robot = robot.with(driver.create(
+                    new DeviceDriver.Context(
+                            driver.key(),
+                            robot,
+                            RobotBench.WORLD.grid(),
+                            Optional.of(RobotBench.START),
+                            scheduler,
+                            random),
+                    Arguments.of(driver.parameters(), Map.of())));
+        }
+    }
+
+    @Test
+    void withoutOdometryTheLocalizerIsStaleUntilItIsBack() {
+        drive(2);
+        base.turn(new Health.Lost("unplugged by a test"));
+        drive(6);
+        assertThat(localizer().health()).isEqualTo(new Health.Stale("No odometry for more than 2 s."));
+        base.turn(Health.ok());
+        drive(1);
+        assertThat(localizer().health()).isEqualTo(Health.ok());
+    }
+
+    @Test
+    void aFilterThatFailsIsLostAndSilentUntilItWorksAgain() {
+        drive(2);
+        var healths = new ArrayList<Health>();
+        localizer().onHealth(healths::add);
+        broken = true;
+        drive(3);
+        var before = localizer().latest();
+        drive(3);
+        assertThat(localizer().latest()).isEqualTo(before);
+        assertThat(healths).singleElement().isInstanceOf(Health.Lost.class);
+        broken = false;
+        drive(2);
+        assertThat(localizer().health()).isEqualTo(Health.ok());
+        assertThat(localizer().latest().orElseThrow().value().mapFromBase().distanceTo(base.mapFromBase()))
+                .isLessThan(0.3);
+    }
+
+    @Test
+    void aNavigatorWithoutAGoalIsWellAgainWhenItsSensorsAre() {
+        Navigator navigator = robot.require(Navigator.class);
+        drive(1);
+        var goal = navigator.goTo(RobotBench.WORLD.pose('a', 0));
+        base.turn(new Health.Lost("unplugged by a test"));
+        scheduler.advance(Duration.ofSeconds(2));
+        goal.cancel();
+        scheduler.advance(Duration.ofSeconds(1));
+        assertThat(navigator.health()).isInstanceOf(Health.Stale.class);
+        base.turn(Health.ok());
+        scheduler.advance(Duration.ofSeconds(1));
+        assertThat(navigator.health()).isEqualTo(Health.ok());
+    }
+
+    private Localizer localizer() {
+        return robot.require(Localizer.class);
+    }
+
+    private void drive(int seconds) {
+        for (int beat = 0; beat < 10 * seconds; beat++) {
+            base.command(Twist2d.drive(0.3, 0.2));
+            scheduler.advance(Duration.ofMillis(100));
+        }
+    }
+}
