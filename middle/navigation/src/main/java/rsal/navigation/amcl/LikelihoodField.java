@@ -70,7 +70,7 @@ public final class LikelihoodField {
     }
 
     private float logAt(float column, float row) {
-        // A negative number that rounds to 0 is half a cell outside at most: not worth a floor.
+        // A negative number that is cut to 0 is less than a cell outside: not worth a floor.
         int c = (int) column;
         int r = (int) row;
         return c >= 0 && c < width && r >= 0 && r < height ? logs[r * width + c] : unlikely;

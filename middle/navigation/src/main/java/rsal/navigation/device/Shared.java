@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.function.Function;
 
 /// Things that take a while to compute and are the same for several robots: computed for the first, kept for the
-/// others. Keeps the newest few.
+/// others. Keeps the newest few. Locks, since runs on threads of their own may share a driver.
 final class Shared<K, V> {
     private static final int MOST = 4;
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Executors;
@@ -95,11 +96,13 @@ public abstract class RobotSystemContract extends RobotBench {
         drive(Twist2d.drive(0.4, 0), 2);
         system().close();
         system().close();
+        Optional<Pose2d> stopped = system().simulation().flatMap(s -> s.truth("r1"));
         var told = new ArrayList<Object>();
         robot().require(DriveBase.class).subscribe(told::add);
         robot().require(LaserScanner.class).subscribe(told::add);
         advance(2);
         assertThat(told).isEmpty();
+        assertThat(system().simulation().flatMap(s -> s.truth("r1"))).isEqualTo(stopped);
     }
 
     @Test
