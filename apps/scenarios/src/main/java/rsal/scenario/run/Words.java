@@ -3,6 +3,7 @@ package rsal.scenario.run;
 import java.util.Locale;
 import rsal.agent.Message;
 import rsal.agent.message.Caught;
+import rsal.agent.message.Chase;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.Hello;
 import rsal.agent.message.NewGoal;
@@ -25,6 +26,7 @@ final class Words {
             case Caught caught ->
                 String.format(
                         Locale.ROOT, "%s is caught by %s at %.2f m", caught.prey(), caught.hunter(), caught.distance());
+            case Chase chase -> "%s goes for %s".formatted(chase.hunter(), chase.prey());
             case Hello hello -> of(hello);
             case Text text -> text.words();
             default -> message.content().toString();

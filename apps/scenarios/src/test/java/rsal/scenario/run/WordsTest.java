@@ -1,0 +1,42 @@
+package rsal.scenario.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rsal.agent.Message;
+import rsal.agent.Topic;
+import rsal.agent.message.Caught;
+import rsal.agent.message.Chase;
+import rsal.agent.message.GoalReached;
+import rsal.agent.message.Hello;
+import rsal.agent.message.NewGoal;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.PoseRequest;
+import rsal.agent.message.Text;
+import rsal.data.Pose2d;
+
+class WordsTest {
+    private static final Pose2d PLACE = Pose2d.ofDegrees(1, -2.5, 90);
+
+    static List<Record> messages() {
+        return List.of(
+                new Caught("prey-1", "hunter-1", 1.234),
+                new Chase("hunter-1", "prey-1"),
+                new GoalReached("hunter-1", PLACE, "stuck"),
+                new Hello("hunter-1", Hello.Kind.PONG, "prey-1"),
+                new NewGoal("hunter-1", PLACE),
+                new PoseReport("hunter-1", "hunter", PLACE),
+                new PoseRequest("hunter-1"),
+                new Text("Where is everybody?"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("messages")
+    void ourOwnMessagesReadAsSentences(Record content) {
+        var message = new Message<>(new Topic<>("any", Record.class), "follow-1", Instant.EPOCH, content);
+        assertThat(Words.of(message)).doesNotContain("[", "=").isNotBlank();
+    }
+}
