@@ -109,7 +109,7 @@ final class Messages {
             List<String> outOfBounds,
             String failure) {}
 
-    /// @param inCharge behavior that steers it; empty when none does
+    /// @param inCharge behavior that drives it, or its navigator; empty when neither does
     record RobotDetails(String id, String inCharge, List<DeviceDetails> devices) {}
 
     /// @param reason why it is not well; else empty

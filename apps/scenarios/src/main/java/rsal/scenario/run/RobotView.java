@@ -18,7 +18,7 @@ import rsal.data.Stamped;
 /// @param truth where it really is, in the map frame; empty outside of simulated worlds
 /// @param path the way its navigator intends to take
 /// @param goal where its navigator drives to
-/// @param inCharge name of the behavior that drives it; empty when none does
+/// @param inCharge name of the behavior that drives it, or of its navigator; empty when an agent drives it or nobody
 public record RobotView(
         String id,
         String role,

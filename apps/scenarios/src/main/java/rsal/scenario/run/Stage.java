@@ -264,11 +264,15 @@ final class Stage implements AutoCloseable {
                 .orElse("Device");
     }
 
+    /// An engaged pilot comes first: it commands the base, whatever goal the navigator still has.
     private static String inCharge(Robot robot) {
         return robot.find(Pilot.class)
                 .filter(Pilot::engaged)
                 .flatMap(Pilot::latest)
                 .map(decision -> decision.value().inCharge())
+                .or(() -> robot.find(Navigator.class)
+                        .filter(navigator -> navigator.goal().isPresent() && !navigator.paused())
+                        .map(navigator -> navigator.info().name()))
                 .orElse("");
     }
 

@@ -2,6 +2,7 @@ package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -60,6 +61,21 @@ class HuntAndPreyIT {
         Hunt second = hunt("virtual", 3, 4);
         assertThat(second.events).isEqualTo(first.events);
         assertThat(second.result.eventHash()).isEqualTo(first.result.eventHash());
+    }
+
+    @Test
+    void aBehaviorIsInChargeOfThePreyAndANavigatorOfTheHunters() {
+        var options =
+                RunOptions.NONE.withSeed(3).withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(10));
+        try (var run = LiveRun.start(HUNT.plan(options))) {
+            Runs.result(run);
+            assertThat(run.snapshot().robots())
+                    .extracting(RobotView::inCharge)
+                    .satisfiesExactly(
+                            prey -> assertThat(prey).isNotEmpty().isNotEqualTo("navigator"),
+                            hunter -> assertThat(hunter).isEqualTo("navigator"),
+                            hunter -> assertThat(hunter).isEqualTo("navigator"));
+        }
     }
 
     @Test
