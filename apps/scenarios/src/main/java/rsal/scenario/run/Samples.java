@@ -26,21 +26,31 @@ final class Samples {
         max = Math.max(max, sample);
     }
 
+    /// Those of both are thinned out alike, so that each sample counts as much as any other.
     void addAll(Samples other) {
-        for (int i = 0; i < other.size; i++) {
-            add(other.kept[i]);
+        while (stride < other.stride) {
+            thinOut();
         }
+        for (int i = 0; i < other.size; i += (int) (stride / other.stride)) {
+            keep(other.kept[i]); // may thin out
+        }
+        count += other.count;
+        sum += other.sum;
         min = Math.min(min, other.min);
         max = Math.max(max, other.max);
     }
 
+    private void thinOut() {
+        size = Math.ceilDiv(size, 2);
+        stride *= 2;
+        for (int i = 0; i < size; i++) {
+            kept[i] = kept[2 * i];
+        }
+    }
+
     private void keep(double sample) {
         if (size == MOST) {
-            size /= 2;
-            stride *= 2;
-            for (int i = 0; i < size; i++) {
-                kept[i] = kept[2 * i];
-            }
+            thinOut();
         }
         if (size == kept.length) {
             kept = Arrays.copyOf(kept, 2 * size);

@@ -51,6 +51,31 @@ class SamplesTest {
         assertThat(samples.value(Function.MAX)).hasValue(7); // even if it was not kept
     }
 
+    @Test
+    void joinsThoseThatWereThinnedOutByHowManyTheyWere() {
+        Samples all = times(200_000, 0);
+        all.addAll(times(20_000, 11));
+        assertThat(all.value(Function.MEAN)).hasValue(1);
+        assertThat(all.value(Function.P50)).hasValue(0);
+        assertThat(all.value(Function.P95)).hasValue(11);
+
+        Samples few = times(20_000, 11);
+        few.addAll(times(200_000, 0));
+        assertThat(few.value(Function.MEAN)).hasValue(1);
+        assertThat(few.value(Function.P50)).hasValue(0);
+        Samples nineInTen = times(200_000, 0);
+        nineInTen.addAll(times(8_000, 1)); // less than one in twenty
+        assertThat(nineInTen.value(Function.P95)).hasValue(0);
+    }
+
+    private static Samples times(int count, double value) {
+        var samples = new Samples();
+        for (int i = 0; i < count; i++) {
+            samples.add(value);
+        }
+        return samples;
+    }
+
     private static Samples of(double... values) {
         var samples = new Samples();
         DoubleStream.of(values).forEach(samples::add);
