@@ -16,6 +16,8 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.message.Caught;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.Stamped;
 import rsal.device.Localizer;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Contact;
@@ -56,15 +58,13 @@ final class Observer implements Facts {
     /// @param robots by id, as far as they are there
     /// @return how the run ends, if it is over
     Optional<String> look(Optional<SimulationControl> simulation, Map<String, Robot> robots) {
-        simulation.ifPresent(truth -> {
-            noteContacts(truth.contacts());
-            records.forEach((id, own) -> {
-                truth.truth(id).ifPresent(mapFromBase -> noteTruth(own, mapFromBase));
-                Optional.ofNullable(robots.get(id))
-                        .flatMap(robot -> robot.find(Localizer.class))
-                        .flatMap(Localizer::latest)
-                        .ifPresent(own::compare);
-            });
+        simulation.ifPresent(truth -> noteContacts(truth.contacts()));
+        records.forEach((id, own) -> {
+            simulation.flatMap(truth -> truth.truth(id)).ifPresent(mapFromBase -> noteTruth(own, mapFromBase));
+            Optional.ofNullable(robots.get(id))
+                    .flatMap(robot -> robot.find(Localizer.class))
+                    .flatMap(Localizer::latest)
+                    .ifPresent(estimate -> noteEstimate(own, estimate));
         });
         noteFirstTimes();
         return ending();
@@ -110,6 +110,11 @@ final class Observer implements Facts {
     private void noteTruth(RobotRecord own, Pose2d mapFromBase) {
         journal.hash(mapFromBase);
         own.moved(clock.instant(), mapFromBase);
+    }
+
+    private void noteEstimate(RobotRecord own, Stamped<PoseEstimate> estimate) {
+        journal.hash(estimate.value().mapFromBase());
+        own.compare(estimate);
     }
 
     private void noteFirstTimes() {

@@ -46,6 +46,13 @@ class LiveRunTest {
     }
 
     @Test
+    void whereRobotsBelieveToBeIsPartOfTheRun() {
+        String text = Runs.TWO_WANDERERS.replace("error: 0.2", "error: 0.21"); // nobody acts on it
+        assertThat(Runs.result(Runs.plan(folder, text, RunOptions.NONE)).eventHash())
+                .isNotEqualTo(Runs.result(plan()).eventHash());
+    }
+
+    @Test
     void watchingItDoesNotChangeARun() {
         RunResult unwatched = Runs.result(plan());
         try (var run = LiveRun.start(plan())) {
