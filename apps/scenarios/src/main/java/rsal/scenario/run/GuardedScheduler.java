@@ -55,7 +55,7 @@ final class GuardedScheduler implements Scheduler {
                 task.run();
             } catch (RunBroken e) {
                 throw e;
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | Error e) {
                 throw new RunBroken(owner, e);
             }
         };

@@ -80,7 +80,7 @@ public final class LiveRun implements AutoCloseable {
             case WALL -> new WallScheduler(name, this.helpers, this::breaks);
         };
         this.began = scheduler.instant();
-        this.journal = new Journal(this::elapsed, () -> eventListeners.forEach(Runnable::run));
+        this.journal = new Journal(this::elapsed, () -> tell(eventListeners));
         this.observer = new Observer(plan, journal, scheduler);
         this.pace = new Pace(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
         this.snapshot =
@@ -179,7 +179,7 @@ public final class LiveRun implements AutoCloseable {
         return snapshot;
     }
 
-    /// Tells when there is a new snapshot.
+    /// Tells when there is a new snapshot. A listener that throws is told no more.
     public Subscription onSnapshot(Runnable listener) {
         snapshotListeners.add(listener);
         return () -> snapshotListeners.remove(listener);
@@ -192,7 +192,7 @@ public final class LiveRun implements AutoCloseable {
         return journal.after(sequence);
     }
 
-    /// Tells when there is a new event.
+    /// Tells when there is a new event. A listener that throws is told no more.
     public Subscription onEvents(Runnable listener) {
         eventListeners.add(listener);
         return () -> eventListeners.remove(listener);
@@ -358,22 +358,26 @@ public final class LiveRun implements AutoCloseable {
         var broken = cause instanceof RunBroken known ? known : new RunBroken("The run", cause);
         journal.event("fault", "", String.valueOf(broken.getMessage()));
         end("broken");
-        try {
-            makeSnapshot();
-            letGo();
-        } catch (RuntimeException e) {
-            broken.addSuppressed(e);
+        for (Runnable rest : List.<Runnable>of(this::makeSnapshot, this::letGo)) {
+            try {
+                rest.run();
+            } catch (RuntimeException | Error e) {
+                broken.addSuppressed(e);
+            }
         }
         result.completeExceptionally(broken);
     }
 
     private void letGo() {
-        if (stage != null) {
-            stage.close();
-        }
-        helpers.shutdown();
-        if (scheduler instanceof WallScheduler time) {
-            time.close();
+        try {
+            if (stage != null) {
+                stage.close();
+            }
+        } finally {
+            helpers.shutdown();
+            if (scheduler instanceof WallScheduler time) {
+                time.close();
+            }
         }
     }
 
@@ -423,7 +427,18 @@ public final class LiveRun implements AutoCloseable {
                 Optional.ofNullable(outcome),
                 stage == null ? List.of() : stage.robotViews(),
                 stage == null ? List.of() : stage.agentViews());
-        snapshotListeners.forEach(Runnable::run);
+        tell(snapshotListeners);
+    }
+
+    private static void tell(List<Runnable> listeners) {
+        listeners.forEach(listener -> {
+            try {
+                listener.run();
+            } catch (RuntimeException e) {
+                listeners.remove(listener);
+                LOG.log(Level.ERROR, "A viewer failed and is not told any more.", e);
+            }
+        });
     }
 
     private Duration elapsed() {

@@ -10,6 +10,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
+import rsal.agent.AgentHost;
+import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
 import rsal.agent.Message;
 import rsal.agent.Society;
@@ -79,15 +82,19 @@ final class Stage implements AutoCloseable {
         this.scheduler = scheduler;
         this.journal = journal;
         this.observer = observer;
-        this.system = plan.mrs()
-                .provider()
-                .create(plan.mrs().config(plan.map(), plan.robots()), new GuardedScheduler(systemName(), scheduler));
+        this.system = named(
+                systemName(),
+                () -> plan.mrs()
+                        .provider()
+                        .create(
+                                plan.mrs().config(plan.map(), plan.robots()),
+                                new GuardedScheduler(systemName(), scheduler)));
     }
 
     /// Finds the robots and, once they are there, begins.
     void begin() {
         scheduler
-                .within(DISCOVERY_LIMIT, system.discover())
+                .within(DISCOVERY_LIMIT, named(systemName(), system::discover))
                 .whenComplete((found, error) -> scheduler.execute(() -> {
                     if (error != null) {
                         throw new RunBroken(systemName(), error);
@@ -130,10 +137,15 @@ final class Stage implements AutoCloseable {
                 planned.spec().mapFromBase(),
                 new GuardedScheduler(name, scheduler),
                 new SplittableRandom(device.seed()));
+        return named(name, () -> device.driver().create(context, device.options()));
+    }
+
+    /// Does what may fail; then its owner is to blame.
+    private static <T> T named(String owner, Supplier<T> work) {
         try {
-            return device.driver().create(context, device.options());
-        } catch (RuntimeException e) {
-            throw new RunBroken(name, e);
+            return work.get();
+        } catch (RuntimeException | Error e) {
+            throw new RunBroken(owner, e);
         }
     }
 
@@ -146,6 +158,9 @@ final class Stage implements AutoCloseable {
     }
 
     private void changed(RobotSystem.Change change) {
+        if (closed) {
+            return;
+        }
         switch (change) {
             case RobotSystem.Change.Appeared(Robot robot) -> journal.event("run", robot.id(), "is there");
             case RobotSystem.Change.Gone(String robot, String reason) ->
@@ -154,7 +169,10 @@ final class Stage implements AutoCloseable {
     }
 
     private void startAgents() {
-        var host = plan.mas().provider().create(plan.mas().settings(), scheduler);
+        AgentHostProvider provider = plan.mas().provider();
+        AgentHost host = named(
+                "Multi-agent system (%s)".formatted(provider.key()),
+                () -> provider.create(plan.mas().settings(), scheduler));
         var agents = new Society(scheduler, host, system.simulation());
         society = Optional.of(agents);
         agents.onMessage(this::heard);
@@ -349,7 +367,8 @@ final class Stage implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        society.ifPresent(Society::close);
-        system.close();
+        try (system) {
+            society.ifPresent(Society::close);
+        }
     }
 }

@@ -236,6 +236,44 @@ class LiveRunTest {
                 .hasMessage("Device (hunter-1/broken) failed: no batteries included");
     }
 
+    @Test
+    void whatCantBeStartedIsNamed() {
+        String text = Runs.TWO_WANDERERS
+                .replace("clock: {speed: max}", "clock: {mode: wall}")
+                .replace("run:\n  seed", "mas: {use: wallclock}\nrun:\n  seed");
+        assertThatThrownBy(() -> Runs.result(Runs.plan(folder, text, RunOptions.NONE)))
+                .isInstanceOf(RunBroken.class)
+                .hasMessage("Multi-agent system (wallclock) failed: No test starts it.");
+    }
+
+    @Test
+    void aRunThatBreaksLetsGoOfItsThreads() throws InterruptedException {
+        assertThatThrownBy(() -> Runs.result(broken("{unreadable: true}")))
+                .isInstanceOf(RunBroken.class)
+                .hasMessageContaining("the display is dark");
+        for (Thread thread : Thread.getAllStackTraces().keySet()) {
+            if (thread.getName().matches("run-\\d+-helper-\\d+")) {
+                thread.join(Duration.ofSeconds(10));
+                assertThat(thread.isAlive()).as(thread.getName()).isFalse();
+            }
+        }
+    }
+
+    @Test
+    void viewersThatFailHarmOnlyThemselves() {
+        RunResult unwatched = Runs.result(plan());
+        try (var run = LiveRun.start(plan())) {
+            run.onSnapshot(() -> {
+                throw new IllegalStateException("The screen is black.");
+            });
+            run.onEvents(() -> {
+                throw new IllegalStateException("The printer is out of paper.");
+            });
+            run.snapshot();
+            assertThat(Runs.result(run).eventHash()).isEqualTo(unwatched.eventHash());
+        }
+    }
+
     private RunPlan broken(String options) {
         String text = Runs.TWO_WANDERERS.replace(
                 "pose: {free: true}", "pose: {free: true}\n    devices: {broken: " + options + "}");
