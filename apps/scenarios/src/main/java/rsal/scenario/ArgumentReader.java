@@ -117,7 +117,7 @@ final class ArgumentReader {
     static Map<String, Object> typed(List<Parameter> declared, Map<String, String> typed, Problems problems) {
         var values = new LinkedHashMap<String, Object>();
         typed.forEach((name, text) -> {
-            var at = Location.of(name + "=" + text);
+            var at = Location.of("--set " + name + "=" + text);
             var names = declared.stream().map(Parameter::name).toList();
             var parameter = declared.stream().filter(p -> p.name().equals(name)).findFirst();
             if (parameter.isEmpty()) {

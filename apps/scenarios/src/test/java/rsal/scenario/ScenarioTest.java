@@ -322,8 +322,8 @@ class ScenarioTest {
                 .hasMessageContaining("no configuration (secnd)")
                 .hasMessageContaining("Maybe (second)");
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withArguments(Map.of("hunters", "many", "huntrs", "1"))))
-                .hasMessageContaining("hunters=many: (hunters) must be a whole number from 1 to 4")
-                .hasMessageContaining("huntrs=1: The scenario has no argument (huntrs).")
+                .hasMessageContaining("--set hunters=many: (hunters) must be a whole number from 1 to 4")
+                .hasMessageContaining("--set huntrs=1: The scenario has no argument (huntrs).")
                 .hasMessageContaining("Maybe (hunters)");
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withSpeed(0).withLimit(Duration.ZERO)))
                 .hasMessageContaining("--speed 0.0: A speed must be positive")
