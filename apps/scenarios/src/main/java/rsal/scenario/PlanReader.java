@@ -2,6 +2,7 @@ package rsal.scenario;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -51,6 +52,7 @@ final class PlanReader {
     RunPlan read() {
         String configuration = configuration();
         Value.Mapping over = overlay(configuration);
+        checkOverlay(over);
         Map<String, Object> arguments = arguments(configuration, over);
         checkOptions();
         Value.Mapping merged = scenario.settings()
@@ -151,6 +153,18 @@ final class PlanReader {
                 .flatMap(all -> ((Value.Mapping) all).find(configuration))
                 .map(value -> value instanceof Value.Mapping mapping ? mapping : nothing)
                 .orElse(nothing);
+    }
+
+    /// What says what the whole scenario is can't differ between its configurations.
+    private void checkOverlay(Value.Mapping overlay) {
+        for (String key : List.of("rsal", "scenario", "description", "arguments")) {
+            if (overlay.find(key).isPresent()) {
+                problems.add(
+                        overlay.keys().getOrDefault(key, overlay.location()),
+                        "(%s) can't be changed by a configuration.".formatted(key),
+                        key.equals("arguments") ? "Maybe (args), which sets the values of arguments." : "");
+            }
+        }
     }
 
     /// The overlay with the back ends on top that the options name.
@@ -264,12 +278,21 @@ final class PlanReader {
 
     private List<PlannedAgent> agents(Section section, List<Role> roles, Seeds seeds) {
         var agents = new ArrayList<PlannedAgent>();
+        var names = new HashSet<String>();
         for (String role : section.names()) {
             Section agent = section.section(role);
-            if (!Format.NAME.matcher(role).matches()) {
+            if (!isName(role)) {
                 agent.problem(agent.location(), "(%s) can't be the name of an agent.".formatted(role), "");
             }
-            agents.addAll(agents(role, agent, roles, seeds));
+            for (PlannedAgent planned : agents(role, agent, roles, seeds)) {
+                if (!names.add(planned.name())) {
+                    agent.problem(
+                            agent.location(),
+                            "There are two agents (%s).".formatted(planned.name()),
+                            "Rename one of them.");
+                }
+                agents.add(planned);
+            }
             agent.done();
         }
         section.done();

@@ -102,7 +102,7 @@ public final class ScenarioSchema {
                                         "additionalProperties",
                                         fields("type", List.of("string", "number", "boolean"))),
                                 "Values for arguments."));
-        return group(with(more, with(body(true), fields("arguments", fields("type", "object")))), List.of());
+        return group(with(more, body(true)), List.of());
     }
 
     /// What a configuration can change.

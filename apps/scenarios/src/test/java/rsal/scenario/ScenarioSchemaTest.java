@@ -68,7 +68,7 @@ class ScenarioSchemaTest {
                 .allSatisfy(scenario -> assertThat(errors(scenario.settings())).isEmpty());
     }
 
-    /// Mistakes that can be seen without knowing the other parts of the scenario.
+    /// What messages say of mistakes that can't be seen without knowing other parts of the scenario.
     private static final List<String> BEYOND_A_SCHEMA = List.of(
             "lies outside",
             "There is no file",
@@ -90,6 +90,8 @@ class ScenarioSchemaTest {
             "from 1 to 4", // an argument's value against its declaration
             "(hunter) is not known",
             "can't be the role",
+            "can't be the name of an agent",
+            "There are two agents",
             "(hunters) must be");
 
     static List<List<String>> wrong() {

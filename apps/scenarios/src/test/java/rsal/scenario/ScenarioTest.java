@@ -274,6 +274,15 @@ class ScenarioTest {
                 List.of("  prey:\n", "  all:\n", "(all) can't be the role of robots"),
                 List.of("first: {title: As it is}", "first: [1]", "must be a group of settings"),
                 List.of(
+                        "first: {title: As it is}",
+                        "first: {arguments: {hunters: {default: 3}}}",
+                        "good.yaml:35:11: (arguments) can't be changed by a configuration",
+                        "args"),
+                List.of("first: {title: As it is}", "first: {scenario: better}", "(scenario) can't be changed"),
+                List.of("  run: {type", "  all: {type", "(all) can't be the name of an agent"),
+                List.of("  watch:", "  operator:", "(operator) can't be the name of an agent"),
+                List.of("  watch:", "  chase-2:", "good.yaml:23:12: There are two agents (chase-2)"),
+                List.of(
                         "world: {map: office}",
                         "faults: [{at: 60}]\nworld: {map: office}",
                         "(faults) is not known here"));
