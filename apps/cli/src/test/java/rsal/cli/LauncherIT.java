@@ -148,6 +148,16 @@ class LauncherIT {
     }
 
     @Test
+    void saysWhereItCanNotBuild() throws Exception {
+        Files.createFile(project.resolve("target")); // where the launcher's folder should be
+        Ended ended = run("list");
+        assertThat(ended.code()).isEqualTo(Exit.INTERNAL);
+        assertThat(ended.out()).isEmpty();
+        assertThat(ended.err()).contains("can't be written", "target/launcher");
+        assertThat(project.resolve("builds")).doesNotExist();
+    }
+
+    @Test
     void takesTheLockOfOneWhoIsGone() throws Exception {
         Path lock = Files.createDirectories(project.resolve("target/launcher")).resolve("lock");
         Files.createSymbolicLink(lock, Path.of("1 Thu Jan  1 00:00:00 1970")); // another process has this id now
