@@ -55,7 +55,7 @@ final class Progress {
             lastEvent = event.sequence();
             if (KINDS.contains(event.kind())) {
                 clear();
-                err.printf(Locale.ROOT, "%8.1f s  %s%n", seconds(event.time()), event.text());
+                err.println(line(event));
             }
         }
         if (terminal) {
@@ -63,6 +63,12 @@ final class Progress {
             err.printf(Locale.ROOT, "%s%8.1f s  %.3g × real time", CLEAR_LINE, seconds(now.time()), now.rate());
             err.flush();
         }
+    }
+
+    /// `    12.3 s  hunter-1: ran into wall`.
+    static String line(RunEvent event) {
+        String subject = event.subject().isEmpty() ? "" : event.subject() + ": ";
+        return String.format(Locale.ROOT, "%8.1f s  %s%s", seconds(event.time()), subject, event.text());
     }
 
     private void clear() {

@@ -111,11 +111,11 @@ class CommandLineIT {
                 new Mistake("  guard: {model: pioneer2dx, pose: [-31.475, 0, 0]}", 8, "(guard)"),
                 new Mistake("  guard: {model: pioneer2dx, devices: {laser: urg4}}", 8, "(urg4)"),
                 new Mistake("  guard: {count: $gards, model: pioneer2dx}", 8, "(gards)", "Maybe (guards)"),
-                new Mistake("world: {map: office}\nagents: {a: {type: guardian}}", 6, "(guardian)"),
+                new Mistake("agents: {a: {type: guardian}}\nworld: {map: office}", 6, "(guardian)"),
                 new Mistake("    - {when: tim > 20, outcome: success}", 12, "tim"),
                 new Mistake("    - {when: time > 20, outcome: sucess}", 12, "(sucess)", "Maybe (success)"),
                 new Mistake("  - {name: collisions, from: sum(collisions)}", 14, "sum"),
-                new Mistake("world: [", 6, "YAML"),
+                new Mistake("world: {map: [office}", 6, "YAML"),
                 new Mistake("world: !!java.net.URL [x]", 6, "Tags"));
     }
 
@@ -129,11 +129,13 @@ class CommandLineIT {
         assertThat(run.code()).isEqualTo(Exit.INVALID);
         assertThat(run.out()).isEmpty();
         assertThat(run.err())
-                .contains("wrong.yaml:")
+                .contains("wrong.yaml:%d:".formatted(mistake.at))
                 .contains(mistake.expected)
                 .doesNotContain("\tat ", "Watch it at", "Exception");
         assertThat(validate.code()).isEqualTo(Exit.INVALID);
-        assertThat(validate.out()).contains("wrong.yaml:").contains(mistake.expected);
+        assertThat(validate.out())
+                .contains("wrong.yaml:%d:".formatted(mistake.at))
+                .contains(mistake.expected);
     }
 
     @Test
@@ -155,7 +157,7 @@ class CommandLineIT {
             run nowhere                       | (nowhere)
             run nowhere.yaml                  | nowhere.yaml
             run guard.yaml:fast               | (fast)
-            run guard.yaml --set guards=9     | from 1 to 4
+            run guard.yaml --set guards=9     | --set guards=9: (guards) must be a whole number from 1 to 4
             run guard.yaml --set guards=x     | (x)
             run guard.yaml --set gards=2      | Maybe (guards)
             run guard.yaml --mas jsaon        | (jsaon)

@@ -1,0 +1,18 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import org.junit.jupiter.api.Test;
+import rsal.scenario.run.RunEvent;
+
+class ProgressTest {
+    @Test
+    void tellsWhenWhatHappenedToWhom() {
+        var time = Duration.ofMillis(12_340);
+        assertThat(Progress.line(new RunEvent(1, time, "collision", "hunter-1", "ran into wall")))
+                .isEqualTo("    12.3 s  hunter-1: ran into wall");
+        assertThat(Progress.line(new RunEvent(2, time, "operator", "", "emergency stop")))
+                .isEqualTo("    12.3 s  emergency stop");
+    }
+}
