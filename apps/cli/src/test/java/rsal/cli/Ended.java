@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 
@@ -26,6 +28,20 @@ record Ended(int code, String out, String err) {
         }
         assertThat(ended).as("ended in time").isTrue();
         return new Ended(process.exitValue(), out.get(), err.get());
+    }
+
+    /// A command that hears Ctrl-C even where this process was told not to, as shells tell what they start in the
+    /// background, and so perhaps a whole build.
+    static List<String> interruptible(List<String> command) throws Exception {
+        var prefix = List.of("env", "--default-signal=INT"); // GNU coreutils 8.31; others must do without
+        var probe = new ArrayList<>(prefix);
+        probe.add("true");
+        if (new ProcessBuilder(probe).start().waitFor() != 0) {
+            return command;
+        }
+        var wrapped = new ArrayList<>(prefix);
+        wrapped.addAll(command);
+        return wrapped;
     }
 
     /// Sends a signal, as `kill` does.

@@ -231,12 +231,12 @@ class LauncherIT {
         return Ended.of(start(project, command));
     }
 
-    private Process start(Path in, String... command) throws IOException {
+    private Process start(Path in, String... command) throws Exception {
         return builder(in, command).start();
     }
 
-    private ProcessBuilder builder(Path in, String... command) {
-        var builder = new ProcessBuilder(command).directory(in.toFile());
+    private ProcessBuilder builder(Path in, String... command) throws Exception {
+        var builder = new ProcessBuilder(Ended.interruptible(List.of(command))).directory(in.toFile());
         builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
         builder.environment().compute("PATH", (_, path) -> folder.resolve("bin") + ":" + path);
         return builder;

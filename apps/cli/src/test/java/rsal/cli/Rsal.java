@@ -46,8 +46,8 @@ final class Rsal {
         return with("-Drsal.page=" + page);
     }
 
-    Process start(String... arguments) throws IOException {
-        var builder = new ProcessBuilder(command(arguments)).directory(folder.toFile());
+    Process start(String... arguments) throws Exception {
+        var builder = new ProcessBuilder(Ended.interruptible(command(arguments))).directory(folder.toFile());
         builder.environment().remove("NO_COLOR");
         builder.environment().putAll(environment);
         return builder.start();

@@ -345,7 +345,7 @@ public final class LiveRun implements AutoCloseable {
 
     private void finish() {
         makeSnapshot();
-        RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) * 1e-9);
+        RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) / 1e9);
         letGo();
         result.complete(ended);
     }

@@ -324,14 +324,20 @@ final class Trip {
         }
         var obstacles = seen.stream().map(Seen::place).toList();
         Point2d start = mapFromBase.position();
-        scheduler.compute(() -> find(start, obstacles)).whenComplete((plan, error) -> {
-            planning = false;
-            if (error != null) {
-                end(new Result.NoPath("Planning failed: %s".formatted(error)));
-            } else if (!source.ended()) {
-                adopt(plan);
-            }
-        });
+        scheduler
+                .compute(() -> find(start, obstacles))
+                .thenAccept(plan -> {
+                    planning = false;
+                    if (!source.ended()) {
+                        adopt(plan);
+                    }
+                })
+                .whenComplete((_, error) -> {
+                    if (error != null) { // of the search, or of what came of it
+                        planning = false;
+                        end(new Result.NoPath("Planning failed: %s".formatted(error)));
+                    }
+                });
     }
 
     /// Around what is seen, or else as if it would go away.
