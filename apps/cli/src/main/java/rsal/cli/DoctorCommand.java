@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import picocli.CommandLine.Command;
@@ -72,7 +73,7 @@ final class DoctorCommand extends Subcommand {
         return new Finding(
                 "memory",
                 enough,
-                "%.1f GiB".formatted((double) bytes / (1 << 30)),
+                String.format(Locale.ROOT, "%.1f GiB", (double) bytes / (1 << 30)),
                 enough ? "" : "2 GiB are enough for all that comes with RSAL; close something.");
     }
 
