@@ -12,8 +12,11 @@ import rsal.settings.Parameter;
 /// A prey: follows the wall on its left and says where it is, until a hunter comes too near. Then it gives up and
 /// spins on the spot.
 public final class Escape implements Agent {
-    static final Parameter HUNTER =
-            Parameter.text("hunter", "", "Role of the robots that catch it; empty when any other robot does.");
+    static final Parameter HUNTER = Parameter.robots(
+            "hunter",
+            "",
+            List.of(""),
+            "Role of the robots that catch it, or id of the one; empty when any other robot does.");
     static final Parameter CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It is caught when a hunter is nearer than this.");
 

@@ -12,7 +12,8 @@ import rsal.settings.Parameter;
 /// A hunter: goes for the newest pose of a prey until that has been caught, then for the next. Driving where it is
 /// told comes first.
 public final class Follow implements Agent {
-    static final Parameter PREY = Parameter.text("prey", "prey", "Role of the robots to hunt, or id of the one.");
+    static final Parameter PREY =
+            Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
     static final Parameter CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It stops when nearer to its prey than this.");
     static final Parameter UPDATE_INTERVAL =

@@ -200,7 +200,7 @@ final class Hunt {
 
     private boolean isPrey(PoseReport report) {
         boolean itself = report.robot().equals(robot.id());
-        return !itself && (report.role().equals(preyName) || report.robot().equals(preyName));
+        return !itself && report.isFrom(preyName);
     }
 
     private boolean isHunter(PoseReport report) {

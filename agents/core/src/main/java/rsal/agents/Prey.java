@@ -26,7 +26,7 @@ final class Prey {
     private final WallFollowing wallFollowing;
     private final Reporter reporter;
     private final Sightings hunters;
-    private final String hunterRole;
+    private final String hunterName;
     private final double catchDistance;
     private boolean caught;
 
@@ -37,7 +37,7 @@ final class Prey {
         this.wallFollowing = new WallFollowing(self, robot);
         this.reporter = new Reporter(self, robot, arguments, _ -> lookAround());
         this.hunters = new Sightings(self.blackboard());
-        this.hunterRole = arguments.text(Escape.HUNTER.name());
+        this.hunterName = arguments.text(Escape.HUNTER.name());
         this.catchDistance = arguments.number(Escape.CATCH_DISTANCE.name());
     }
 
@@ -48,7 +48,7 @@ final class Prey {
     }
 
     private void note(PoseReport report) {
-        if (hunterRole.isEmpty() || report.role().equals(hunterRole)) {
+        if (hunterName.isEmpty() || report.isFrom(hunterName)) {
             hunters.note(report);
             lookAround();
         }

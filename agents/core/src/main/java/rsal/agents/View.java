@@ -14,7 +14,8 @@ import rsal.settings.Parameter;
 
 /// Moves stand-ins of robots in a simulated world to where the robots say they are: mixed reality. Needs no robot.
 public final class View implements Agent {
-    private static final Parameter ROBOT = Parameter.text("robot", NewGoal.ALL, "Id of the robot to show, or all.");
+    private static final Parameter ROBOT = Parameter.robots(
+            "robot", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to show, id of the one, or all.");
     private static final Parameter PROXY = Parameter.text(
             "proxy", "proxy-*", "What its stand-in is called in the simulated world; * stands for the robot's id.");
 
@@ -34,7 +35,7 @@ public final class View implements Agent {
                                 .formatted(self.name())));
         self.subscribe(PoseReport.TOPIC, message -> {
             PoseReport report = message.content();
-            if (robot.equals(NewGoal.ALL) || robot.equals(report.robot())) {
+            if (robot.equals(NewGoal.ALL) || report.isFrom(robot)) {
                 show(self, simulation, report);
             }
         });

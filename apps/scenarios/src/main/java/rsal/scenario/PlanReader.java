@@ -320,6 +320,7 @@ final class PlanReader {
         if (arguments.isEmpty()) {
             return List.of();
         }
+        new RobotNames(roles).check(args, type.get().parameters(), arguments.get());
         if (role.isEmpty()) {
             return List.of(new PlannedAgent(
                     name, name, type.get(), arguments.get(), Optional.empty(), seeds.of("agent/" + name)));

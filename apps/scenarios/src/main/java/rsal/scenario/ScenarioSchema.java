@@ -288,7 +288,7 @@ public final class ScenarioSchema {
                 switch (parameter.kind()) {
                     case NUMBER -> "number";
                     case INTEGER -> "integer";
-                    case TEXT -> "string";
+                    case TEXT, ROBOTS -> "string";
                     case FLAG -> "boolean";
                 });
         if (Double.isFinite(parameter.min())) {
@@ -297,7 +297,7 @@ public final class ScenarioSchema {
         if (Double.isFinite(parameter.max())) {
             value.put("maximum", parameter.max());
         }
-        if (!parameter.options().isEmpty()) {
+        if (parameter.kind() == Parameter.Kind.TEXT && !parameter.options().isEmpty()) {
             value.put("enum", parameter.options());
         }
         var schema = orReference(value);

@@ -83,6 +83,7 @@ class ScenarioSchemaTest {
             "never inside other text",
             "No robots have the role",
             "needs a robot with",
+            "must be a role of robots",
             "can't follow simulated time",
             "character",
             "is not a signal",

@@ -16,6 +16,7 @@ import java.util.OptionalLong;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -243,6 +244,15 @@ class ScenarioTest {
                         "chase: {type: wanderer}",
                         "needs a robot with a DriveBase"),
                 List.of("speed: 0.2", "speed: fast", "(agents.run.args.speed) must be a number from 0 to 1 [m/s]"),
+                mistakenRobots(
+                        "huntr",
+                        "(agents.watch.args.robot)",
+                        "the id of one or all, not (huntr)",
+                        "Maybe (hunter) was"),
+                mistakenRobots("hunter-3", "Maybe (hunter-1) was meant?"),
+                mistakenRobots("me", "Known are: prey, hunter."),
+                mistakenRobots("\"\"", "not ()"),
+                mistakenRobots("$way", "not (slow)"),
                 List.of("use: plain", "use: plan", "no multi-agent system (plan)", "Maybe (plain)"),
                 List.of("use: plain", "use: wallclock", "can't follow simulated time", "run.clock.mode"),
                 List.of("use: sim", "use: simm", "no robot system (simm)", "Maybe (sim)"),
@@ -288,12 +298,38 @@ class ScenarioTest {
                         "(faults) is not known here"));
     }
 
+    private static List<String> mistakenRobots(String name, String... message) {
+        return Stream.concat(
+                        Stream.of(
+                                "watch: {type: breaker}",
+                                "watch: {type: view, args: {robot: %s}}".formatted(name),
+                                "good.yaml:23:37",
+                                "must be a role of robots"),
+                        Stream.of(message))
+                .toList();
+    }
+
     @ParameterizedTest
     @MethodSource("wrong")
     void everyMistakeSaysWhereWhatAndWhatToTry(List<String> example) {
         assertThat(GOOD).contains(example.get(0));
         String message = mistakes(GOOD.replace(example.get(0), example.get(1)));
         assertThat(message).contains(example.subList(2, example.size())).doesNotContain("null", "Exception");
+    }
+
+    @Test
+    void anAgentLeftAloneMustFindTheRobotsItLooksFor() {
+        String hunt = GOOD.replace("watch: {type: breaker}", "watch: {type: follow, robot: hunter}");
+        String mistake = "(agents.watch.args.prey) must be a role of robots or the id of one, not (prey)";
+        assertThat(mistakes(hunt)).doesNotContain(mistake);
+        assertThat(mistakes(hunt.replace("prey", "rabbit"))).contains("good.yaml:23:10", mistake);
+    }
+
+    @Test
+    void robotsThatCanNotBeReadAreNotMissed() {
+        String text = GOOD.replace("pioneer3at", "pioneer9at")
+                .replace("watch: {type: breaker}", "watch: {type: view, args: {robot: hunter-1}}");
+        assertThat(mistakes(text)).contains("(pioneer9at)").doesNotContain("(hunter-1)");
     }
 
     @Test

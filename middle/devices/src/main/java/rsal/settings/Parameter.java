@@ -2,6 +2,7 @@ package rsal.settings;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /// Something that may be set: an argument of a scenario or an agent, an option of a driver. Declared once, it
 /// serves validation, help, the JSON Schema, command line flags and the page's form.
@@ -9,7 +10,8 @@ import java.util.Optional;
 /// @param fallback the value when none is given; empty when one must be
 /// @param min least value of a number or integer; −∞ when there is none
 /// @param max greatest value; +∞ when there is none
-/// @param options allowed values of a text; empty when any will do
+/// @param options allowed values of a text, empty when any will do; of robots, words that are allowed besides their
+/// names
 /// @param unit `m`, `s`, `deg`; empty when it has none
 /// @param description a sentence for people
 public record Parameter(
@@ -26,7 +28,9 @@ public record Parameter(
         NUMBER,
         INTEGER,
         TEXT,
-        FLAG
+        FLAG,
+        /// A text that names robots of the scenario, by their role or one by its id.
+        ROBOTS
     }
 
     public Parameter {
@@ -55,6 +59,13 @@ public record Parameter(
         return new Parameter(name, Kind.TEXT, Optional.of(fallback), -inf(), inf(), options, "", description);
     }
 
+    /// Whoever knows the robots refuses what names none of them, the fallback too.
+    ///
+    /// @param others words that mean something else, as `all`
+    public static Parameter robots(String name, String fallback, List<String> others, String description) {
+        return new Parameter(name, Kind.ROBOTS, Optional.of(fallback), -inf(), inf(), others, "", description);
+    }
+
     public static Parameter flag(String name, boolean fallback, String description) {
         return new Parameter(name, Kind.FLAG, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
     }
@@ -71,12 +82,12 @@ public record Parameter(
             case NUMBER -> value instanceof Number n ? (Object) n.doubleValue() : value;
             case INTEGER ->
                 value instanceof Integer || value instanceof Long ? (Object) ((Number) value).longValue() : value;
-            case TEXT, FLAG -> value;
+            case TEXT, FLAG, ROBOTS -> value;
         };
         boolean right = switch (kind) {
             case NUMBER -> converted instanceof Double d && Double.isFinite(d);
             case INTEGER -> converted instanceof Long;
-            case TEXT -> converted instanceof String;
+            case TEXT, ROBOTS -> converted instanceof String;
             case FLAG -> converted instanceof Boolean;
         };
         if (!right) {
@@ -85,7 +96,7 @@ public record Parameter(
         if (converted instanceof Number n && !(n.doubleValue() >= min && n.doubleValue() <= max)) {
             throw new IllegalArgumentException("(%s) must be %s, not (%s).".formatted(name, expected(), value));
         }
-        if (converted instanceof String s && !options.isEmpty() && !options.contains(s)) {
+        if (kind == Kind.TEXT && converted instanceof String s && !options.isEmpty() && !options.contains(s)) {
             throw new IllegalArgumentException(
                     "(%s) must be %s, not (%s). %s".formatted(name, expected(), value, Suggestion.among(s, options)));
         }
@@ -103,7 +114,7 @@ public record Parameter(
                 case INTEGER -> value = Long.parseLong(typed);
                 case FLAG ->
                     value = typed.equals("true") ? (Object) true : typed.equals("false") ? (Object) false : typed;
-                case TEXT -> {}
+                case TEXT, ROBOTS -> {}
             }
         } catch (NumberFormatException _) {
             // stays a text, which accept refuses with the right words
@@ -118,6 +129,7 @@ public record Parameter(
             case INTEGER -> "a whole number";
             case TEXT -> options.isEmpty() ? "a text" : "one of " + String.join(", ", options);
             case FLAG -> "true or false";
+            case ROBOTS -> "a role of robots or the id of one" + besides();
         };
         if (min > -inf() && max < inf()) {
             what += " from " + plain(min) + " to " + plain(max);
@@ -127,6 +139,12 @@ public record Parameter(
             what += " of at most " + plain(max);
         }
         return unit.isEmpty() ? what : what + " [" + unit + "]";
+    }
+
+    private String besides() {
+        return options.stream()
+                .map(word -> word.isEmpty() ? " or nothing" : " or " + word)
+                .collect(Collectors.joining());
     }
 
     private static String plain(double value) {

@@ -16,4 +16,9 @@ public record PoseReport(String robot, String role, Pose2d mapFromBase) {
             throw new IllegalArgumentException("A robot must be somewhere, not at (%s).".formatted(mapFromBase));
         }
     }
+
+    /// @param roleOrId of a robot
+    public boolean isFrom(String roleOrId) {
+        return role.equals(roleOrId) || robot.equals(roleOrId);
+    }
 }
