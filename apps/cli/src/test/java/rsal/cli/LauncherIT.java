@@ -85,6 +85,11 @@ class LauncherIT {
     }
 
     @Test
+    void tellsAboutTestsWithoutRunningThem() throws Exception {
+        assertThat(run("test", "--help").out()).startsWith("args test --help\n");
+    }
+
+    @Test
     void buildsAgainWhenASourceIsNewer() throws Exception {
         run("list");
         Path source = Files.writeString(project.resolve("apps/cli/src/main/New.java"), "");
