@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -47,8 +48,9 @@ final class RunCommand extends Subcommand {
     @Option(
             names = "--set",
             paramLabel = "NAME=VALUE",
+            converter = Setting.Converter.class,
             description = "Set an argument of the scenario ('rsal show SCENARIO' lists them). May be repeated.")
-    private Map<String, String> arguments = new LinkedHashMap<>();
+    private List<Setting> settings = List.of();
 
     @Option(
             names = "--seed",
@@ -158,7 +160,7 @@ final class RunCommand extends Subcommand {
     private RunOptions options(Optional<String> configuration) {
         return new RunOptions(
                 configuration,
-                arguments,
+                arguments(),
                 seed == null ? OptionalLong.empty() : OptionalLong.of(seed),
                 Optional.ofNullable(mas),
                 Optional.ofNullable(mrs),
@@ -166,11 +168,32 @@ final class RunCommand extends Subcommand {
                 speed == null ? OptionalDouble.empty() : OptionalDouble.of(speed));
     }
 
+    private Map<String, String> arguments() {
+        var arguments = new LinkedHashMap<String, String>();
+        settings.forEach(setting -> arguments.put(setting.name(), setting.value()));
+        return arguments;
+    }
+
     /// Where the launcher says the built page is.
     static Optional<Path> page() {
         return Optional.ofNullable(System.getProperty("rsal.page"))
                 .map(Path::of)
                 .filter(Files::isDirectory);
+    }
+
+    /// What `--set` says of an argument.
+    record Setting(String name, String value) {
+        static final class Converter implements ITypeConverter<Setting> {
+            @Override
+            public Setting convert(String typed) {
+                int equals = typed.indexOf('=');
+                if (equals < 1) {
+                    throw new TypeConversionException(
+                            "(%s) is not a name and its value, like speed=2.".formatted(typed));
+                }
+                return new Setting(typed.substring(0, equals), typed.substring(equals + 1));
+            }
+        }
     }
 
     static final class Seed implements ITypeConverter<Long> {
@@ -195,7 +218,7 @@ final class RunCommand extends Subcommand {
             double speed = number(typed);
             if (!(speed >= LEAST)) {
                 throw new TypeConversionException(
-                        "(%s) is not a number of at least %s, like 4, and not max.".formatted(typed, LEAST));
+                        "(%s) is neither a number of at least %s, like 4, nor max.".formatted(typed, LEAST));
             }
             return speed;
         }
