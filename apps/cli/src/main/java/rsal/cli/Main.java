@@ -1,6 +1,7 @@
 package rsal.cli;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -47,13 +48,22 @@ public final class Main implements Runnable {
     private CommandSpec spec;
 
     public static void main(String[] args) {
-        System.exit(commandLine().execute(args));
+        var stdout = new Stdout();
+        CommandLine commandLine = commandLine(stdout);
+        int code = commandLine.execute(args);
+        commandLine.getOut().flush();
+        stdout.failure()
+                .ifPresent(e -> commandLine
+                        .getErr()
+                        .println("rsal: The result could not be written to stdout: " + e.getMessage()));
+        System.exit(code == Exit.SUCCESS && stdout.failure().isPresent() ? Exit.UNREACHABLE : code);
     }
 
-    static CommandLine commandLine() {
+    /// @param stdout where results go
+    static CommandLine commandLine(OutputStream stdout) {
         var commandLine = new CommandLine(new Main());
         return commandLine
-                .setOut(new PrintWriter(System.out, false, StandardCharsets.UTF_8))
+                .setOut(new PrintWriter(stdout, false, StandardCharsets.UTF_8))
                 .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
                 .setColorScheme(Help.defaultColorScheme(Terminal.colors()))
                 .setUsageHelpWidth(110)

@@ -15,6 +15,8 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -78,7 +80,8 @@ class CommandLineIT {
             run --speed 0       | (0)
             run --for -1        | (-1)
             run --port 70000    | (70000)
-            run --set speed     | speed
+            run --set speed     | (NAME=VALUE): (speed) is not a name and its value
+            run --set =2        | (=2)
             run a b             | (b)
             validate            | FILE
             list things         | things
@@ -305,6 +308,17 @@ class CommandLineIT {
                 .start());
         assertThat(ended.err()).isEmpty();
         assertThat(ended.code()).isZero();
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aFullDiskIsOne() throws Exception {
+        String command = String.join("' '", rsal.command("show", "guard.yaml"));
+        Ended ended = Ended.of(new ProcessBuilder("sh", "-c", "'" + command + "' > /dev/full")
+                .directory(folder.toFile())
+                .start());
+        assertThat(ended.code()).isEqualTo(Exit.UNREACHABLE);
+        assertThat(ended.err()).contains("could not be written").hasLineCount(1);
     }
 
     @Test

@@ -2,6 +2,7 @@ package rsal.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -43,7 +44,7 @@ class InternalErrorTest {
     }
 
     private int execute(String... line) {
-        CommandLine rsal = Main.commandLine();
+        CommandLine rsal = Main.commandLine(OutputStream.nullOutputStream());
         rsal.addSubcommand(new Breaking());
         rsal.setErr(new PrintWriter(err, true));
         rsal.getSubcommands().get("break").setErr(new PrintWriter(err, true));
