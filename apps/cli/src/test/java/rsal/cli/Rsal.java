@@ -15,17 +15,25 @@ final class Rsal {
             Path.of(System.getProperty("rsal.target", "target")).toAbsolutePath();
 
     private final Path folder;
+    private final String own;
     private final List<String> flags = new ArrayList<>();
     private final Map<String, String> environment;
 
     /// @param folder where it is started
     Rsal(Path folder) {
+        this(folder, "");
+    }
+
+    /// @param own what is on the class path, too
+    Rsal(Path folder, String own) {
         this.folder = folder;
+        this.own = own;
         this.environment = Map.of();
     }
 
     private Rsal(Rsal other, List<String> flags, Map<String, String> environment) {
         this.folder = other.folder;
+        this.own = other.own;
         this.flags.addAll(other.flags);
         this.flags.addAll(flags);
         this.environment = environment;
@@ -63,12 +71,12 @@ final class Rsal {
         command.add("-XX:+UseSerialGC");
         command.add("-XX:TieredStopAtLevel=1");
         command.addAll(flags);
-        command.addAll(List.of("-cp", classPath(), "rsal.cli.Main"));
+        command.addAll(List.of("-cp", classPath() + ":" + own, "rsal.cli.Main"));
         command.addAll(List.of(arguments));
         return command;
     }
 
-    private static String classPath() {
+    static String classPath() {
         try (var jars = Files.list(TARGET.resolve("lib"))) {
             return TARGET.resolve("rsal-cli.jar") + ":"
                     + jars.map(Path::toString).sorted().collect(Collectors.joining(":"));

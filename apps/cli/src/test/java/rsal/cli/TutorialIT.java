@@ -8,28 +8,55 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/// Does what the first tutorial says, and sees what it says.
+/// Does what the tutorials say, and sees what they say.
 class TutorialIT {
-    private static final Path TUTORIAL = Path.of("../../docs/tutorials/first-scenario.md");
+    private static final Path TUTORIALS = Path.of("../../docs/tutorials");
     private static final String PROMPT = "$ ./rsal ";
 
     @TempDir
     Path folder;
 
     @Test
-    void whatTheTutorialShowsIsWhatHappens() throws Exception {
-        Files.writeString(folder.resolve("patrol.yaml"), blocks("yaml").getFirst());
+    void aScenarioDoesWhatItsTutorialShows() throws Exception {
+        String tutorial = tutorial("first-scenario.md");
+        Files.writeString(
+                folder.resolve("patrol.yaml"), blocks(tutorial, "yaml").getFirst());
+        follow(tutorial, new Rsal(folder));
+    }
+
+    @Test
+    void anAgentDoesWhatItsTutorialShows() throws Exception {
+        String tutorial = tutorial("first-agent.md");
+        Files.writeString(folder.resolve("watch.yaml"), blocks(tutorial, "yaml").getFirst());
+        compile(blocks(tutorial, "java"));
+        Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+        Files.writeString(services.resolve("rsal.agent.AgentType"), "own.Sentry\nown.Logbook\n");
+        follow(tutorial, new Rsal(folder, folder.toString()));
+    }
+
+    @Test
+    void theMistakeItProposesIsExplained() throws Exception {
+        String patrol = blocks(tutorial("first-scenario.md"), "yaml").getFirst();
+        Files.writeString(folder.resolve("patrol.yaml"), patrol.replace("model:", "modle:"));
+        Ended ended = new Rsal(folder).run("validate", "patrol.yaml");
+        assertThat(ended.code()).isEqualTo(Exit.INVALID);
+        assertThat(ended.out()).contains("(modle)", "Maybe (model)");
+    }
+
+    /// Types all commands; what is shown below each must be among the lines that it prints.
+    private static void follow(String tutorial, Rsal rsal) throws Exception {
         int commands = 0;
-        for (String console : blocks("console")) {
+        for (String console : blocks(tutorial, "console")) {
             String out = "";
             for (String line : console.lines().toList()) {
                 if (line.startsWith(PROMPT)) {
-                    Ended ended =
-                            new Rsal(folder).run(line.substring(PROMPT.length()).split(" "));
+                    Ended ended = rsal.run(line.substring(PROMPT.length()).split(" "));
                     assertThat(ended.code()).as(line + "\n" + ended.err()).isEqualTo(Exit.SUCCESS);
                     out = ended.out();
                     commands++;
@@ -41,22 +68,27 @@ class TutorialIT {
         assertThat(commands).isPositive();
     }
 
-    @Test
-    void theMistakeItProposesIsExplained() throws Exception {
-        Files.writeString(
-                folder.resolve("patrol.yaml"), blocks("yaml").getFirst().replace("model:", "modle:"));
-        Ended ended = new Rsal(folder).run("validate", "patrol.yaml");
-        assertThat(ended.code()).isEqualTo(Exit.INVALID);
-        assertThat(ended.out()).contains("(modle)", "Maybe (model)");
+    private void compile(List<String> classes) throws IOException {
+        var command = new ArrayList<>(List.of("-d", folder.toString(), "-cp", Rsal.classPath()));
+        for (String source : classes) {
+            Matcher name = Pattern.compile("class (\\w+) implements").matcher(source);
+            assertThat(name.find()).isTrue();
+            Path file = folder.resolve(name.group(1) + ".java");
+            command.add(Files.writeString(file, source).toString());
+        }
+        assertThat(ToolProvider.getSystemJavaCompiler().run(null, null, null, command.toArray(String[]::new)))
+                .isZero();
     }
 
-    private static List<String> blocks(String language) throws IOException {
-        var blocks = new ArrayList<String>();
-        Pattern.compile("```" + language + "\n(.*?)```", Pattern.DOTALL)
-                .matcher(Files.readString(TUTORIAL))
+    private static String tutorial(String name) throws IOException {
+        return Files.readString(TUTORIALS.resolve(name));
+    }
+
+    private static List<String> blocks(String tutorial, String language) {
+        return Pattern.compile("```" + language + "\n(.*?)```", Pattern.DOTALL)
+                .matcher(tutorial)
                 .results()
                 .map((MatchResult block) -> block.group(1))
-                .forEach(blocks::add);
-        return blocks;
+                .toList();
     }
 }

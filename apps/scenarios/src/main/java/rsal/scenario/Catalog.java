@@ -1,12 +1,8 @@
 package rsal.scenario;
 
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceLoader;
-import java.util.TreeMap;
-import java.util.function.Function;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.map.Maps;
@@ -29,10 +25,10 @@ record Catalog(
 
     static Catalog installed() {
         return new Catalog(
-                byKey(ServiceLoader.load(RobotSystemProvider.class), RobotSystemProvider::key),
-                byKey(ServiceLoader.load(AgentHostProvider.class), AgentHostProvider::key),
-                byKey(ServiceLoader.load(DeviceDriver.class), DeviceDriver::key),
-                byKey(ServiceLoader.load(AgentType.class), AgentType::key),
+                Providers.byKey(RobotSystemProvider.class, RobotSystemProvider::key),
+                Providers.byKey(AgentHostProvider.class, AgentHostProvider::key),
+                Providers.byKey(DeviceDriver.class, DeviceDriver::key),
+                Providers.byKey(AgentType.class, AgentType::key),
                 RobotModels.builtIn(),
                 RobotModels.builtInParts(),
                 Maps.builtIn());
@@ -47,11 +43,5 @@ record Catalog(
             problems.add(at, "There is no %s (%s).".formatted(what, key), Suggestion.among(key, known.keySet()));
         }
         return found;
-    }
-
-    private static <P> Map<String, P> byKey(Iterable<P> providers, Function<P, String> key) {
-        var byKey = new TreeMap<String, P>();
-        providers.forEach(provider -> byKey.putIfAbsent(key.apply(provider), provider));
-        return Collections.unmodifiableMap(byKey);
     }
 }

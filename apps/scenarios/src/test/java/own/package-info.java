@@ -1,0 +1,2 @@
+/// The agents of docs/tutorials/first-agent.md, word by word.
+package own;
