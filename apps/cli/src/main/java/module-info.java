@@ -15,11 +15,6 @@ module rsal.cli {
             info.picocli,
             tools.jackson.databind;
 
-    uses rsal.agent.AgentHostProvider;
-    uses rsal.agent.AgentType;
-    uses rsal.robot.DeviceDriver;
-    uses rsal.robot.RobotSystemProvider;
-
     provides ch.qos.logback.classic.spi.Configurator with
             rsal.cli.Logging;
 }

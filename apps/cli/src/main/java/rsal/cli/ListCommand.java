@@ -1,18 +1,14 @@
 package rsal.cli;
 
-import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
-import java.util.ServiceLoader;
-import java.util.function.Function;
+import java.util.Set;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
-import rsal.agent.AgentHostProvider;
-import rsal.agent.AgentType;
 import rsal.map.Maps;
-import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModels;
-import rsal.robot.RobotSystemProvider;
 import rsal.scenario.Scenario;
 
 /// `rsal list`
@@ -24,9 +20,9 @@ final class ListCommand extends Subcommand {
             defaultValue = "scenarios",
             description = "One of ${COMPLETION-CANDIDATES}; ${DEFAULT-VALUE} when left out.")
     @SuppressWarnings("NullAway.Init") // picocli fills it in
-    private Kind what;
+    private What what;
 
-    enum Kind {
+    enum What {
         scenarios,
         maps,
         models,
@@ -36,6 +32,8 @@ final class ListCommand extends Subcommand {
         mas,
         mrs
     }
+
+    private static final Set<What> WITH_SETTINGS = EnumSet.of(What.agents, What.drivers, What.mas, What.mrs);
 
     record Entry(String name, String description) {}
 
@@ -49,6 +47,9 @@ final class ListCommand extends Subcommand {
         var table = new Table("");
         entries.forEach(entry -> table.row(entry.name, entry.description));
         out().print(table);
+        if (WITH_SETTINGS.contains(what)) {
+            out().println("\n'rsal show NAME' tells what can be set.");
+        }
         out().flush();
         return Exit.SUCCESS;
     }
@@ -62,14 +63,10 @@ final class ListCommand extends Subcommand {
             case maps -> named(Maps.builtIn());
             case models -> named(RobotModels.builtIn());
             case parts -> named(RobotModels.builtInParts());
-            case agents -> found(AgentType.class, AgentType::key, AgentType::description);
-            case drivers ->
-                found(
-                        DeviceDriver.class,
-                        DeviceDriver::key,
-                        d -> "makes a " + d.makes().getSimpleName());
-            case mas -> found(AgentHostProvider.class, AgentHostProvider::key, _ -> "");
-            case mrs -> found(RobotSystemProvider.class, RobotSystemProvider::key, _ -> "");
+            case agents -> entries(Kind.agents());
+            case drivers -> entries(Kind.drivers());
+            case mas -> entries(Kind.hosts());
+            case mrs -> entries(Kind.systems());
         };
     }
 
@@ -77,11 +74,7 @@ final class ListCommand extends Subcommand {
         return names.stream().map(name -> new Entry(name, "")).toList();
     }
 
-    private static <P> List<Entry> found(Class<P> type, Function<P, String> key, Function<P, String> description) {
-        return ServiceLoader.load(type).stream()
-                .map(ServiceLoader.Provider::get)
-                .map(p -> new Entry(key.apply(p), description.apply(p)))
-                .sorted(Comparator.comparing(Entry::name))
-                .toList();
+    private static List<Entry> entries(Stream<Kind> kinds) {
+        return kinds.map(kind -> new Entry(kind.name(), kind.description())).toList();
     }
 }

@@ -41,7 +41,7 @@ class CommandLineIT {
               stop:
                 - {when: time > 20, outcome: success}
             measure:
-              - {name: collisions, from: count(collisions)}
+              - {name: collisions, from: count(collisions), better: less, bound: {max: 0}}
               - {name: firstCollision, unit: s, from: firstTime(collisions > 0)}
             configurations:
               long: {title: Twenty seconds}
@@ -166,6 +166,8 @@ class CommandLineIT {
             run guard.yaml --mas jsaon        | (jsaon)
             run guard.yaml --mrs reality      | (reality)
             show nowhere                      | (nowhere)
+            show amlc                         | Maybe (amcl)
+            show nowhere.yaml                 | nowhere.yaml
             """)
     void refusesWhatDoesNotFitTheScenario(String line, String expected) throws Exception {
         Ended ended = rsal.run(line.split(" "));
@@ -366,10 +368,38 @@ class CommandLineIT {
                 .readTree(rsal.run("show", "guard.yaml:late", "--json").out());
 
         assertThat(text.out())
-                .contains("guards", "a whole number from 1 to 4", "pioneer2dx", "office", "timeout", "time > 5");
+                .contains("guards", "a whole number from 1 to 4", "pioneer2dx", "office", "timeout", "time > 5")
+                .contains("Where they start with seed 3", "guard-1   [", "less is better", "at most 0.0");
         assertThat(json.get("configuration").stringValue()).isEqualTo("late");
         assertThat(json.get("robots").get(0).get("model").stringValue()).isEqualTo("pioneer2dx");
         assertThat(json.get("ends").get(0).get("when").stringValue()).isEqualTo("time > 5");
+    }
+
+    @Test
+    void showTellsHowDevicesAreMadeOfOthers() throws Exception {
+        Ended text = rsal.run("show", "hunt-and-prey");
+        assertThat(text.out())
+                .containsSubsequence("Localizer from DriveBase", "Navigator from DriveBase, RangeSensor, Localizer");
+    }
+
+    @Test
+    void showTellsWhatCanBeSetOfADriver() throws Exception {
+        Ended text = rsal.run("show", "amcl");
+        assertThat(text.out())
+                .contains("makes a Localizer", "DriveBase, RangeSensor")
+                .containsPattern("maxRange +30.0 +a number from 0.5 to 200 \\[m] +ranges beyond");
+    }
+
+    @Test
+    void showTellsWhatCanBeSetOfAnAgent() throws Exception {
+        Ended ended = rsal.run("show", "follow", "--json");
+        JsonNode follow = JsonMapper.shared().readTree(ended.out()).get("found").get(0);
+        assertThat(follow.get("kind").stringValue()).isEqualTo("agent");
+        assertThat(follow.get("needs").get(0).stringValue()).isEqualTo("Navigator");
+        JsonNode prey = follow.get("settings").get(0);
+        assertThat(prey.get("type").stringValue()).isEqualTo("robots");
+        assertThat(prey.get("value").stringValue()).isEqualTo("prey");
+        assertThat(prey.get("max").isNull()).isTrue();
     }
 
     @ParameterizedTest

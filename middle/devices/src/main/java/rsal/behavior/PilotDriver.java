@@ -17,6 +17,11 @@ public final class PilotDriver implements DeviceDriver {
     }
 
     @Override
+    public String description() {
+        return "Drives the robot by layers of behaviors that its agent chooses.";
+    }
+
+    @Override
     public Class<? extends Device> makes() {
         return Pilot.class;
     }

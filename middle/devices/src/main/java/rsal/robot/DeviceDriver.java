@@ -16,6 +16,9 @@ public interface DeviceDriver {
     /// `amcl`, `navigator`.
     String key();
 
+    /// A sentence about what it makes.
+    String description();
+
     /// What it makes.
     Class<? extends Device> makes();
 

@@ -26,6 +26,11 @@ public final class BrokenDevice implements DeviceDriver {
     }
 
     @Override
+    public String description() {
+        return "Fails.";
+    }
+
+    @Override
     public Class<? extends Device> makes() {
         return Device.class;
     }

@@ -26,6 +26,11 @@ public final class TruthfulLocalizer implements DeviceDriver {
     }
 
     @Override
+    public String description() {
+        return "Believes in its odometry, but for a constant error.";
+    }
+
+    @Override
     public Class<? extends Device> makes() {
         return Localizer.class;
     }

@@ -38,6 +38,11 @@ public final class AmclDriver implements DeviceDriver {
     }
 
     @Override
+    public String description() {
+        return "Says where the robot is on the map: a particle filter (adaptive Monte Carlo localization).";
+    }
+
+    @Override
     public Class<? extends Device> makes() {
         return Localizer.class;
     }

@@ -31,6 +31,11 @@ public final class NavigatorDriver implements DeviceDriver {
     }
 
     @Override
+    public String description() {
+        return "Drives the robot to places: plans a way over the map and avoids what stands in it.";
+    }
+
+    @Override
     public Class<? extends Device> makes() {
         return Navigator.class;
     }

@@ -20,6 +20,11 @@ public final class WavefrontDriver implements DeviceDriver {
     }
 
     @Override
+    public String description() {
+        return "Plans ways over the map.";
+    }
+
+    @Override
     public Class<? extends Device> makes() {
         return Planner.class;
     }

@@ -52,6 +52,11 @@ public final class FakeLocalizer extends SensorCore<PoseEstimate> implements Loc
         }
 
         @Override
+        public String description() {
+            return "Says what a test tells it to.";
+        }
+
+        @Override
         public Class<? extends Device> makes() {
             return Localizer.class;
         }

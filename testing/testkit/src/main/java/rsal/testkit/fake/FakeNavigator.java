@@ -143,6 +143,11 @@ public final class FakeNavigator extends DeviceCore implements Navigator {
         }
 
         @Override
+        public String description() {
+            return "Ends goals as a test tells it to.";
+        }
+
+        @Override
         public Class<? extends Device> makes() {
             return Navigator.class;
         }

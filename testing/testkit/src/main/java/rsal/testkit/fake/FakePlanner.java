@@ -58,6 +58,11 @@ public final class FakePlanner extends DeviceCore implements Planner {
         }
 
         @Override
+        public String description() {
+            return "Plans what a test tells it to.";
+        }
+
+        @Override
         public Class<? extends Device> makes() {
             return Planner.class;
         }

@@ -1,0 +1,141 @@
+package rsal.cli;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentType;
+import rsal.device.Device;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotSystemProvider;
+import rsal.scenario.Providers;
+import rsal.settings.Parameter;
+
+/// Something installed that scenarios name by its key and that has settings of its own.
+///
+/// @param kind `agent`, `driver`, `mas` or `mrs`
+/// @param makes type of the device that a driver makes
+/// @param needs types of devices that a robot must have for it
+record Kind(
+        String kind,
+        String name,
+        String description,
+        Optional<String> makes,
+        List<String> needs,
+        List<Setting> settings) {
+    /// @param value when none is given; empty when one must be
+    /// @param expected its type, range and unit
+    record Setting(
+            String name,
+            String type,
+            Optional<Object> value,
+            Optional<Double> min,
+            Optional<Double> max,
+            List<String> options,
+            String unit,
+            String expected,
+            String description) {
+        static Setting of(Parameter p) {
+            return new Setting(
+                    p.name(),
+                    p.kind().name().toLowerCase(Locale.ROOT),
+                    p.fallback(),
+                    Optional.of(p.min()).filter(Double::isFinite),
+                    Optional.of(p.max()).filter(Double::isFinite),
+                    p.options(),
+                    p.unit(),
+                    p.expected(),
+                    p.description());
+        }
+    }
+
+    static Stream<Kind> agents() {
+        return found(AgentType.class, AgentType::key)
+                .map(a -> new Kind(
+                        "agent",
+                        a.key(),
+                        a.description(),
+                        Optional.empty(),
+                        names(a.needs()),
+                        settings(a.parameters())));
+    }
+
+    static Stream<Kind> drivers() {
+        return found(DeviceDriver.class, DeviceDriver::key)
+                .map(d -> new Kind(
+                        "driver",
+                        d.key(),
+                        d.description(),
+                        Optional.of(d.makes().getSimpleName()),
+                        names(d.needs()),
+                        settings(d.parameters())));
+    }
+
+    static Stream<Kind> hosts() {
+        return found(AgentHostProvider.class, AgentHostProvider::key)
+                .map(h -> new Kind("mas", h.key(), "", Optional.empty(), List.of(), settings(h.parameters())));
+    }
+
+    static Stream<Kind> systems() {
+        return found(RobotSystemProvider.class, RobotSystemProvider::key)
+                .map(s -> new Kind("mrs", s.key(), "", Optional.empty(), List.of(), settings(s.parameters())));
+    }
+
+    static List<Kind> all() {
+        return Stream.of(agents(), drivers(), hosts(), systems())
+                .flatMap(kinds -> kinds)
+                .toList();
+    }
+
+    /// For people.
+    String text() {
+        var text = new StringBuilder("%s: %s%n".formatted(name, title()));
+        if (!description.isEmpty()) {
+            text.append(description).append('\n');
+        }
+        if (!needs.isEmpty()) {
+            text.append("Needs a robot with ").append(String.join(", ", needs)).append(".\n");
+        }
+        text.append('\n').append(settings.isEmpty() ? "Nothing can be set.\n" : howToSet() + "\n");
+        var table = new Table("  ");
+        settings.forEach(
+                s -> table.row(s.name, s.value.map(Kind::written).orElse("must be given"), s.expected, s.description));
+        return text.append(table).toString();
+    }
+
+    private String title() {
+        return switch (kind) {
+            case "agent" -> "a type of agents";
+            case "driver" -> "a device driver, makes a " + makes.orElseThrow();
+            case "mas" -> "a multi-agent system";
+            default -> "a robot system";
+        };
+    }
+
+    private String howToSet() {
+        return switch (kind) {
+            case "agent" -> "Arguments (agents: {NAME: {type: %s, args: {…}}})".formatted(name);
+            case "driver" -> "Options (devices: {NAME: {type: %s, …}})".formatted(name);
+            default -> "Options (%s: {use: %s, …})".formatted(kind, name);
+        };
+    }
+
+    private static String written(Object value) {
+        return value.equals("") ? "\"\"" : value.toString();
+    }
+
+    private static <P> Stream<P> found(Class<P> kind, Function<P, String> key) {
+        return Providers.byKey(kind, key).values().stream();
+    }
+
+    private static List<Setting> settings(List<Parameter> parameters) {
+        return parameters.stream().map(Setting::of).toList();
+    }
+
+    private static List<String> names(Collection<Class<? extends Device>> types) {
+        return types.stream().map(Class::getSimpleName).toList();
+    }
+}

@@ -1,0 +1,176 @@
+package rsal.cli;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.scenario.Configuration;
+import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.RunPlan.PlannedDevice;
+import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scenario.Scenario;
+import rsal.settings.Parameter;
+
+/// What a scenario with one of its configurations comes to, as `rsal show --json` prints it.
+record ShownScenario(
+        String scenario,
+        String title,
+        String description,
+        String file,
+        String configuration,
+        List<Configuration> configurations,
+        List<Argument> arguments,
+        World world,
+        List<Role> robots,
+        List<ShownAgent> agents,
+        Run run,
+        List<End> ends,
+        List<Measured> measures) {
+    static ShownScenario of(Scenario scenario, RunPlan plan) {
+        return new ShownScenario(
+                scenario.name(),
+                scenario.title(),
+                scenario.description(),
+                scenario.location().file(),
+                plan.configuration(),
+                scenario.configurations(),
+                scenario.arguments().stream().map(a -> Argument.of(a, plan)).toList(),
+                World.of(plan),
+                roles(plan),
+                plan.agents().stream().map(ShownAgent::of).toList(),
+                new Run(plan.seed(), plan.clock() == RunPlan.Clock.WALL ? "wall" : "simulated"),
+                plan.stops().stream().map(End::of).toList(),
+                plan.measures().stream().map(Measured::of).toList());
+    }
+
+    record Argument(String name, Object value, String expected, String description) {
+        static Argument of(Parameter parameter, RunPlan plan) {
+            Object value = Objects.requireNonNull(plan.arguments().get(parameter.name()), "a plan has all arguments");
+            return new Argument(parameter.name(), value, parameter.expected(), parameter.description());
+        }
+    }
+
+    /// @param width and height of the map [m]
+    /// @param step of simulated time [s]
+    record World(String map, double width, double height, String mrs, String mas, double step) {
+        static World of(RunPlan plan) {
+            OccupancyGrid map = plan.map();
+            return new World(
+                    plan.mapName(),
+                    rounded(map.width() * map.resolution()),
+                    rounded(map.height() * map.resolution()),
+                    plan.mrs().provider().key(),
+                    plan.mas().provider().key(),
+                    plan.step().toNanos() / 1e9);
+        }
+    }
+
+    /// @param clock `simulated` or `wall`
+    record Run(long seed, String clock) {}
+
+    /// Robots of one role are alike.
+    ///
+    /// @param devices in the order in which they are made
+    record Role(
+            String role, List<String> ids, String model, List<String> sensors, List<Start> starts, List<Made> devices) {
+        /// @param pose `[x, y, degrees]` in the map; empty when the robot system chooses
+        record Start(String robot, Optional<List<Double>> pose) {
+            static Start of(PlannedRobot robot) {
+                return new Start(robot.spec().id(), robot.spec().mapFromBase().map(Start::typed));
+            }
+
+            private static List<Double> typed(Pose2d mapFromBase) {
+                return List.of(
+                        rounded(mapFromBase.x()),
+                        rounded(mapFromBase.y()),
+                        rounded(Math.toDegrees(mapFromBase.theta())));
+            }
+        }
+
+        /// @param needs types of devices that the robot must have before
+        record Made(String name, String driver, String makes, List<String> needs, Map<String, Object> options) {
+            static Made of(PlannedDevice device) {
+                return new Made(
+                        device.name(),
+                        device.driver().key(),
+                        device.driver().makes().getSimpleName(),
+                        device.driver().needs().stream()
+                                .map(Class::getSimpleName)
+                                .toList(),
+                        device.options().asMap());
+            }
+        }
+    }
+
+    record ShownAgent(String name, String type, Optional<String> robot, Map<String, Object> arguments) {
+        static ShownAgent of(PlannedAgent agent) {
+            return new ShownAgent(
+                    agent.name(),
+                    agent.type().key(),
+                    agent.robot(),
+                    agent.arguments().asMap());
+        }
+    }
+
+    /// @param after how long the run still goes on [s]
+    record End(String outcome, String when, double after) {
+        static End of(RunPlan.Stop stop) {
+            return new End(
+                    stop.outcome().word(), stop.when().toString(), stop.after().toMillis() / 1e3);
+        }
+    }
+
+    /// @param min the least value that is still right; empty when there is none
+    /// @param max the greatest
+    record Measured(
+            String name,
+            String unit,
+            String from,
+            boolean perRobot,
+            String better,
+            Optional<Double> min,
+            Optional<Double> max) {
+        static Measured of(RunPlan.Measured measured) {
+            return new Measured(
+                    measured.name(),
+                    measured.unit(),
+                    measured.from().toString(),
+                    measured.perRobot(),
+                    measured.better().word(),
+                    Optional.of(measured.min()).filter(Double::isFinite),
+                    Optional.of(measured.max()).filter(Double::isFinite));
+        }
+    }
+
+    private static List<Role> roles(RunPlan plan) {
+        var byRole = new LinkedHashMap<String, List<PlannedRobot>>();
+        for (PlannedRobot robot : plan.robots()) {
+            byRole.computeIfAbsent(robot.spec().role(), _ -> new ArrayList<>()).add(robot);
+        }
+        return byRole.entrySet().stream()
+                .map(entry -> role(entry.getKey(), entry.getValue()))
+                .toList();
+    }
+
+    private static Role role(String name, List<PlannedRobot> robots) {
+        PlannedRobot first = robots.getFirst();
+        return new Role(
+                name,
+                robots.stream().map(r -> r.spec().id()).toList(),
+                first.spec().model().name(),
+                first.spec().model().sensors().entrySet().stream()
+                        .map(sensor -> sensor.getKey() + " " + sensor.getValue().name())
+                        .toList(),
+                robots.stream().map(Role.Start::of).toList(),
+                first.drivers().stream().map(Role.Made::of).toList());
+    }
+
+    private static double rounded(double value) {
+        return Math.round(value * 1e3) / 1e3;
+    }
+}
