@@ -199,7 +199,14 @@ describe.skipIf(!chromium)('the page', () => {
     const notice = page.getByRole('alert');
     await notice.getByText(/./).first().waitFor();
     expect(await pose('prey-1')).toEqual(before);
-    await notice.getByRole('button', { name: 'Dismiss' }).click();
+    const dismiss = notice.getByRole('button', { name: 'Dismiss' });
+    const [line, ground] = await dismiss.evaluate((button) => [
+      getComputedStyle(button).color,
+      getComputedStyle(button).backgroundColor,
+    ]);
+    expect(ground).toBe('rgba(0, 0, 0, 0)');
+    expect(line).not.toBe(await notice.locator('p').evaluate((p) => getComputedStyle(p).backgroundColor));
+    await dismiss.click();
     expect(await notice.getByText(/./).count()).toBe(0);
   });
 
