@@ -1,5 +1,11 @@
 import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
+import {
+  chromium as driver,
+  type Browser,
+  type BrowserContext,
+  type Locator,
+  type Page,
+} from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium, flags } from './chromium';
 import { Rsal } from './rsal';
@@ -256,6 +262,38 @@ describe.skipIf(!chromium)('the page', () => {
       const now = await pose('prey-1');
       return Math.hypot(now.x - stopped.x, now.y - stopped.y) > 0.2;
     }, 'the prey moves again');
+  });
+
+  it('stays stopped when the emergency stop is clicked twice', async () => {
+    const [stop, emergencyStop] = ['Stop', 'Emergency stop'].map((name) =>
+      page.getByRole('button', { name, exact: true }),
+    ) as [Locator, Locator];
+    const places = async () => [await stop.boundingBox(), await emergencyStop.boundingBox()];
+    const before = await places();
+    await emergencyStop.dblclick();
+    await page.getByText('all robots are disabled').waitFor();
+    await page.getByRole('searchbox', { name: 'Filter events' }).fill('operator');
+    await eventually(
+      async () => (await page.locator('li', { hasText: 'emergency stop' }).count()) === 2,
+      'both clicks have arrived',
+    );
+    expect(await page.locator('li', { hasText: 'motors on again' }).count()).toBe(0);
+    expect(await page.getByText('all robots are disabled').count()).toBe(1);
+    expect(await page.getByTestId('outcome').count()).toBe(0);
+    expect(await places()).toEqual(before);
+  });
+
+  it('stops in an emergency by a key, whatever has the focus', async () => {
+    const stopped = page.getByText('all robots are disabled');
+    await page.getByRole('searchbox', { name: 'Filter events' }).focus();
+    await page.keyboard.press('F8');
+    await stopped.waitFor();
+    await page.getByRole('button', { name: 'Re-arm' }).press('Enter');
+    await stopped.waitFor({ state: 'hidden' });
+    await page.keyboard.press('r');
+    await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').focus();
+    await page.keyboard.press('F8');
+    await eventually(async () => (await stopped.count()) === 1, 'all robots are disabled');
   });
 
   it('shows everything to a viewer that comes late and may only watch', async () => {

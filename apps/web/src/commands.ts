@@ -6,6 +6,8 @@ import { nextSpeed } from './speeds';
 
 /** What buttons and keys do to the run. Nothing happens where nothing can. */
 export const commands = {
+  emergencyStop: () => act(api.emergencyStop),
+  rearm: () => act(api.rearm),
   pause: () => act(() => (live.frame!.paused ? api.resume() : api.pause())),
   step: () => {
     if (live.frame?.paused) {

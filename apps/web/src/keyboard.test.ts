@@ -1,5 +1,6 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { actionOf } from './keyboard';
+import { actionOf, keys } from './keyboard';
 
 function press(key: string, more: object = {}) {
   return actionOf({ key, ctrlKey: false, metaKey: false, altKey: false, target: null, ...more });
@@ -7,6 +8,7 @@ function press(key: string, more: object = {}) {
 
 describe('a key', () => {
   it.each([
+    ['F8', { kind: 'emergencyStop' }],
     ['p', { kind: 'pause' }],
     ['P', { kind: 'pause' }],
     ['.', { kind: 'step' }],
@@ -36,6 +38,12 @@ describe('a key', () => {
     expect(press('f', { altKey: true })).toBeNull();
   });
 
+  it('stops in an emergency wherever the focus is', () => {
+    for (const tagName of ['INPUT', 'TEXTAREA', 'SELECT', 'BUTTON']) {
+      expect(press('F8', { target: { tagName, type: 'text' } })).toEqual({ kind: 'emergencyStop' });
+    }
+  });
+
   it('belongs to what takes text, but for Escape', () => {
     const input = { target: { tagName: 'INPUT', type: 'search' } };
     expect(press('p', input)).toBeNull();
@@ -49,4 +57,10 @@ describe('a key', () => {
     expect(press('ArrowLeft', slider)).toBeNull();
     expect(press('-', slider)).toEqual({ kind: 'slower' });
   });
+});
+
+it('the documentation has the keys that the help has', () => {
+  const page = readFileSync(new URL('../../../docs/reference/page.md', import.meta.url), 'utf8');
+  const rows = [...page.matchAll(/^\| (.+) \| (.+) \|$/gm)].map(([, key, meaning]) => [key, meaning]);
+  expect(rows.slice(1)).toEqual(keys); // after the head
 });

@@ -2,7 +2,17 @@
 export type Action =
   | {
       kind:
-        'pause' | 'step' | 'faster' | 'slower' | 'goal' | 'follow' | 'fit' | 'restart' | 'help' | 'cancel';
+        | 'emergencyStop'
+        | 'pause'
+        | 'step'
+        | 'faster'
+        | 'slower'
+        | 'goal'
+        | 'follow'
+        | 'fit'
+        | 'restart'
+        | 'help'
+        | 'cancel';
     }
   | { kind: 'select'; robot: number }
   | { kind: 'zoom'; factor: number }
@@ -13,6 +23,7 @@ const PAN = 60;
 
 /** Shown in the help. */
 export const keys: [string, string][] = [
+  ['F8', 'emergency stop, wherever the focus is; re-arm with the button that then appears'],
   ['P', 'pause, resume'],
   ['.', 'one step, while paused'],
   ['+  −', 'faster, slower'],
@@ -27,7 +38,11 @@ export const keys: [string, string][] = [
   ['?', 'this help'],
 ];
 
+/** Types nothing, and no browser wants it: so it can work in fields and dialogs, too, and is not hit while writing. */
+const EMERGENCY_STOP = 'F8';
+
 const actions: Record<string, Action> = {
+  [EMERGENCY_STOP]: { kind: 'emergencyStop' },
   p: { kind: 'pause' },
   '.': { kind: 'step' },
   '+': { kind: 'faster' },
@@ -62,7 +77,7 @@ export function actionOf(event: Pressed): Action | null {
 /** Whether the focused element needs the key itself. */
 function takesKeys(target: EventTarget | null, key: string): boolean {
   const element = target as { tagName?: string; type?: string } | null;
-  if (key === 'Escape') {
+  if (key === 'Escape' || key === EMERGENCY_STOP) {
     return false;
   }
   switch (element?.tagName) {

@@ -23,6 +23,7 @@ export const texts = {
     restart: 'Restart…',
     stop: 'Stop',
     emergencyStop: 'Emergency stop',
+    emergencyStopHint: 'Switch off all motors at once',
     rearm: 'Re-arm',
     stopped: 'Emergency stop: all robots are disabled until they are re-armed.',
     help: 'Keys',
