@@ -167,10 +167,10 @@ describe.skipIf(!chromium)('the page', () => {
     await page.getByRole('slider', { name: 'Speed' }).fill('6'); // 10×
     await eventually(async () => (await speed.innerText()) === '10×', 'the speed is 10×');
     await eventually(async () => (await rate()) > 2, 'it runs faster than real time');
-    for (const expected of ['5×', '2×', '1×', '0.5×', '0.2×']) {
-      await page.keyboard.press('-');
-      await eventually(async () => (await speed.innerText()) === expected, `the speed is ${expected}`);
+    for (let press = 0; press < 5; press++) {
+      await page.keyboard.press('-'); // none waits until the run has told the one before
     }
+    await eventually(async () => (await speed.innerText()) === '0.2×', 'the speed is 0.2×');
     await eventually(async () => (await rate()) < 0.5, 'it runs slower than real time');
     await page.keyboard.press('+');
     await eventually(async () => (await speed.innerText()) === '0.5×', 'the speed is 0.5×');

@@ -2,7 +2,9 @@ import { access } from './api/access.svelte';
 import { api } from './api/client';
 import { live } from './live/live.svelte';
 import { attempt } from './notices.svelte';
-import { nextSpeed } from './speeds';
+import { WantedSpeed } from './wantedspeed';
+
+const wanted = new WantedSpeed((speed) => attempt(api.speed(speed)));
 
 /** What buttons and keys do to the run. Nothing happens where nothing can. */
 export const commands = {
@@ -14,12 +16,24 @@ export const commands = {
       act(() => api.step());
     }
   },
-  faster: () => act(() => api.speed(nextSpeed(live.frame!.speed, 1))),
-  slower: () => act(() => api.speed(nextSpeed(live.frame!.speed, -1))),
+  faster: () => change(1),
+  slower: () => change(-1),
+  /** @returns whether it will */
+  speed: (factor: string) => wanted.set(factor),
 };
 
+function change(direction: 1 | -1) {
+  if (mayAct()) {
+    void wanted.change(direction, live.frame!.speed);
+  }
+}
+
 function act(command: () => Promise<unknown>) {
-  if (access.allowed && live.frame && !live.over) {
+  if (mayAct()) {
     void attempt(command());
   }
+}
+
+function mayAct(): boolean {
+  return access.allowed && live.frame !== null && !live.over;
 }

@@ -12,6 +12,16 @@ export function nextSpeed(speed: number, direction: 1 | -1): string {
   return speeds[Math.min(speeds.length - 1, Math.max(0, index))]!;
 }
 
-function valueOf(speed: string): number {
+/** The speeds that are offered and another one, slowest first. */
+export function speedsWith(speed: string): string[] {
+  return [...new Set([...speeds, speed])].sort((a, b) => valueOf(a) - valueOf(b));
+}
+
+/** What the server calls a speed. */
+export function nameOf(speed: number): string {
+  return speed === Infinity ? 'max' : String(Number(speed.toPrecision(6))); // frames have single precision
+}
+
+export function valueOf(speed: string): number {
   return speed === 'max' ? Infinity : Number(speed);
 }
