@@ -179,12 +179,15 @@ describe.skipIf(!chromium)('the page', () => {
   it('puts a robot where it is dragged', async () => {
     await pause();
     const before = await pose('prey-1');
+    const error = page.locator('tr[data-robot="prey-1"] td').nth(2);
+    expect(await error.innerText()).toMatch(/m$/);
     const target = { x: 10, y: -1.6 };
     await drag(before, target);
     await eventually(async () => {
       const now = await pose('prey-1');
       return Math.hypot(now.x - target.x, now.y - target.y) < 0.2;
     }, 'the prey is there');
+    expect(await error.innerText()).toBe('–'); // it has not looked around yet
     expect((await pose('prey-1')).heading).toBeCloseTo(before.heading, 1);
     await page.getByRole('searchbox', { name: 'Filter events' }).fill('operator prey-1');
     await page.locator('li', { hasText: 'operator' }).first().waitFor();
@@ -193,8 +196,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.locator('#map').focus();
     await page.keyboard.press('p');
     await eventually(async () => {
-      const error = await page.locator('tr[data-robot="prey-1"] td').nth(2).innerText();
-      return Number.parseFloat(error) < 0.5 && (await time()) > 1;
+      return Number.parseFloat(await error.innerText()) < 0.5 && (await time()) > 1;
     }, 'the prey knows where it is');
   });
 

@@ -23,6 +23,23 @@ it('a robot that stands leaves no trail', () => {
   expect(trails.of(0)?.x).toHaveLength(1);
 });
 
+it('a robot that was put elsewhere did not drive there', () => {
+  const trails = new Trails();
+  trails.add(frame(1, 0, 0));
+  trails.add(frame(1, 0.1, 0.1));
+  trails.add(frame(1, 9, 0.1)); // stands
+  trails.add(frame(1, 9, 8)); // is put there while paused
+  trails.add(frame(1, 9.1, 8.1));
+  expect(trails.of(0)?.driven).toEqual([false, true, false, true]);
+});
+
+it('a robot in a run at full speed drove what lies between two frames', () => {
+  const trails = new Trails();
+  trails.add(frame(1, 0, 0));
+  trails.add(frame(1, 5, 4));
+  expect(trails.of(0)?.driven).toEqual([false, true]);
+});
+
 it('another run begins without trails', () => {
   const trails = new Trails();
   trails.add(frame(1, 0, 0));

@@ -3,23 +3,31 @@ import type { Frame } from './frame';
 /** How long a trail is [simulated s], and how far apart its points [m]. */
 const SECONDS = 30;
 const SPACING = 0.05;
+/** Who got farther than this between two frames [m], and faster than a robot drives [m/s], was put there. */
+const JUMP = 1;
+const FASTEST = 3;
 
 interface Trail {
   x: number[];
   y: number[];
   time: number[];
+  /** Whether the robot drove there from the point before. */
+  driven: boolean[];
 }
 
 /** Where robots have been of late, one trail a robot. */
 export class Trails {
   private trails: Trail[] = [];
   private run = 0;
+  private time = 0; // of the frame before
 
   add(frame: Frame) {
     if (frame.run !== this.run || frame.robots.length !== this.trails.length) {
       this.run = frame.run;
-      this.trails = frame.robots.map(() => ({ x: [], y: [], time: [] }));
+      this.trails = frame.robots.map(() => ({ x: [], y: [], time: [], driven: [] }));
     }
+    const farthest = Math.max(JUMP, FASTEST * (frame.time - this.time));
+    this.time = frame.time;
     frame.robots.forEach((robot, i) => {
       const trail = this.trails[i]!;
       const { pose } = robot;
@@ -31,6 +39,7 @@ export class Trails {
         trail.x.push(pose.x);
         trail.y.push(pose.y);
         trail.time.push(frame.time);
+        trail.driven.push(moved <= farthest);
       }
       const old = trail.time.findIndex((time) => time >= frame.time - SECONDS);
       const gone = old < 0 ? trail.time.length : old;
@@ -38,6 +47,7 @@ export class Trails {
         trail.x.splice(0, gone);
         trail.y.splice(0, gone);
         trail.time.splice(0, gone);
+        trail.driven.splice(0, gone);
       }
     });
   }

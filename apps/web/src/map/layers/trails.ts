@@ -19,7 +19,11 @@ export const drawTrails: Layer = (context, { info, trails, poses, view }) => {
       context.beginPath();
       context.moveTo(trail.x[from]!, trail.y[from]!);
       for (let at = from + 1; at <= Math.min(to, trail.x.length - 1); at++) {
-        context.lineTo(trail.x[at]!, trail.y[at]!);
+        if (trail.driven[at]) {
+          context.lineTo(trail.x[at]!, trail.y[at]!);
+        } else {
+          context.moveTo(trail.x[at]!, trail.y[at]!);
+        }
       }
       if (piece === pieces - 1) {
         context.lineTo(pose.x, pose.y);

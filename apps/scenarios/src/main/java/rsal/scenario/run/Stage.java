@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
@@ -72,6 +74,7 @@ final class Stage implements AutoCloseable {
     private final Map<String, Robot> robots = new LinkedHashMap<>();
     private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
     private final Map<String, String> lastWords = new HashMap<>();
+    private final Placements placements = new Placements();
     private Optional<Society> society = Optional.empty();
     private boolean stopped;
     private boolean closed;
@@ -250,19 +253,24 @@ final class Stage implements AutoCloseable {
     }
 
     private RobotView view(RobotSpec spec, Robot robot) {
-        Optional<Localizer> localizer = robot.find(Localizer.class);
+        String id = robot.id();
+        Optional<Localizer> localizer = robot.find(Localizer.class).filter(_ -> placements.isBeliefOfHere(id));
         Optional<Navigator> navigator = robot.find(Navigator.class);
         return new RobotView(
-                robot.id(),
+                id,
                 robot.role(),
                 spec.color(),
                 robot.model().name(),
-                system.simulation().flatMap(truth -> truth.truth(robot.id())),
+                system.simulation().flatMap(truth -> truth.truth(id)),
                 robot.find(DriveBase.class).flatMap(DriveBase::latest),
-                localizer.flatMap(Localizer::latest),
-                localizer.flatMap(Localizer::particles),
-                robot.find(LaserScanner.class).flatMap(LaserScanner::latest),
-                robot.find(SonarArray.class).flatMap(SonarArray::latest),
+                localizer.flatMap(Localizer::latest).filter(estimate -> placements.isOfHere(id, estimate)),
+                localizer.flatMap(Localizer::particles).filter(cloud -> placements.isOfHere(id, cloud)),
+                robot.find(LaserScanner.class)
+                        .flatMap(LaserScanner::latest)
+                        .filter(scan -> placements.isOfHere(id, scan)),
+                robot.find(SonarArray.class)
+                        .flatMap(SonarArray::latest)
+                        .filter(ranges -> placements.isOfHere(id, ranges)),
                 navigator.map(Navigator::path).orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
                 inCharge(robot),
@@ -323,8 +331,13 @@ final class Stage implements AutoCloseable {
             return new Answer.Refused(why);
         }
         observer.placed(id);
-        robot.find(Localizer.class)
-                .ifPresent(localizer -> localizer.relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND)));
+        CompletableFuture<Void> believed = robot.find(Localizer.class)
+                .map(localizer -> localizer.relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND)))
+                .map(CompletionStage::toCompletableFuture)
+                .orElse(CompletableFuture.completedFuture(null));
+        if (simulation.isPresent()) {
+            placements.add(id, scheduler.instant(), believed);
+        }
         journal.event("operator", id, "placed at " + Words.of(mapFromBase));
         return new Answer.Done();
     }

@@ -185,6 +185,31 @@ class LiveRunTest {
     }
 
     @Test
+    void aRobotThatWasPlacedShowsNothingOfWhereItWas() throws InterruptedException {
+        try (var run = LiveRun.start(slow())) {
+            var snapshots = snapshots(run);
+            Snapshot before = next(snapshots, Duration.ofMillis(300));
+            assertThat(before.robots().getFirst().scan()).isPresent();
+            assertThat(before.robots().getFirst().estimate()).isPresent();
+            run.pause();
+            var there = new Pose2d(-8, -1, 0);
+            assertThat(answer(run.place("prey", there))).isEqualTo(new Answer.Done());
+            snapshots.clear();
+            run.snapshot();
+            snapshots.take(); // may have been under way
+            RobotView placed = snapshots.take().robots().getFirst();
+            assertThat(placed.truth()).contains(there);
+            assertThat(placed.scan()).isEmpty();
+            assertThat(placed.estimate()).isEmpty();
+            run.resume();
+            RobotView later =
+                    next(snapshots, before.time().plusMillis(1000)).robots().getFirst();
+            assertThat(later.scan()).isPresent();
+            assertThat(later.estimate()).isPresent();
+        }
+    }
+
+    @Test
     void refusesGoalsThatNobodyCanTake() throws InterruptedException {
         try (var run = LiveRun.start(slow())) {
             awaitRobots(snapshots(run));
