@@ -331,20 +331,68 @@ describe.skipIf(!chromium)('the page', () => {
       async () => (await dialog.getByLabel('hunters', { exact: true }).inputValue()) === '4',
       'there are 4 hunters',
     );
-    await dialog.getByLabel('prey', { exact: true }).fill('99');
-    await dialog.getByRole('button', { name: 'Restart' }).click();
-    await dialog.getByRole('alert').getByText('(99)').waitFor();
-    expect(await page.getByText('hunt-and-prey:virtual').count()).toBe(1); // the old run goes on
     await dialog.getByLabel('prey', { exact: true }).fill('2');
     await dialog.getByLabel('Seed').fill('4711');
+    await dialog.getByLabel('Speed', { exact: true }).selectOption('2×');
     await dialog.getByRole('button', { name: 'Restart' }).click();
     await dialog.waitFor({ state: 'hidden' });
     await page.getByText('hunt-and-prey:advanced').waitFor();
+    await eventually(async () => (await page.getByTestId('speed').innerText()) === '2×', 'the speed is 2×');
     await page.getByText('4711').first().waitFor();
     await eventually(
       async () => (await page.locator('tr[data-robot][data-x]').count()) === 6,
       'there are 6 robots',
     );
+  });
+
+  it('offers the present speed for the next run, unless nobody could watch it', async () => {
+    const offered = async () => {
+      await page.keyboard.press('r');
+      const dialog = page.getByRole('dialog');
+      const speed = await dialog
+        .getByLabel('Speed', { exact: true })
+        .evaluate((select: HTMLSelectElement) => select.selectedOptions[0]!.text);
+      await page.keyboard.press('Escape');
+      return speed;
+    };
+    await rsal.post('pause');
+    for (const [factor, told, offer] of [
+      ['3', '3×', '3×'],
+      ['max', 'max', '1×'],
+    ] as const) {
+      await rsal.post('speed', { factor });
+      await eventually(
+        async () => (await page.getByTestId('speed').innerText()) === told,
+        `it goes at ${told}`,
+      );
+      expect(await offered()).toBe(offer);
+    }
+  });
+
+  it('names every mistaken field of the form at once, and restarts nothing', async () => {
+    await page.keyboard.press('r');
+    const dialog = page.getByRole('dialog');
+    const field = (name: string) => dialog.getByLabel(name, { exact: true });
+    await field('Seed').fill('seven');
+    await field('prey').fill('99');
+    await field('catchDistance[m]').fill('far');
+    await dialog.getByRole('button', { name: 'Restart' }).click();
+    await dialog.getByRole('alert').waitFor();
+    for (const [name, mistake] of [
+      ['Seed', '(seed) must be a whole number, not (seven).'],
+      ['prey', '(prey) must be a whole number from 1 to 8, not (99).'],
+      ['catchDistance[m]', '(catchDistance) must be a number from 0.8 to 3 [m], not (far).'],
+    ] as const) {
+      expect(await field(name).getAttribute('aria-invalid'), name).toBe('true');
+      const descriptions = (await field(name).getAttribute('aria-describedby'))!.split(' ');
+      const texts = await Promise.all(descriptions.map((id) => page.locator(`#${id}`).innerText()));
+      expect(texts.join(' ')).toContain(mistake);
+    }
+    expect(await field('hunters').getAttribute('aria-invalid')).toBe('false');
+    expect(await field('Seed').evaluate((input) => input === document.activeElement)).toBe(true);
+    await page.keyboard.press('Escape');
+    await page.locator('header').getByText(`seed ${SEED}`).waitFor();
+    expect(await page.getByTestId('outcome').count()).toBe(0);
   });
 
   it('says how a run ended', async () => {
@@ -414,6 +462,10 @@ describe.skipIf(!chromium)('the page', () => {
       await page.keyboard.press('Escape');
       await page.keyboard.press('r');
       await check('with the form to run again');
+      await page.getByLabel('Seed').fill('seven');
+      await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
+      await page.getByRole('dialog').getByRole('alert').waitFor();
+      await check('with mistakes in the form');
       await page.keyboard.press('Escape');
       await rsal.post('estop');
       await page.getByText('all robots are disabled').waitFor();

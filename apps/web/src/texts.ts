@@ -117,16 +117,19 @@ export const texts = {
     noneMatch: 'No event matches.',
     more: (count: number) => `${count} earlier ones are not shown; filter to find them.`,
   },
+  range: {
+    between: (from: string, to: string) => `${from} to ${to}`,
+    least: (from: string) => `at least ${from}`,
+    most: (to: string) => `at most ${to}`,
+  },
   restart: {
     title: 'Restart',
     configuration: 'Configuration',
     seed: 'Seed',
     another: 'Another',
+    speed: 'Speed',
     go: 'Restart',
     cancel: 'Cancel',
-    range: (from: string, to: string) => `${from} to ${to}`,
-    least: (from: string) => `at least ${from}`,
-    most: (to: string) => `at most ${to}`,
     scenario: 'as the scenario says',
   },
   help: {

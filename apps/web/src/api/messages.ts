@@ -110,6 +110,7 @@ export interface Restart {
   configuration: string | null;
   arguments: Record<string, string> | null;
   seed: string | null;
+  speed: string | null;
 }
 
 export interface RobotDetails {

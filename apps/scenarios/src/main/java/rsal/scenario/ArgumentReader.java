@@ -114,10 +114,10 @@ final class ArgumentReader {
     }
 
     /// Values as typed.
-    static Map<String, Object> typed(List<Parameter> declared, Map<String, String> typed, Problems problems) {
+    static Map<String, Object> typed(List<Parameter> declared, RunOptions options, Problems problems) {
         var values = new LinkedHashMap<String, Object>();
-        typed.forEach((name, text) -> {
-            var at = Location.of("--set " + name + "=" + text);
+        options.arguments().forEach((name, text) -> {
+            Location at = options.locationOf(name);
             var names = declared.stream().map(Parameter::name).toList();
             var parameter = declared.stream().filter(p -> p.name().equals(name)).findFirst();
             if (parameter.isEmpty()) {

@@ -188,7 +188,7 @@ final class PlanReader {
         declared.forEach(parameter -> parameter.fallback().ifPresent(value -> values.put(parameter.name(), value)));
         var section = new Section("configurations." + configuration, overlay, problems);
         values.putAll(ArgumentReader.overridden(declared, section.section("args")));
-        values.putAll(ArgumentReader.typed(declared, options.arguments(), problems));
+        values.putAll(ArgumentReader.typed(declared, options, problems));
         return values;
     }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import rsal.settings.Location;
 
 /// What somebody who starts a run wants otherwise than its scenario says.
 ///
@@ -55,5 +56,10 @@ public record RunOptions(
 
     public RunOptions withSpeed(double factor) {
         return new RunOptions(configuration, arguments, seed, mas, mrs, limit, OptionalDouble.of(factor));
+    }
+
+    /// Where mistakes about an argument are reported to be that was typed.
+    public Location locationOf(String argument) {
+        return Location.of("--set " + argument + "=" + arguments.get(argument));
     }
 }

@@ -8,19 +8,16 @@ import io.javalin.http.HttpResponseException;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import java.util.zip.GZIPOutputStream;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.data.Pose2d;
-import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.server.CurrentRun.Numbered;
-import rsal.server.Messages.Mistake;
 import rsal.server.Messages.Plan;
 import rsal.server.Messages.Refused;
 import rsal.server.Messages.Restart;
@@ -28,15 +25,12 @@ import rsal.server.Messages.RobotPose;
 import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.Speed;
 import rsal.server.Page.Asset;
-import rsal.settings.InvalidSettings;
 
 /// What can be asked and told over HTTP. `GET` shows, `POST` changes and needs the token. A refusal comes as
 /// [Messages.Refused] with a status: 400 not understood, 401 no token, 409 not possible now, 422 bad settings.
 final class Api {
     private static final Logger LOG = LoggerFactory.getLogger(Api.class);
     private static final double FARTHEST = 1e6; // [m], from the map's origin
-    private static final double SLOWEST = 0.1;
-    private static final double FASTEST = 1000;
     private static final Map<String, String> SECURITY_HEADERS = Map.of(
             "Content-Security-Policy",
                     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self';"
@@ -70,7 +64,11 @@ final class Api {
         command(routes, "pause", request -> running().pause());
         command(routes, "resume", request -> running().resume());
         command(routes, "step", request -> running().step());
-        command(routes, "speed", request -> running().speed(factor(read(request, Speed.class))));
+        command(
+                routes,
+                "speed",
+                request -> running()
+                        .speed(SpeedFactor.of(read(request, Speed.class).factor())));
         command(routes, "stop", request -> running().stop());
         command(routes, "place", request -> {
             RobotPose to = read(request, RobotPose.class);
@@ -82,19 +80,18 @@ final class Api {
         });
         command(routes, "estop", request -> answerWhenDone(request, running().estop()));
         command(routes, "rearm", request -> answerWhenDone(request, running().rearm()));
-        command(routes, "check", request -> answer(request, plan(read(request, Restart.class))));
+        command(routes, "check", request -> {
+            RunPlan plan = plan(read(request, Restart.class));
+            answer(request, new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan)));
+        });
         command(routes, "restart", request -> {
-            current.restart(options(read(request, Restart.class)));
+            current.restart(plan(read(request, Restart.class)));
             answer(request, info());
         });
 
         routes.get("/*", this::asset);
 
         routes.exception(Refusal.class, (refusal, request) -> refuse(request, refusal));
-        routes.exception(
-                InvalidSettings.class,
-                (settings, request) -> refuse(
-                        request, new Refusal(422, "This can't be run as it is.", Descriptions.mistakes(settings))));
         routes.exception(
                 HttpResponseException.class,
                 (e, request) -> refuse(request, new Refusal(e.getStatus(), String.valueOf(e.getMessage()))));
@@ -126,45 +123,10 @@ final class Api {
         return Descriptions.run(now.number(), now.run().plan());
     }
 
-    private Plan plan(Restart wish) {
-        RunPlan plan = current.now().run().plan().scenario().plan(options(wish));
-        return new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan));
-    }
-
-    /// As the run is now, but for what the wish says.
-    private RunOptions options(Restart wish) {
-        RunPlan plan = current.now().run().plan();
-        return plan.options()
-                .withConfiguration(wish.configuration().orElse(plan.configuration()))
-                .withArguments(wish.arguments().orElse(plan.options().arguments()))
-                .withSeed(wish.seed().map(Api::seed).orElse(plan.seed()));
-    }
-
-    private static long seed(String typed) {
-        try {
-            return Long.parseLong(typed.strip());
-        } catch (NumberFormatException e) {
-            var mistake = new Mistake("seed", "(%s) is not a whole number.".formatted(shortened(typed)), "Try 42.");
-            throw new Refusal(422, "This can't be run as it is.", List.of(mistake));
-        }
-    }
-
-    private static double factor(Speed speed) {
-        if (speed.factor().equals("max")) {
-            return Double.POSITIVE_INFINITY;
-        }
-        try {
-            double factor = Double.parseDouble(speed.factor());
-            if (factor >= SLOWEST && factor <= FASTEST) {
-                return factor;
-            }
-        } catch (NumberFormatException e) {
-            // refused below, with the right words
-        }
-        throw new Refusal(
-                400,
-                "A speed is a number from %s to %s, or max; not (%s)."
-                        .formatted(SLOWEST, (int) FASTEST, shortened(speed.factor())));
+    /// What the wish asks for; otherwise as the run is now.
+    private RunPlan plan(Restart wish) {
+        LiveRun run = current.now().run();
+        return new RestartReader(run.plan(), run.snapshot().speed()).read(wish);
     }
 
     private static Pose2d pose(RobotPose to) {
@@ -189,7 +151,8 @@ final class Api {
 
     private void asset(Context request) {
         Asset asset = page.find(request.path())
-                .orElseThrow(() -> new Refusal(404, "There is no (%s) here.".formatted(shortened(request.path()))));
+                .orElseThrow(
+                        () -> new Refusal(404, "There is no (%s) here.".formatted(Refusal.shortened(request.path()))));
         if (asset.hashed()) {
             request.header(Header.CACHE_CONTROL, "max-age=31536000, immutable");
         }
@@ -220,9 +183,5 @@ final class Api {
     private static void refuse(Context request, Refusal refusal) {
         request.status(refusal.status());
         answer(request, new Refused(refusal.sentence(), refusal.problems()));
-    }
-
-    private static String shortened(String text) {
-        return text.length() <= 80 ? text : text.substring(0, 77) + "...";
     }
 }

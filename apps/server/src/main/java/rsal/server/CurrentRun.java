@@ -1,7 +1,6 @@
 package rsal.server;
 
 import java.util.function.Consumer;
-import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 
@@ -27,15 +26,11 @@ final class CurrentRun implements AutoCloseable {
         return now;
     }
 
-    /// Ends the run and begins another one of the same scenario, as fast as this one was last told to go.
-    ///
-    /// @throws rsal.settings.InvalidSettings with every mistake; then the run goes on
-    synchronized void restart(RunOptions options) {
+    /// Ends the run and begins another one.
+    synchronized void restart(RunPlan next) {
         if (closed) {
             throw new Refusal(503, "The server is ending.");
         }
-        double speed = now.run().snapshot().speed();
-        RunPlan next = now.run().plan().scenario().plan(options.withSpeed(speed));
         now.run().close();
         now = begin(now.number() + 1, next);
     }

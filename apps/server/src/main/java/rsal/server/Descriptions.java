@@ -32,7 +32,6 @@ import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.RobotDetails;
 import rsal.server.Messages.RobotInfo;
 import rsal.server.Messages.RunInfo;
-import rsal.settings.InvalidSettings;
 import rsal.settings.Parameter;
 
 /// Puts a run into messages.
@@ -175,11 +174,5 @@ final class Descriptions {
     static EventInfo event(RunEvent event) {
         return new EventInfo(
                 event.sequence(), event.time().toNanos() / 1e9, event.kind(), event.subject(), event.text());
-    }
-
-    static List<Messages.Mistake> mistakes(InvalidSettings settings) {
-        return settings.problems().stream()
-                .map(p -> new Messages.Mistake(p.location().toString(), p.message(), p.remedy()))
-                .toList();
     }
 }

@@ -150,7 +150,12 @@ final class Messages {
     /// Asks for another run; what is left out stays as it is.
     ///
     /// @param arguments as typed, by name; all others are the scenario's
-    record Restart(Optional<String> configuration, Optional<Map<String, String>> arguments, Optional<String> seed) {}
+    /// @param speed as [Speed] has it
+    record Restart(
+            Optional<String> configuration,
+            Optional<Map<String, String>> arguments,
+            Optional<String> seed,
+            Optional<String> speed) {}
 
     /// What another run would be, for the form.
     record Plan(String seed, List<ArgumentInfo> arguments) {}
@@ -165,7 +170,7 @@ final class Messages {
     /// Why something was not done.
     record Refused(String message, List<Mistake> problems) {}
 
-    /// @param where file and place, or whatever the person typed into
+    /// @param where what of a [Restart] is wrong (`seed`, `speed`, `arguments.hunters`), or file and place
     /// @param remedy what to try; empty when nobody can tell
     record Mistake(String where, String message, String remedy) {}
 }

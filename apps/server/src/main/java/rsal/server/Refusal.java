@@ -33,4 +33,9 @@ final class Refusal extends RuntimeException {
     List<Messages.Mistake> problems() {
         return problems;
     }
+
+    /// What a person typed, short enough for a sentence.
+    static String shortened(String text) {
+        return text.length() <= 80 ? text : text.substring(0, 77) + "...";
+    }
 }

@@ -346,6 +346,27 @@ class RunServerTest {
         }
 
         @Test
+        void goesAsFastAsAskedFor() throws IOException {
+            post("restart", "{\"speed\":\"max\"}");
+            assertThat(server.run().plan().speed()).isEqualTo(Double.POSITIVE_INFINITY);
+            post("restart", "{\"speed\":\"0.5\"}");
+            assertThat(server.run().plan().speed()).isEqualTo(0.5);
+        }
+
+        @Test
+        void namesTheFieldOfEveryMistakeAtOnce() throws IOException {
+            LiveRun before = server.run();
+            Response response = post(
+                    "restart",
+                    "{\"seed\":\"x\",\"speed\":\"fast\",\"arguments\":{\"couriers\":\"99\",\"couriars\":\"2\"}}");
+            assertThat(response.status()).isEqualTo(422);
+            assertThat(response.body())
+                    .contains("\"where\":\"seed\"", "\"where\":\"speed\"")
+                    .contains("\"where\":\"arguments.couriers\"", "\"where\":\"arguments.couriars\"");
+            assertThat(server.run()).isSameAs(before);
+        }
+
+        @Test
         void keepsWhatIsLeftOut() throws IOException {
             post("restart", "{\"arguments\":{\"couriers\":\"3\"},\"seed\":\"11\"}");
             post("restart", "{}");
@@ -363,6 +384,7 @@ class RunServerTest {
                     "{\"configuration\":\"trio\"} | trio",
                     "{\"seed\":\"abc\"} | abc",
                     "{\"seed\":\"1e3\"} | 1e3",
+                    "{\"speed\":\"0\"} | speed",
                 })
         void changesNothingWhenItIsMistaken(String wish, String culprit) throws IOException {
             LiveRun before = server.run();
