@@ -1,3 +1,4 @@
+import { fileURLToPath } from 'node:url';
 import { AxeBuilder } from '@axe-core/playwright';
 import {
   chromium as driver,
@@ -62,6 +63,15 @@ describe.skipIf(!chromium)('the page', () => {
     });
     await opened.goto(url);
     await opened.locator('tr[data-robot][data-x]').first().waitFor();
+    return opened;
+  }
+
+  /** A page of another server, which may be gone at times. */
+  async function openAnother(url: string): Promise<Page> {
+    const context = await browser!.newContext();
+    contexts.push(context);
+    const opened = await context.newPage();
+    await opened.goto(url);
     return opened;
   }
 
@@ -395,6 +405,36 @@ describe.skipIf(!chromium)('the page', () => {
     expect(await page.getByTestId('outcome').count()).toBe(0);
   });
 
+  it.each([
+    [1280, 720],
+    [820, 1180],
+  ])('shows the whole ending beside the map at %i × %i', async (width, height) => {
+    await rsal.post('restart', { configuration: 'advanced', arguments: {} });
+    page = await open(rsal.url, { viewport: { width, height } });
+    await rsal.post('stop');
+    await page.getByTestId('outcome').waitFor();
+    const map = (await page.locator('#map').boundingBox())!;
+    const ending = page.getByRole('region', { name: 'Stopped' });
+    const box = (await ending.boundingBox())!;
+    expect(box.x >= map.x + map.width || box.y >= map.y + map.height).toBe(true);
+    expect(box.x + box.width).toBeLessThanOrEqual(width);
+    const hidden = ending.getByRole('group', { name: 'Measures' });
+    expect(await hidden.evaluate((body) => body.scrollHeight - body.clientHeight)).toBeLessThanOrEqual(0);
+    await ending.getByRole('button', { name: 'Close' }).click();
+    await eventually(
+      async () => (await page.locator('#map').boundingBox())!.width === width,
+      'the map has the room again',
+    );
+  });
+
+  it('explains what is out of bounds', async () => {
+    const bounded = await Rsal.run(fileURLToPath(new URL('bounded.yaml', import.meta.url)), '--port', '0');
+    page = await openAnother(bounded.url);
+    await page.getByText(/^Out of bounds: way is [\d.]+ m; the scenario allows at least 1000 m\.$/).waitFor();
+    await bounded.end();
+    await page.close();
+  });
+
   it('says how a run ended', async () => {
     await page.getByRole('button', { name: 'Stop', exact: true }).click();
     expect(await page.getByTestId('outcome').innerText()).toBe('Stopped');
@@ -478,10 +518,7 @@ describe.skipIf(!chromium)('the page', () => {
 
   it('says when the server is gone, and comes back with it', async () => {
     const first = await Rsal.run('hunt-and-prey', '--port', '0');
-    const context = await browser!.newContext();
-    contexts.push(context);
-    page = await context.newPage();
-    await page.goto(first.origin);
+    page = await openAnother(first.origin);
     await page.locator('tr[data-robot][data-x]').first().waitFor();
     await first.end();
     await page.getByText('The server is gone.').waitFor();

@@ -47,8 +47,11 @@ export const texts = {
     } as Record<string, string>,
     after: (simulated: string, wall: string) => `after ${simulated} simulated, in ${wall}`,
     measures: 'Measures',
+    ofRun: 'Measures of the whole run',
+    ofRobots: 'Measures of each robot',
     unmeasured: 'not measured',
-    outOfBounds: 'worse than allowed',
+    outOfBounds: (name: string, value: string, bound: string) =>
+      `Out of bounds: ${name} is ${value}; the scenario allows ${bound}.`,
     hash: 'event hash',
     close: 'Close',
   },

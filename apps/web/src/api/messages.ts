@@ -83,6 +83,8 @@ export interface MapInfo {
 export interface MeasureInfo {
   name: string;
   unit: string;
+  min: number | null;
+  max: number | null;
 }
 
 export interface Mistake {

@@ -54,9 +54,7 @@ final class Descriptions {
                 plan.step().toNanos() / 1e9,
                 map(plan.mapName(), plan.map()),
                 plan.robots().stream().map(robot -> robot(robot.spec())).toList(),
-                plan.measures().stream()
-                        .map(measured -> new MeasureInfo(measured.name(), measured.unit()))
-                        .toList());
+                plan.measures().stream().map(Descriptions::measure).toList());
     }
 
     static List<ArgumentInfo> arguments(RunPlan plan) {
@@ -80,6 +78,10 @@ final class Descriptions {
 
     private static Optional<Double> finite(double value) {
         return Double.isFinite(value) ? Optional.of(value) : Optional.empty();
+    }
+
+    private static MeasureInfo measure(RunPlan.Measured measured) {
+        return new MeasureInfo(measured.name(), measured.unit(), finite(measured.min()), finite(measured.max()));
     }
 
     private static MapInfo map(String name, OccupancyGrid map) {

@@ -89,7 +89,9 @@ final class Messages {
     record RobotInfo(String id, String role, String color, String model, List<List<Double>> footprint) {}
 
     /// @param unit `m`, `s`; empty when it has none
-    record MeasureInfo(String name, String unit) {}
+    /// @param min the least value that is still right
+    /// @param max the greatest value that is still right
+    record MeasureInfo(String name, String unit, Optional<Double> min, Optional<Double> max) {}
 
     /// What changes now and then.
     ///

@@ -82,7 +82,8 @@ class RunServerTest {
             assertThat(get("/api/run").body())
                     .contains("\"scenario\":\"errand\"", "\"configuration\":\"one\"", "\"seed\":\"7\"")
                     .contains("\"id\":\"courier-1\"", "\"Pioneer 2-DX\"")
-                    .contains("\"name\":\"couriers\"", "\"min\":1.0,\"max\":4.0");
+                    .contains("\"name\":\"couriers\"", "\"min\":1.0,\"max\":4.0")
+                    .contains("{\"name\":\"way\",\"unit\":\"m\",\"min\":null,\"max\":50.0}");
             assertThat(get("/").body()).contains("The page");
         }
 

@@ -1,0 +1,48 @@
+import { describe, expect, it } from 'vitest';
+import type { Ending, MeasureInfo } from '../api/messages';
+import { boundOf, measured, ofRobots, ofRun } from './measures';
+
+const measures: MeasureInfo[] = [
+  { name: 'captureTime', unit: 's', min: null, max: null },
+  { name: 'error', unit: 'm', min: null, max: 0.3 },
+  { name: 'way', unit: 'm', min: 5, max: null },
+  { name: 'collisions', unit: '', min: 1, max: 3 },
+];
+
+const ending = {
+  measures: {
+    captureTime: null,
+    'error.prey-1': 0.41234,
+    'error.hunter-1': 0.1,
+    'way.hunter-1': 12,
+    collisions: 4,
+  },
+  outOfBounds: ['error.prey-1', 'collisions'],
+} as unknown as Ending;
+
+describe('measures', () => {
+  it('of the whole run are apart from those of each robot', () => {
+    expect(ofRun(ending, measures)).toEqual(['captureTime', 'collisions']);
+    expect(ofRobots(ending, measures)).toEqual({
+      names: ['error', 'way'],
+      rows: [
+        { robot: 'prey-1', of: ['error.prey-1', 'way.prey-1'] },
+        { robot: 'hunter-1', of: ['error.hunter-1', 'way.hunter-1'] },
+      ],
+    });
+  });
+
+  it('have three digits and a unit', () => {
+    expect(measured('error.prey-1', ending, measures)).toBe('0.412 m');
+    expect(measured('collisions', ending, measures)).toBe('4');
+    expect(measured('captureTime', ending, measures)).toBe('not measured');
+    expect(measured('way.prey-1', ending, measures)).toBe('');
+  });
+
+  it('have the bounds that the scenario gives', () => {
+    expect(boundOf('error.prey-1', measures)).toBe('at most 0.3 m');
+    expect(boundOf('way.hunter-1', measures)).toBe('at least 5 m');
+    expect(boundOf('collisions', measures)).toBe('1 to 3');
+    expect(boundOf('captureTime', measures)).toBe('');
+  });
+});
