@@ -246,6 +246,27 @@ describe.skipIf(!chromium)('the page', () => {
     }, 'the hunter is on its way');
   });
 
+  it('says when a robot cannot get where it is sent', async () => {
+    await rsal.post('goal', { robot: 'hunter-1', x: -31, y: -7.55, heading: 0 }); // in a corner
+    await page.getByRole('alert').getByText("hunter-1 can't get to (-31.00, -7.55, 0°): no path.").waitFor();
+    const late = await open(rsal.url);
+    await late.locator('li', { hasText: 'unreached' }).first().waitFor();
+    expect(await late.getByRole('alert').getByText(/./).count()).toBe(0);
+  });
+
+  it.each([
+    [1280, 720],
+    [820, 1180],
+  ])('shows all digits of a place at %i × %i', async (width, height) => {
+    page = await open(rsal.url, { viewport: { width, height } });
+    await page.keyboard.press('1');
+    for (const name of ['x [m]', 'y [m]', 'heading [°]']) {
+      const field = page.getByLabel(name);
+      await field.fill('-123.45');
+      expect(await field.evaluate((input) => input.scrollWidth <= input.clientWidth), name).toBe(true);
+    }
+  });
+
   it('places a robot by typed numbers', async () => {
     await pause();
     await page.keyboard.press('1');

@@ -20,6 +20,10 @@ class Live implements Listener {
   newest: { frame: Frame; at: number } | null = null;
   previous: { frame: Frame; at: number } | null = null;
 
+  /** Called with what happens while this page looks on, not with what happened before. */
+  onNews: (event: EventInfo) => void = () => {};
+
+  private joined = Infinity; // simulated seconds
   private panelsFollowed = 0;
   private catchUp: number | undefined;
 
@@ -43,15 +47,19 @@ class Live implements Listener {
       this.frame = null;
       this.newest = null;
       this.previous = null;
+      this.joined = Infinity;
     } else if (message.details) {
       this.details = message.details;
     } else if (message.events) {
-      this.events = this.events.concat(message.events.events).slice(-MOST_EVENTS);
+      const { events } = message.events;
+      this.events = this.events.concat(events).slice(-MOST_EVENTS);
+      events.filter(({ time }) => time > this.joined).forEach((event) => this.onNews(event));
     }
   }
 
   onFrame(bytes: ArrayBuffer) {
     const frame = decodeFrame(bytes);
+    this.joined = Math.min(this.joined, frame.time);
     this.previous = this.newest;
     this.newest = { frame, at: performance.now() };
     this.tellPanels();

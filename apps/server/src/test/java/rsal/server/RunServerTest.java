@@ -26,6 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Snapshot;
 import rsal.server.RawHttp.Response;
 
@@ -68,6 +69,21 @@ class RunServerTest {
                 Snapshot snapshot = run.snapshot();
                 if (wanted.test(snapshot)) {
                     return snapshot;
+                }
+                news.await();
+            }
+        }
+    }
+
+    private static RunEvent awaitEvent(LiveRun run, String kind) throws InterruptedException {
+        while (true) {
+            var news = new CountDownLatch(1);
+            try (var _ = run.onEvents(news::countDown)) {
+                var found = run.events(0).stream()
+                        .filter(e -> e.kind().equals(kind))
+                        .findFirst();
+                if (found.isPresent()) {
+                    return found.get();
                 }
                 news.await();
             }
@@ -299,6 +315,15 @@ class RunServerTest {
             await(
                     server.run(),
                     s -> !s.robots().isEmpty() && s.robots().getFirst().goal().isPresent());
+        }
+
+        @Test
+        void tellWhenARobotCannotGetWhereItWasSent() throws Exception {
+            String inACorner = "{\"robot\":\"courier-1\",\"x\":18.4,\"y\":-6.4,\"heading\":0}";
+            assertThat(post("goal", inACorner).status()).isEqualTo(200);
+            RunEvent event = awaitEvent(server.run(), "unreached");
+            assertThat(event.subject()).isEqualTo("courier-1");
+            assertThat(event.text()).isEqualTo("can't get to (18.40, -6.40, 0°): no path");
         }
 
         @Test

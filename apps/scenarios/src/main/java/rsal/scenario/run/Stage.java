@@ -75,6 +75,7 @@ final class Stage implements AutoCloseable {
     private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
     private final Map<String, String> lastWords = new HashMap<>();
     private final Placements placements = new Placements();
+    private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
     private Optional<Society> society = Optional.empty();
     private boolean stopped;
     private boolean closed;
@@ -208,12 +209,31 @@ final class Stage implements AutoCloseable {
         switch (message.content()) {
             case PoseReport _, PoseRequest _ ->
                 journal.hash(message.sender(), message.topic().name(), words);
-            case NewGoal _, GoalReached _ -> journal.event("goal", message.sender(), words);
+            case NewGoal _ -> journal.event("goal", message.sender(), words);
+            case GoalReached end -> {
+                journal.event("goal", message.sender(), words);
+                ended(end);
+            }
             case Caught caught -> {
                 journal.event("caught", message.sender(), words);
                 observer.heard(caught, system.simulation());
             }
             default -> journal.event("message", message.sender(), words);
+        }
+    }
+
+    /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled has given way
+    /// to another, maybe to the same place again.
+    private void ended(GoalReached end) {
+        if (end.ending().equals("cancelled") || !end.mapFromGoal().equals(mapFromAsked.get(end.robot()))) {
+            return;
+        }
+        mapFromAsked.remove(end.robot());
+        if (!end.ending().equals("reached")) {
+            journal.event(
+                    "unreached",
+                    end.robot(),
+                    "can't get to %s: %s".formatted(Words.of(end.mapFromGoal()), end.ending()));
         }
     }
 
@@ -359,6 +379,7 @@ final class Stage implements AutoCloseable {
             return new Answer.Refused("There is a wall or nothing known at %s.".formatted(Words.of(mapFromGoal)));
         }
         journal.event("operator", id, "sent to " + Words.of(mapFromGoal));
+        mapFromAsked.put(id, mapFromGoal);
         society.orElseThrow().publish("operator", NewGoal.TOPIC, new NewGoal(id, mapFromGoal));
         return new Answer.Done();
     }
