@@ -1,7 +1,7 @@
 import type { Layer } from '../scene';
 
-/** Particles of the localizers: close up, each shows its heading. */
-export const drawParticles: Layer = (context, { info, frame, view }) => {
+/** Particles of the localizers, also on top of robots: close up, each shows its heading. */
+export const drawParticles: Layer = (context, { info, frame, view, palette }) => {
   const size = Math.max(1.5, Math.min(3, 0.03 * view.scale)) / view.scale;
   const withHeadings = view.scale > 60;
   frame.robots.forEach(({ particles }, i) => {
@@ -20,8 +20,12 @@ export const drawParticles: Layer = (context, { info, frame, view }) => {
         dots.lineTo(x + 0.12 * Math.cos(heading), y + 0.12 * Math.sin(heading));
       }
     }
-    context.globalAlpha = 0.4;
+    context.lineJoin = 'round';
+    context.strokeStyle = palette.halo; // around the cloud, or it would not be seen on a body of its color
+    context.lineWidth = 2.5 / view.scale;
+    context.stroke(dots);
     context.fillStyle = info.robots[i]!.color;
+    context.globalAlpha = 0.5;
     context.fill(dots);
     if (withHeadings) {
       context.strokeStyle = info.robots[i]!.color;
