@@ -7,7 +7,7 @@ import { enter } from './frames';
 const LEAST_PIXELS = 18;
 export const HANDLE_PIXELS = 5;
 
-/** Robots: outline, heading and id. */
+/** Robots: outline and heading. */
 export const drawRobots: Layer = (context, { info, frame, poses, view, palette, selected }) => {
   info.robots.forEach(({ color, footprint }, i) => {
     const pose = poses[i];
@@ -23,28 +23,6 @@ export const drawRobots: Layer = (context, { info, frame, poses, view, palette, 
       drawHandle(context, handleOf(pose, footprint, view.scale), color, view.scale, palette.halo);
     }
   });
-};
-
-export const drawNames: Layer = (context, { info, poses, view, palette, selected }) => {
-  context.save();
-  context.scale(1 / view.scale, -1 / view.scale); // text stands upright and keeps its size
-  context.textAlign = 'center';
-  context.lineJoin = 'round';
-  context.strokeStyle = palette.halo;
-  context.fillStyle = palette.text;
-  context.lineWidth = 3;
-  info.robots.forEach(({ id, footprint }, i) => {
-    const pose = poses[i];
-    if (!pose) {
-      return;
-    }
-    context.font = `${i === selected ? 650 : 500} 12px system-ui, sans-serif`;
-    const x = pose.x * view.scale;
-    const y = -(pose.y + radius(footprint, view.scale)) * view.scale - 7;
-    context.strokeText(id, x, y);
-    context.fillText(id, x, y);
-  });
-  context.restore();
 };
 
 export function drawRobot(

@@ -1,0 +1,31 @@
+import { describe, expect, it } from 'vitest';
+import { overlap, placeLabels, type Named } from './labels';
+
+const robot = (x: number, y: number): Named => ({ x, y, reach: 10, width: 60, height: 16 });
+
+describe('names', () => {
+  it('stand above their robots', () => {
+    const [label] = placeLabels([robot(100, 100)]);
+    expect(label).toEqual({ x: 70, y: 71, width: 60, height: 16 });
+  });
+
+  it.each([
+    ['side by side', [robot(100, 100), robot(125, 100), robot(150, 100)]],
+    ['one above the other', [robot(100, 100), robot(100, 125), robot(100, 150)]],
+    ['in a heap', [robot(100, 100), robot(115, 105), robot(105, 118), robot(120, 122)]],
+  ])('of robots %s hide neither each other nor a robot', (_, robots) => {
+    const labels = placeLabels(robots);
+    labels.forEach((label, i) => {
+      labels.slice(i + 1).forEach((other) => expect(overlap(label, other)).toBe(0));
+      robots.forEach(({ x, y }) =>
+        expect(overlap(label, { x: x - 10, y: y - 10, width: 20, height: 20 })).toBe(0),
+      );
+    });
+  });
+
+  it('stay where they are when somebody far away moves', () => {
+    const [before] = placeLabels([robot(100, 100), robot(500, 100)]);
+    const [after] = placeLabels([robot(100, 100), robot(600, 300)]);
+    expect(after).toEqual(before);
+  });
+});

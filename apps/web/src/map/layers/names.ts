@@ -1,0 +1,54 @@
+import { placeLabels, type Box } from '../labels';
+import type { Layer } from '../scene';
+import { radius } from './robots';
+
+const HEIGHT = 17;
+const PADDING = 5;
+const font = (bold: boolean) => `${bold ? 650 : 500} 12px system-ui, sans-serif`;
+
+/** Names of robots, each in a frame of its robot's color. */
+export const drawNames: Layer = (context, { info, poses, view, palette, selected }) => {
+  const named = info.robots.flatMap(({ id, color, footprint }, i) => {
+    const pose = poses[i];
+    return pose
+      ? [{ id, color, pose, reach: radius(footprint, view.scale) * view.scale, bold: i === selected }]
+      : [];
+  });
+  context.save();
+  context.scale(1 / view.scale, -1 / view.scale); // text stands upright and keeps its size
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  const boxes = placeLabels(
+    named.map(({ id, pose, reach, bold }) => {
+      context.font = font(bold);
+      const width = context.measureText(id).width + 2 * PADDING;
+      return { x: pose.x * view.scale, y: -pose.y * view.scale, reach, width, height: HEIGHT };
+    }),
+  );
+  named.forEach(({ id, color, bold }, i) => {
+    const box = boxes[i]!;
+    drawFrame(context, box, color, palette.halo, bold);
+    context.font = font(bold);
+    context.fillStyle = palette.text;
+    context.fillText(id, box.x + box.width / 2, box.y + box.height / 2 + 0.5);
+  });
+  context.restore();
+};
+
+function drawFrame(
+  context: CanvasRenderingContext2D,
+  { x, y, width, height }: Box,
+  color: string,
+  halo: string,
+  bold: boolean,
+) {
+  context.beginPath();
+  context.roundRect(x, y, width, height, 5);
+  context.globalAlpha = 0.85;
+  context.fillStyle = halo;
+  context.fill();
+  context.globalAlpha = 1;
+  context.lineWidth = bold ? 2.5 : 1.5;
+  context.strokeStyle = color;
+  context.stroke();
+}
