@@ -1,5 +1,6 @@
 import type { Details, EventInfo, RunInfo, ServerMessage } from '../api/messages';
 import { connect, type Listener } from './connection';
+import { withShades } from '../shades';
 import { decodeFrame, type Frame } from './frame';
 
 const MOST_EVENTS = 5000;
@@ -41,7 +42,7 @@ class Live implements Listener {
 
   onMessage(message: ServerMessage) {
     if (message.run) {
-      this.info = message.run;
+      this.info = { ...message.run, robots: withShades(message.run.robots) };
       this.details = null;
       this.events = [];
       this.frame = null;
