@@ -36,7 +36,7 @@ public final class Logbook implements AgentType {
             self.subscribe(Sentry.Visit.TOPIC, message -> {
                 int post = message.content().post();
                 visits[post]++;
-                self.show("post " + post, "%d visits, last by %s".formatted(visits[post], message.sender()));
+                self.show("post " + post, "%d times, last by %s".formatted(visits[post], message.sender()));
             });
         };
     }

@@ -40,7 +40,7 @@ public final class Sentry implements AgentType {
                 Parameter.number("x2", 0, -1000, 1000, "m", "Where the second post is."),
                 Parameter.number("y2", 0, -1000, 1000, "m", "Where the second post is."),
                 Parameter.number("rest", 2, 0, 600, "s", "How long it stays at a post."),
-                Parameter.number("sight", 3, 0, 100, "m", "Whoever is nearer than this is challenged."));
+                Parameter.number("reach", 5, 0, 100, "m", "Whoever is nearer than this is challenged."));
     }
 
     @Override
@@ -75,7 +75,7 @@ public final class Sentry implements AgentType {
         private final Navigator navigator;
         private final List<Pose2d> posts;
         private final Duration rest;
-        private final double sight;
+        private final double reach;
         private final Set<String> near = new TreeSet<>();
         private Runnable stop = () -> {};
 
@@ -88,7 +88,7 @@ public final class Sentry implements AgentType {
                     new Pose2d(arguments.number("x1"), arguments.number("y1"), 0),
                     new Pose2d(arguments.number("x2"), arguments.number("y2"), 0));
             this.rest = arguments.seconds("rest");
-            this.sight = arguments.number("sight");
+            this.reach = arguments.number("reach");
         }
 
         void begin() {
@@ -130,12 +130,12 @@ public final class Sentry implements AgentType {
         private void look(PoseReport report) {
             localizer.latest().ifPresent(estimate -> {
                 double distance = estimate.value().mapFromBase().distanceTo(report.mapFromBase());
-                if (distance >= sight) {
+                if (distance >= reach) {
                     near.remove(report.robot());
                 } else if (near.add(report.robot())) {
                     self.publish(Text.TOPIC, new Text("Halt, %s!".formatted(report.robot())));
                 }
-                self.show("near", String.join(", ", near));
+                self.show("near", near.isEmpty() ? "nobody" : String.join(", ", near));
             });
         }
     }

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.Society;
 import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
 import rsal.scenario.example.Witness;
 
 /// The agents of the tutorial are those of this module's tests, and do what it says.
@@ -55,11 +56,15 @@ class FirstAgentTest {
         assertThat(agents.get("logbook").beliefs()).containsOnlyKeys("post 2");
     }
 
-    @Test
-    void itChallengesWhoeverComesNear() throws IOException {
-        String text = watch().replace("x2: 0, y2: -1.2}", "x2: 0, y2: -1.2, sight: 100}");
-        Map<String, Society.View> agents = agentsAfter(text, 1);
-        assertThat(agents.get("sentry").beliefs()).containsEntry("near", "visitor");
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void whatThePageShowsIsWhatTheTutorialSays(long seed) throws IOException {
+        try (var run = LiveRun.start(plan(watch(), seed))) {
+            assertThat(Runs.result(run).outcome()).isEqualTo("success");
+            assertThat(run.events(0))
+                    .extracting(RunEvent::text)
+                    .contains("going to post 2", "guard is at post 1", "Halt, visitor!");
+        }
     }
 
     /// The tutorial's scenario at its end, with witnesses.
@@ -76,13 +81,16 @@ class FirstAgentTest {
     }
 
     private Map<String, Society.View> agentsAfter(String text, long seed) {
-        var options = RunOptions.NONE.withSeed(seed).withSpeed(Double.POSITIVE_INFINITY);
-        try (var run = LiveRun.start(Runs.plan(folder, text, options))) {
+        try (var run = LiveRun.start(plan(text, seed))) {
             assertThat(Runs.result(run).outcome()).isEqualTo("success");
             return run.snapshot().agents().stream()
                     .map(AgentView::view)
                     .collect(Collectors.toMap(view -> view.agent().name(), Function.identity()));
         }
+    }
+
+    private RunPlan plan(String text, long seed) {
+        return Runs.plan(folder, text, RunOptions.NONE.withSeed(seed).withSpeed(Double.POSITIVE_INFINITY));
     }
 
     private static double nearest(Map<String, Society.View> agents, String witness) {
