@@ -6,7 +6,7 @@ import rsal.settings.Parameter;
 
 /// A kind of agent, found by [java.util.ServiceLoader] and named by its key in a scenario.
 public interface AgentType {
-    /// `follow`, or the name of a class for agents outside this project.
+    /// What scenarios call it, as `follow`; unique in an installation.
     String key();
 
     /// A sentence about what it does.
