@@ -20,18 +20,17 @@ export const drawParticles: Layer = (context, { info, frame, view, palette }) =>
         dots.lineTo(x + 0.12 * Math.cos(heading), y + 0.12 * Math.sin(heading));
       }
     }
-    context.lineJoin = 'round';
-    context.strokeStyle = palette.halo; // around the cloud, or it would not be seen on a body of its color
-    context.lineWidth = 2.5 / view.scale;
-    context.stroke(dots);
-    context.fillStyle = info.robots[i]!.color;
     context.globalAlpha = 0.5;
+    context.fillStyle = info.robots[i]!.color;
     context.fill(dots);
     if (withHeadings) {
       context.strokeStyle = info.robots[i]!.color;
       context.lineWidth = 0.75 / view.scale;
       context.stroke(dots);
     }
+    context.globalAlpha = 0.35;
+    context.fillStyle = palette.text; // or they would not be seen on a body of their color
+    context.fill(dots);
     context.globalAlpha = 1;
   });
 };
