@@ -30,11 +30,15 @@ export function placeLabels(named: readonly Named[]): Box[] {
   }));
   const placed: Box[] = [];
   for (const one of named) {
-    const taken = [...bodies, ...placed];
+    const taken = [...bodies, ...placed.map(withGap)];
     const hidden = (box: Box) => taken.reduce((sum, other) => sum + overlap(box, other), 0);
     placed.push(places(one).reduce((best, next) => (hidden(next) < hidden(best) ? next : best)));
   }
   return placed;
+}
+
+function withGap({ x, y, width, height }: Box): Box {
+  return { x: x - GAP, y: y - GAP, width: width + 2 * GAP, height: height + 2 * GAP };
 }
 
 /** Best first. */
