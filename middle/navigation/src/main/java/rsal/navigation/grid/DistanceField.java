@@ -1,14 +1,10 @@
 package rsal.navigation.grid;
 
-import java.util.Arrays;
 import rsal.data.OccupancyGrid;
+import rsal.map.DistanceTransform;
 
 /// For each cell of a map the distance [m] from its middle to the middle of the nearest cell of some kind,
 /// exactly. Immutable; robots that share a map share its fields.
-///
-/// P. Felzenszwalb, D. Huttenlocher: Distance Transforms of Sampled Functions, Theory of Computing 8 (2012),
-/// algorithm 1 along the rows. Differs in that the columns, which hold only zero and infinity, are done by
-/// counting.
 public final class DistanceField {
     private final int width;
     private final int height;
@@ -69,72 +65,17 @@ public final class DistanceField {
     }
 
     private static float[] transform(OccupancyGrid map, boolean unknownToo) {
-        int width = map.width();
-        int height = map.height();
-        int none = width + height; // cells; farther than anything in the map
-        int[] inColumn = distancesInColumns(map, unknownToo, none);
-        var meters = new float[width * height];
-        var squares = new double[width];
-        var parabolas = new int[width];
-        var borders = new double[width + 1];
-        for (int row = 0; row < height; row++) {
-            int start = row * width;
-            for (int column = 0; column < width; column++) {
-                double cells = inColumn[start + column];
-                squares[column] = cells * cells;
-            }
-            lowerEnvelope(squares, parabolas, borders);
-            int k = 0;
-            for (int column = 0; column < width; column++) {
-                while (borders[k + 1] < column) {
-                    k++;
-                }
-                double dx = column - parabolas[k];
-                double square = dx * dx + squares[parabolas[k]];
-                meters[start + column] = square >= (double) none * none
-                        ? Float.POSITIVE_INFINITY
-                        : (float) (map.resolution() * Math.sqrt(square));
-            }
-        }
-        return meters;
-    }
-
-    private static int[] distancesInColumns(OccupancyGrid map, boolean unknownToo, int none) {
-        int width = map.width();
         byte[] cells = map.cells();
-        var distances = new int[cells.length];
-        for (int i = 0; i < cells.length; i++) {
-            boolean target = unknownToo ? cells[i] != OccupancyGrid.FREE : cells[i] == OccupancyGrid.OCCUPIED;
-            int below = i < width ? none : distances[i - width];
-            distances[i] = target ? 0 : Math.min(none, below + 1);
-        }
-        for (int i = cells.length - width - 1; i >= 0; i--) {
-            distances[i] = Math.min(distances[i], distances[i + width] + 1);
-        }
-        return distances;
-    }
-
-    /// Which of the parabolas `(x − i)² + squares[i]` is lowest where: parabola `k` of the answer from
-    /// `borders[k]` to `borders[k + 1]`.
-    private static void lowerEnvelope(double[] squares, int[] parabolas, double[] borders) {
-        Arrays.fill(borders, Double.POSITIVE_INFINITY);
-        int k = 0;
-        parabolas[0] = 0;
-        borders[0] = Double.NEGATIVE_INFINITY;
-        for (int q = 1; q < squares.length; q++) {
-            double crossing = crossing(squares, q, parabolas[k]);
-            while (crossing <= borders[k]) {
-                k--;
-                crossing = crossing(squares, q, parabolas[k]);
-            }
-            k++;
-            parabolas[k] = q;
-            borders[k] = crossing;
-        }
-        borders[k + 1] = Double.POSITIVE_INFINITY;
-    }
-
-    private static double crossing(double[] squares, int q, int v) {
-        return (squares[q] + (double) q * q - squares[v] - (double) v * v) / (2.0 * (q - v));
+        var meters = new float[cells.length];
+        DistanceTransform.measure(
+                map.width(),
+                map.height(),
+                i -> unknownToo ? cells[i] != OccupancyGrid.FREE : cells[i] == OccupancyGrid.OCCUPIED,
+                (row, squares) -> {
+                    for (int column = 0; column < squares.length; column++) {
+                        meters[row * squares.length + column] = (float) (map.resolution() * Math.sqrt(squares[column]));
+                    }
+                });
+        return meters;
     }
 }
