@@ -6,6 +6,7 @@ module rsal.cli {
     requires info.picocli;
     requires jdk.management; // memory of the machine
     requires org.slf4j;
+    requires rsal.bench;
     requires rsal.scenarios;
     requires rsal.server;
     requires static org.jspecify;

@@ -40,6 +40,7 @@ import rsal.settings.Suggestion;
             ShowCommand.class,
             ValidateCommand.class,
             DoctorCommand.class,
+            BenchCommand.class,
             TestCommand.class
         })
 public final class Main implements Runnable {

@@ -1,0 +1,11 @@
+/// How fast RSAL is on this machine, area by area. Asks everything through the middle layer's contracts, as agents
+/// and scenarios do, and knows nothing of what is behind them.
+module rsal.bench {
+    requires transitive rsal.devices;
+    requires jdk.management; // time of the processor, bytes allocated
+    requires static org.jspecify;
+
+    exports rsal.bench;
+
+    uses rsal.robot.RobotSystemProvider;
+}

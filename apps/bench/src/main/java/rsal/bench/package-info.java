@@ -1,0 +1,5 @@
+/// Benchmarks of whole jobs.
+@NullMarked
+package rsal.bench;
+
+import org.jspecify.annotations.NullMarked;
