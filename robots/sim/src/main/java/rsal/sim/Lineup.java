@@ -113,7 +113,9 @@ final class Lineup {
     }
 
     private String obstacle() {
-        return world.obstacle().equals(World.WALL) ? "a wall" : "robot (%s)".formatted(world.obstacle());
+        return world.obstacle()
+                .map(robot -> "robot (%s)".formatted(robot.name()))
+                .orElse("a wall");
     }
 
     private String suggestion(Footprint footprint, Pose2d pose) {

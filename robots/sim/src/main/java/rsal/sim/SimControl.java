@@ -8,6 +8,7 @@ import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.SimulationControl;
+import rsal.sim.world.Body;
 import rsal.sim.world.World;
 
 /// The truth of the simulated world. Its entities are the robots.
@@ -45,7 +46,10 @@ final class SimControl extends DeviceCore implements SimulationControl {
         }
         if (!world.place(robot.body(), mapFromEntity)) {
             return new Placement.Refused("(%s) does not fit at %s: (%s) is in the way."
-                    .formatted(entity, Lineup.at(mapFromEntity.x(), mapFromEntity.y()), world.obstacle()));
+                    .formatted(
+                            entity,
+                            Lineup.at(mapFromEntity.x(), mapFromEntity.y()),
+                            world.obstacle().map(Body::name).orElse(World.WALL)));
         }
         robot.drive().standStill();
         touches.update(world);

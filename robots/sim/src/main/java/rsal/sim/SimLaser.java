@@ -1,22 +1,25 @@
 package rsal.sim;
 
+import java.util.List;
 import rsal.data.LaserScan;
 import rsal.device.DeviceInfo;
 import rsal.device.LaserScanner;
 import rsal.robot.RobotModel.Part.Laser;
+import rsal.sim.world.Beams;
+import rsal.sim.world.Beams.Fan;
 import rsal.sim.world.Body;
-import rsal.sim.world.Fan;
 import rsal.sim.world.World;
 
 /// A simulated laser scanner. All beams of a sweep are taken at once, at the height of everything.
 final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
     private final Laser laser;
-    private final Fan beams;
+    private final Beams beams;
 
     SimLaser(DeviceInfo info, Laser laser, Noise noise) {
         super(info, info.id(), laser.period(), noise);
         this.laser = laser;
-        this.beams = new Fan(laser.angleMin(), laser.angleIncrement(), laser.samples());
+        this.beams = new Beams(
+                List.of(new Fan(laser.baseFromLaser(), laser.angleMin(), laser.angleIncrement(), laser.samples())));
     }
 
     @Override
@@ -26,7 +29,7 @@ final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
 
     @Override
     LaserScan measure(World world, Body robot) {
-        double[] ways = beams.cast(world, robot, robot.seenPose().compose(laser.baseFromLaser()), laser.rangeMax());
+        double[] ways = beams.cast(world, robot, laser.rangeMax());
         float[] ranges = new float[ways.length];
         for (int i = 0; i < ranges.length; i++) {
             ranges[i] = shown(ways[i], laser.rangeMin(), laser.rangeMax());

@@ -1,41 +1,57 @@
 package rsal.sim;
 
+import java.util.List;
+import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.device.DeviceInfo;
 import rsal.device.SonarArray;
 import rsal.robot.RobotModel.Part.Sonars;
+import rsal.sim.world.Beams;
+import rsal.sim.world.Beams.Fan;
 import rsal.sim.world.Body;
-import rsal.sim.world.Fan;
 import rsal.sim.world.World;
 
-/// A simulated ring of sonars. Each cone is a fan of rays at most 5° apart, and its range that of the shortest.
+/// A simulated ring of sonars. Each cone is a fan of rays at most 5° apart, and its range that of the shortest; one
+/// that is no wider than 1° is a ray.
 final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
     private static final double RAYS_APART = Math.toRadians(5);
+    private static final double NARROW = Math.toRadians(1);
 
     private final Sonars sonars;
-    private final Fan cone;
+    private final Beams cones;
+    private final int raysOfEach;
 
     SimSonar(DeviceInfo info, Sonars sonars, Noise noise) {
         super(info, info.robot() + "/base_link", sonars.period(), noise);
         this.sonars = sonars;
-        int gaps = Math.max(1, (int) Math.ceil(sonars.fieldOfView() / RAYS_APART));
-        this.cone = new Fan(-sonars.fieldOfView() / 2, sonars.fieldOfView() / gaps, gaps + 1);
+        List<Fan> fans = sonars.baseFromSensors().stream()
+                .map(baseFromSensor -> cone(baseFromSensor, sonars.fieldOfView()))
+                .toList();
+        this.cones = new Beams(fans);
+        this.raysOfEach = fans.getFirst().count();
+    }
+
+    private static Fan cone(Pose2d baseFromSensor, double width) {
+        if (width <= NARROW) {
+            return new Fan(baseFromSensor, 0, width, 1);
+        }
+        int gaps = (int) Math.ceil(width / RAYS_APART);
+        return new Fan(baseFromSensor, -width / 2, width / gaps, gaps + 1);
     }
 
     @Override
     int rays() {
-        return cone.count() * sonars.baseFromSensors().size();
+        return cones.count();
     }
 
     @Override
     RangeArray measure(World world, Body robot) {
         float[] ranges = new float[sonars.baseFromSensors().size()];
+        double[] ways = cones.cast(world, robot, sonars.rangeMax());
         for (int i = 0; i < ranges.length; i++) {
-            var mapFromSensor =
-                    robot.seenPose().compose(sonars.baseFromSensors().get(i));
             double shortest = Double.POSITIVE_INFINITY;
-            for (double way : cone.cast(world, robot, mapFromSensor, sonars.rangeMax())) {
-                shortest = Math.min(shortest, way);
+            for (int ray = i * raysOfEach; ray < (i + 1) * raysOfEach; ray++) {
+                shortest = Math.min(shortest, ways[ray]);
             }
             ranges[i] = shown(shortest, sonars.rangeMin(), sonars.rangeMax());
         }

@@ -2,7 +2,10 @@ package rsal.sim;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import rsal.device.SimulationControl.Contact;
 import rsal.sim.world.Body;
 import rsal.sim.world.World;
@@ -11,26 +14,31 @@ import rsal.sim.world.World;
 /// apart.
 final class Touches {
     private final List<Contact> contacts = new ArrayList<>();
-    private final List<Touch> lasting = new ArrayList<>();
+    private final Set<Touch> lasting = new LinkedHashSet<>();
     private List<Contact> shown = List.of();
 
-    private record Touch(Body robot, String other) {
-        boolean joins(Body a, String b) {
-            return (robot == a && other.equals(b)) || (robot.name().equals(b) && other.equals(a.name()));
+    /// @param other empty when it is a wall
+    private record Touch(Body robot, Optional<Body> other) {
+        Optional<Touch> fromTheOtherSide() {
+            return other.map(body -> new Touch(body, Optional.of(robot)));
+        }
+
+        boolean lasts(World world) {
+            return other.isPresent() ? world.touching(robot, other.get()) : world.touchingWall(robot);
         }
     }
 
-    void ranInto(Body robot, String other, Instant now) {
-        if (lasting.stream().noneMatch(touch -> touch.joins(robot, other))) {
-            lasting.add(new Touch(robot, other));
-            contacts.add(new Contact(now, robot.name(), other));
+    void ranInto(Body robot, Optional<Body> other, Instant now) {
+        var touch = new Touch(robot, other);
+        if (touch.fromTheOtherSide().filter(lasting::contains).isEmpty() && lasting.add(touch)) {
+            contacts.add(new Contact(now, robot.name(), other.map(Body::name).orElse(World.WALL)));
         }
     }
 
     /// Ends those touches that are over.
     void update(World world) {
         if (!lasting.isEmpty()) {
-            lasting.removeIf(touch -> !world.touching(touch.robot(), touch.other()));
+            lasting.removeIf(touch -> !touch.lasts(world));
         }
     }
 

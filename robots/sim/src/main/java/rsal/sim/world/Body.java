@@ -5,12 +5,14 @@ import rsal.data.Pose2d;
 
 /// A robot as the world knows it: an outline with a name.
 public final class Body {
+    final int index; // in the world's list
     final Outline outline;
     final Outline trial; // where it might go
     final Outline seen; // where it was when sensors last looked
     private final String name;
 
-    Body(String name, Footprint footprint, Pose2d mapFromBase) {
+    Body(int index, String name, Footprint footprint, Pose2d mapFromBase) {
+        this.index = index;
         this.name = name;
         outline = new Outline(footprint);
         trial = new Outline(footprint);

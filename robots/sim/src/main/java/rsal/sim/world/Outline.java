@@ -16,6 +16,8 @@ public final class Outline {
     private final double[] bodyOffset;
 
     private Pose2d pose = Pose2d.ORIGIN;
+    private double cos;
+    private double sin;
     private final double[] cornerX;
     private final double[] cornerY;
     private final double[] normalX;
@@ -55,8 +57,8 @@ public final class Outline {
 
     public void placeAt(Pose2d mapFromBase) {
         pose = mapFromBase;
-        double cos = StrictMath.cos(pose.theta());
-        double sin = StrictMath.sin(pose.theta());
+        cos = StrictMath.cos(pose.theta());
+        sin = StrictMath.sin(pose.theta());
         minX = Double.POSITIVE_INFINITY;
         minY = Double.POSITIVE_INFINITY;
         maxX = Double.NEGATIVE_INFINITY;
@@ -74,9 +76,35 @@ public final class Outline {
         }
     }
 
+    /// Places it where another of the same footprint is.
+    void copy(Outline other) {
+        pose = other.pose;
+        cos = other.cos;
+        sin = other.sin;
+        minX = other.minX;
+        minY = other.minY;
+        maxX = other.maxX;
+        maxY = other.maxY;
+        System.arraycopy(other.cornerX, 0, cornerX, 0, count);
+        System.arraycopy(other.cornerY, 0, cornerY, 0, count);
+        System.arraycopy(other.normalX, 0, normalX, 0, count);
+        System.arraycopy(other.normalY, 0, normalY, 0, count);
+        System.arraycopy(other.offset, 0, offset, 0, count);
+    }
+
     /// Where it is: mapFromBase.
     public Pose2d pose() {
         return pose;
+    }
+
+    /// Of its heading.
+    double cos() {
+        return cos;
+    }
+
+    /// Of its heading.
+    double sin() {
+        return sin;
     }
 
     double x() {

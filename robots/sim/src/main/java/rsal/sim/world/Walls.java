@@ -1,14 +1,20 @@
 package rsal.sim.world;
 
 import rsal.data.OccupancyGrid;
+import rsal.map.DistanceTransform;
 
 /// The occupied cells of a map. Unknown cells are no walls. The map is fenced: no robot leaves it, but a ray that
 /// does meets nothing.
 ///
-/// Each cell knows its chessboard distance to the nearest occupied one (two sweeps: Rosenfeld and Pfaltz, Distance
-/// Functions on Digital Pictures, 1968), so that rays and collision checks can skip the empty square around it.
+/// Each cell knows how far the nearest solid one is, so that rays and collision checks can skip the empty circle
+/// around it.
 public final class Walls {
-    private static final int FARTHEST = Byte.MAX_VALUE;
+    private static final byte SOLID = 0;
+    private static final byte NEAR = 1; // touches a solid cell, if only with a corner
+    private static final byte FAR = 2;
+    private static final double UNITS_PER_CELL = 2;
+    private static final int MOST = 0xFF;
+    private static final double GUARD = 1e-6; // [cells]; more than rounding, so that no stride ends in a wall
 
     private final double resolution;
     private final double cellsPerMeter;
@@ -16,7 +22,7 @@ public final class Walls {
     private final double bottom;
     private final int width; // with the fence
     private final int height;
-    private final byte[] distance; // [cells]; 0 in walls and in the fence
+    private final byte[] room; // by cell: SOLID, NEAR, or NEAR + units from any point of it to anything solid, unsigned
 
     public Walls(OccupancyGrid map) {
         resolution = map.resolution();
@@ -25,93 +31,161 @@ public final class Walls {
         bottom = map.originY() - resolution;
         width = map.width() + 2;
         height = map.height() + 2;
-        distance = new byte[Math.multiplyExact(width, height)];
+        room = new byte[Math.multiplyExact(width, height)];
+        markSolid(map);
+        markNear();
+        measureFar();
+    }
+
+    private void markSolid(OccupancyGrid map) {
         for (int row = 0; row < map.height(); row++) {
             for (int column = 0; column < map.width(); column++) {
                 if (map.cells()[row * map.width() + column] != OccupancyGrid.OCCUPIED) {
-                    distance[(row + 1) * width + column + 1] = FARTHEST;
+                    room[(row + 1) * width + column + 1] = FAR;
                 }
             }
         }
-        measureDistances();
     }
 
-    private void measureDistances() {
-        for (int i = width + 1; i < distance.length - width - 1; i++) {
-            atMostOneMoreThan(i, i - 1, i - width - 1, i - width, i - width + 1);
-        }
-        for (int i = distance.length - width - 2; i > width; i--) {
-            atMostOneMoreThan(i, i + 1, i + width + 1, i + width, i + width - 1);
+    private void markNear() {
+        for (int row = 1; row < height - 1; row++) {
+            for (int column = 1; column < width - 1; column++) {
+                int cell = row * width + column;
+                if (room[cell] == FAR && touchesSolid(cell)) {
+                    room[cell] = NEAR;
+                }
+            }
         }
     }
 
-    private void atMostOneMoreThan(int i, int a, int b, int c, int d) {
-        int least = Math.min(Math.min(distance[a], distance[b]), Math.min(distance[c], distance[d]));
-        distance[i] = (byte) Math.min(distance[i], least + 1);
+    private boolean touchesSolid(int cell) {
+        for (int below = cell - width - 1; below <= cell + width - 1; below += width) {
+            if (room[below] == SOLID || room[below + 1] == SOLID || room[below + 2] == SOLID) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Two cells are as far apart, from border to border, as the middle of one is from the middle of the nearest of
+    /// those around the other.
+    private void measureFar() {
+        DistanceTransform.measure(width, height, cell -> room[cell] != FAR, (row, squares) -> {
+            for (int column = 0; column < width; column++) {
+                double cells = Math.sqrt(squares[column]);
+                if (cells > 0) {
+                    room[row * width + column] = (byte) Math.min(MOST, NEAR + (int) (cells * UNITS_PER_CELL));
+                }
+            }
+        });
     }
 
     /// Whether a place is on the map and not in a wall.
     public boolean isFree(double x, double y) {
-        return distanceAt(x, y) > 0;
+        return roomAt(x, y) != SOLID;
     }
 
-    /// A distance [m] within which nothing is solid around a place; less than the true one by up to a cell and by
-    /// the difference between square and circle. Negative in walls and outside the map.
+    /// A distance [m] within which nothing is solid around a place; less than the true one by up to two cells.
+    /// Negative in walls and outside the map.
     double emptyAround(double x, double y) {
-        return (distanceAt(x, y) - 1) * resolution;
+        int at = roomAt(x, y);
+        return at == SOLID ? -resolution : empty(at) * resolution;
     }
 
-    private int distanceAt(double x, double y) {
+    /// [cells]
+    private static double empty(int room) {
+        return (room - NEAR) / UNITS_PER_CELL;
+    }
+
+    private int roomAt(double x, double y) {
         double column = (x - left) * cellsPerMeter;
         double row = (y - bottom) * cellsPerMeter;
         boolean inside = column >= 0 && column < width && row >= 0 && row < height; // false for NaN
-        return inside ? distance[((int) row) * width + (int) column] : 0;
+        return inside ? roomIn((int) column, (int) row) : SOLID;
     }
 
-    /// Way of a ray from a place to the border of the first occupied cell [m]; +∞ when there is none within reach.
-    /// 0 inside a wall.
+    private int roomIn(int column, int row) {
+        return room[row * width + column] & 0xFF;
+    }
+
+    /// Ends rays at the border of the first occupied cell, if that is within reach and they have met nothing
+    /// before; at once inside a wall. Rays from outside the map meet nothing.
     ///
-    /// An exact grid walk (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987) that crosses the empty
-    /// square around the current cell in one stride (Cohen and Sheffer, Proximity Clouds, 1994).
-    ///
-    /// @param dx direction; (dx, dy) has length 1
-    public double ray(double x, double y, double dx, double dy, double reach) {
-        double fromColumn = (x - left) * cellsPerMeter;
-        double fromRow = (y - bottom) * cellsPerMeter;
-        double limit = reach * cellsPerMeter;
-        int column = (int) fromColumn;
-        int row = (int) fromRow;
-        if (!(fromColumn >= 1 && column < width - 1 && fromRow >= 1 && row < height - 1)) {
-            return Double.POSITIVE_INFINITY;
+    /// Each strides across the empty circle around where it is (Hart, Sphere Tracing, 1996) until walls are near,
+    /// then walks from cell to cell exactly (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987). All take
+    /// their strides in turns, so that while one waits for memory others go on.
+    void end(Rays rays, double reach) {
+        int under = begin(rays);
+        while (under > 0) {
+            int still = 0;
+            for (int k = 0; k < under; k++) {
+                int i = rays.under[k];
+                double way = rays.way[i];
+                int column = (int) (rays.column[i] + way * rays.dx[i]);
+                int row = (int) (rays.row[i] + way * rays.dy[i]);
+                int here = roomIn(column, row);
+                double limit = Math.min(reach, rays.range[i]) * cellsPerMeter;
+                way = here > NEAR ? way + empty(here) - GUARD : walk(rays, i, way, column, row, limit);
+                if (way <= limit) {
+                    rays.way[i] = way;
+                    rays.under[still++] = i;
+                }
+            }
+            under = still;
         }
-        boolean right = dx >= 0;
-        boolean up = dy >= 0;
+    }
+
+    private int begin(Rays rays) {
+        int under = 0;
+        for (int i = 0; i < rays.count; i++) {
+            double column = (rays.x[i] - left) * cellsPerMeter;
+            double row = (rays.y[i] - bottom) * cellsPerMeter;
+            if (column >= 1 && column < width - 1 && row >= 1 && row < height - 1) { // false for NaN
+                rays.column[i] = column;
+                rays.row[i] = row;
+                rays.way[i] = 0;
+                rays.under[under++] = i;
+            }
+        }
+        return under;
+    }
+
+    /// Goes from cell to cell while walls are near.
+    ///
+    /// @return how far it came [cells]; +∞ when it has met a wall, noting its range, or the fence
+    private double walk(Rays rays, int ray, double from, int fromColumn, int fromRow, double limit) {
+        double dx = rays.dx[ray];
+        double dy = rays.dy[ray];
         double perColumn = dx == 0 ? Double.POSITIVE_INFINITY : 1 / dx;
         double perRow = dy == 0 ? Double.POSITIVE_INFINITY : 1 / dy;
-        double way = 0;
-        for (int empty = distance[row * width + column]; empty > 0; empty = distance[row * width + column]) {
-            double toColumn = ((right ? column + empty : column - empty + 1) - fromColumn) * perColumn;
-            double toRow = ((up ? row + empty : row - empty + 1) - fromRow) * perRow;
+        int stepColumn = dx >= 0 ? 1 : -1;
+        int stepRow = dy >= 0 ? 1 : -1;
+        double originColumn = rays.column[ray] - (dx >= 0 ? 1 : 0); // so that a cell is left at its own number
+        double originRow = rays.row[ray] - (dy >= 0 ? 1 : 0);
+        double way = from;
+        int column = fromColumn;
+        int row = fromRow;
+        int here = roomIn(column, row);
+        while (here == NEAR && way <= limit) {
+            double toColumn = (column - originColumn) * perColumn;
+            double toRow = (row - originRow) * perRow;
             if (toColumn < toRow) {
                 way = toColumn;
-                column += right ? empty : -empty;
-                row = within((int) (fromRow + way * dy), row, empty);
+                column += stepColumn;
             } else {
                 way = toRow;
-                row += up ? empty : -empty;
-                column = within((int) (fromColumn + way * dx), column, empty);
+                row += stepRow;
             }
-            if (way > limit) {
-                return Double.POSITIVE_INFINITY;
-            }
+            here = roomIn(column, row);
+        }
+        if (here > NEAR) {
+            return way + GUARD; // so that rounding does not put it back
         }
         boolean atFence = column == 0 || column == width - 1 || row == 0 || row == height - 1;
-        return atFence ? Double.POSITIVE_INFINITY : way * resolution;
-    }
-
-    /// Rounding may put a point beside the square that it leaves through another side.
-    private static int within(int cell, int center, int empty) {
-        return Math.clamp(cell, center - empty + 1, center + empty - 1);
+        if (here == SOLID && way <= limit && !atFence) {
+            rays.range[ray] = way * resolution;
+        }
+        return Double.POSITIVE_INFINITY;
     }
 
     /// How far an outline is from walls and fence [m]: at most the true distance (exact to a face, less to a
@@ -127,10 +201,11 @@ public final class Walls {
         int lastRow = row(outline.maxY() + reach);
         double least = Math.min(reach, fromFence(outline));
         for (int row = firstRow; row <= lastRow; row++) {
-            int empty;
-            for (int column = firstColumn; column <= lastColumn; column += Math.max(1, empty)) {
-                empty = distance[row * width + column];
-                if (empty == 0) {
+            int stride;
+            for (int column = firstColumn; column <= lastColumn; column += stride) {
+                int here = roomIn(column, row);
+                stride = 1 + (int) empty(Math.max(here, NEAR));
+                if (here == SOLID) {
                     double x = left + column * resolution;
                     double y = bottom + row * resolution;
                     least = Math.min(least, outline.separation(x, y, x + resolution, y + resolution));
@@ -154,5 +229,23 @@ public final class Walls {
 
     private int row(double y) {
         return (int) Math.clamp(Math.floor((y - bottom) * cellsPerMeter), 0.0, height - 1.0);
+    }
+
+    double left() {
+        return left;
+    }
+
+    double bottom() {
+        return bottom;
+    }
+
+    /// With the fence [m].
+    double sizeX() {
+        return width * resolution;
+    }
+
+    /// With the fence [m].
+    double sizeY() {
+        return height * resolution;
     }
 }

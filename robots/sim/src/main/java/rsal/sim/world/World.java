@@ -2,6 +2,7 @@ package rsal.sim.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Footprint;
 import rsal.data.Pose2d;
@@ -22,16 +23,23 @@ public final class World {
 
     private final Walls walls;
     private final List<Body> bodies = new ArrayList<>();
-    private String obstacle = WALL;
+    private final BodyGrid now;
+    private final BodyGrid seen; // where sensors see them
+    private final BodyGrid.Found near = new BodyGrid.Found();
+    private @Nullable Body obstacle; // null: a wall
 
     public World(Walls walls) {
         this.walls = walls;
+        this.now = new BodyGrid(walls.left(), walls.bottom(), walls.sizeX(), walls.sizeY());
+        this.seen = new BodyGrid(walls.left(), walls.bottom(), walls.sizeX(), walls.sizeY());
     }
 
     /// Adds a robot where it has room, as [#hasRoom] tells.
     public Body add(String name, Footprint footprint, Pose2d mapFromBase) {
-        var body = new Body(name, footprint, mapFromBase);
+        var body = new Body(bodies.size(), name, footprint, mapFromBase);
         bodies.add(body);
+        arrive(body);
+        see(body);
         return body;
     }
 
@@ -52,7 +60,8 @@ public final class World {
         body.trial.placeAt(mapFromBase);
         boolean free = clearance(body.trial, body, HAIR) >= HAIR;
         if (free) {
-            body.outline.placeAt(mapFromBase);
+            body.outline.copy(body.trial);
+            arrive(body);
         }
         return free;
     }
@@ -62,6 +71,14 @@ public final class World {
     /// @param arc from where the robot is
     /// @return how much of the arc it made, 0–1; when less than 1, [#obstacle] says why
     public double advance(Body body, Arc arc) {
+        double made = sweep(body, arc);
+        if (made > 0) {
+            arrive(body);
+        }
+        return made;
+    }
+
+    private double sweep(Body body, Arc arc) {
         double way = arc.longestWay(body.outline.radius());
         double reach = Math.clamp(way, HAIR, LOOK_AHEAD);
         double made = way > 0 ? 0 : 1;
@@ -79,61 +96,72 @@ public final class World {
                 return made;
             }
             made += step;
-            body.outline.placeAt(body.trial.pose());
+            body.outline.copy(body.trial);
         }
         return made;
     }
 
-    /// What was in the way last: a robot's name or [#WALL].
-    public String obstacle() {
-        return obstacle;
+    /// Who was in the way last; empty when it was a wall.
+    public Optional<Body> obstacle() {
+        return Optional.ofNullable(obstacle);
     }
 
-    /// Whether a robot is within 1 cm of another, or of a wall.
-    public boolean touching(Body body, String other) {
-        double gap = STILL_TOUCHING;
-        for (Body candidate : bodies) {
-            if (candidate.name().equals(other)) {
-                gap = body.outline.separation(candidate.outline, STILL_TOUCHING);
-            }
-        }
-        if (other.equals(WALL)) {
-            gap = walls.separation(body.outline, STILL_TOUCHING);
-        }
-        return gap < STILL_TOUCHING;
+    /// Whether two robots are within 1 cm of each other.
+    public boolean touching(Body one, Body other) {
+        return one.outline.separation(other.outline, STILL_TOUCHING) < STILL_TOUCHING;
+    }
+
+    /// Whether a robot is within 1 cm of a wall.
+    public boolean touchingWall(Body body) {
+        return walls.separation(body.outline, STILL_TOUCHING) < STILL_TOUCHING;
     }
 
     /// From now on sensors see robots where they are now, whatever moves while they look.
     public void look() {
-        for (Body body : bodies) {
-            body.seen.placeAt(body.pose());
+        for (int i = 0; i < bodies.size(); i++) {
+            see(bodies.get(i));
         }
+    }
+
+    private void arrive(Body body) {
+        now.put(body.index, body.outline.x(), body.outline.y(), body.outline.radius());
+    }
+
+    private void see(Body body) {
+        body.seen.copy(body.outline);
+        seen.put(body.index, body.seen.x(), body.seen.y(), body.seen.radius());
+    }
+
+    /// Finds the bodies that reach into a circle, where sensors see them.
+    void seenNear(double x, double y, double radius, BodyGrid.Found found) {
+        seen.near(x, y, radius, found);
     }
 
     Walls walls() {
         return walls;
     }
 
-    List<Body> bodies() {
-        return bodies;
+    Body body(int index) {
+        return bodies.get(index);
     }
 
     /// @param itself who is not in its own way; null for one that is not there yet
     private double clearance(Outline outline, @Nullable Body itself, double reach) {
         double fromWalls = walls.separation(outline, reach);
-        obstacle = WALL;
+        obstacle = null;
         return clearanceOfRobots(outline, itself, fromWalls);
     }
 
     private double clearanceOfRobots(Outline outline, @Nullable Body itself, double reach) {
         double least = reach;
-        for (int i = 0; i < bodies.size(); i++) {
-            Body other = bodies.get(i);
+        now.near(outline.x(), outline.y(), outline.radius() + reach, near);
+        for (int i = 0; i < near.count; i++) {
+            Body other = bodies.get(near.circles[i]);
             if (other != itself) {
                 double gap = outline.separation(other.outline, least);
                 if (gap < least) {
                     least = gap;
-                    obstacle = other.name();
+                    obstacle = other;
                 }
             }
         }

@@ -68,4 +68,15 @@ final class RandomWorld {
         }
         return false;
     }
+
+    static double ray(Walls walls, double x, double y, double dx, double dy, double reach) {
+        var ray = new Rays(1);
+        ray.x[0] = x;
+        ray.y[0] = y;
+        ray.dx[0] = dx;
+        ray.dy[0] = dy;
+        ray.range[0] = Double.POSITIVE_INFINITY;
+        walls.end(ray, reach);
+        return ray.range[0];
+    }
 }

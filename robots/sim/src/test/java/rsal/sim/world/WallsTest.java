@@ -25,7 +25,7 @@ class WallsTest {
                 }
                 double dx = Math.abs(Math.cos(pose.theta())) < 1e-9 ? 0 : Math.cos(pose.theta());
                 double dy = Math.abs(Math.sin(pose.theta())) < 1e-9 ? 0 : Math.sin(pose.theta());
-                assertThat(walls.ray(pose.x(), pose.y(), dx, dy, 100))
+                assertThat(RandomWorld.ray(walls, pose.x(), pose.y(), dx, dy, 100))
                         .as("seed %d, ray %d from %s", seed, i, pose)
                         .isCloseTo(slow.range(pose), within(1e-9));
             }
@@ -35,21 +35,21 @@ class WallsTest {
     @Test
     void raysEndAtTheirReach() {
         var walls = new Walls(DrawnMap.grid(0.5, "......#").grid());
-        assertThat(walls.ray(0.5, 0.25, 1, 0, 2.6)).isEqualTo(2.5);
-        assertThat(walls.ray(0.5, 0.25, 1, 0, 2.4)).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(RandomWorld.ray(walls, 0.5, 0.25, 1, 0, 2.6)).isEqualTo(2.5);
+        assertThat(RandomWorld.ray(walls, 0.5, 0.25, 1, 0, 2.4)).isEqualTo(Double.POSITIVE_INFINITY);
     }
 
     @Test
     void raysFromOutsideTheMapMeetNothing() {
         var walls = new Walls(DrawnMap.grid(0.5, "######").grid());
-        assertThat(walls.ray(-5, 0.25, 1, 0, 100)).isEqualTo(Double.POSITIVE_INFINITY);
-        assertThat(walls.ray(Double.NaN, 0.25, 1, 0, 100)).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(RandomWorld.ray(walls, -5, 0.25, 1, 0, 100)).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(RandomWorld.ray(walls, Double.NaN, 0.25, 1, 0, 100)).isEqualTo(Double.POSITIVE_INFINITY);
     }
 
     @Test
     void unknownCellsAreNoWalls() {
         var walls = new Walls(DrawnMap.grid(0.5, ".???#").grid());
-        assertThat(walls.ray(0.25, 0.25, 1, 0, 100)).isEqualTo(1.75);
+        assertThat(RandomWorld.ray(walls, 0.25, 0.25, 1, 0, 100)).isEqualTo(1.75);
     }
 
     @Test

@@ -1,0 +1,132 @@
+package rsal.sim.world;
+
+import java.util.Arrays;
+import java.util.List;
+import rsal.data.Pose2d;
+
+/// All rays of a sensor: those of a laser scanner, which leave one place, or those of a ring of sonars.
+public final class Beams {
+    private static final double TURN = 2 * Math.PI;
+    private static final int FEW = 3; // rays of a fan that are not worth asking which of them meet a body
+
+    private final double[] originX; // of each fan, in the base frame [m]
+    private final double[] originY;
+    private final double[] heading; // of each fan's first ray, in the base frame [rad]
+    private final double[] increment; // between the rays of each fan [rad]
+    private final int[] begin; // of each fan, the index of its first ray; one more for the end
+    private final double farthestOrigin;
+    private final double[] cos; // of each ray, in the base frame
+    private final double[] sin;
+    private final Rays rays;
+    private final BodyGrid.Found near = new BodyGrid.Found();
+
+    /// Rays that leave one place at equal angles.
+    ///
+    /// @param first direction of the first ray in the sensor's frame [rad]
+    /// @param increment angle between rays, counter-clockwise [rad]; positive
+    public record Fan(Pose2d baseFromSensor, double first, double increment, int count) {}
+
+    public Beams(List<Fan> fans) {
+        originX = fans.stream().mapToDouble(fan -> fan.baseFromSensor.x()).toArray();
+        originY = fans.stream().mapToDouble(fan -> fan.baseFromSensor.y()).toArray();
+        heading = fans.stream()
+                .mapToDouble(fan -> fan.baseFromSensor.theta() + fan.first)
+                .toArray();
+        increment = fans.stream().mapToDouble(Fan::increment).toArray();
+        begin = new int[fans.size() + 1];
+        double farthest = 0;
+        for (int i = 0; i < fans.size(); i++) {
+            begin[i + 1] = begin[i] + fans.get(i).count;
+            farthest = Math.max(farthest, Math.hypot(originX[i], originY[i]));
+        }
+        farthestOrigin = farthest;
+        int count = begin[fans.size()];
+        cos = new double[count];
+        sin = new double[count];
+        rays = new Rays(count);
+        for (int fan = 0; fan < fans.size(); fan++) {
+            for (int i = begin[fan]; i < begin[fan + 1]; i++) {
+                double angle = heading[fan] + (i - begin[fan]) * increment[fan];
+                cos[i] = StrictMath.cos(angle);
+                sin[i] = StrictMath.sin(angle);
+            }
+        }
+    }
+
+    public int count() {
+        return rays.count;
+    }
+
+    /// How far each ray gets before it meets a wall or another robot as [World#look] saw it [m], fan by fan; +∞
+    /// beyond reach.
+    ///
+    /// @param self whose sensor it is, where sensors see it; rays pass through it
+    /// @return overwritten by the next cast
+    public double[] cast(World world, Body self, double reach) {
+        Outline base = self.seen;
+        aim(base);
+        Arrays.fill(rays.range, Double.POSITIVE_INFINITY);
+        world.seenNear(base.x(), base.y(), reach + farthestOrigin, near);
+        for (int i = 0; i < near.count; i++) {
+            if (near.circles[i] != self.index) {
+                Outline body = world.body(near.circles[i]).seen;
+                for (int fan = 0; fan < originX.length; fan++) {
+                    clip(body, base, fan, reach);
+                }
+            }
+        }
+        world.walls().end(rays, reach);
+        return rays.range;
+    }
+
+    private void aim(Outline base) {
+        double baseCos = base.cos();
+        double baseSin = base.sin();
+        for (int fan = 0; fan < originX.length; fan++) {
+            double x = base.x() + baseCos * originX[fan] - baseSin * originY[fan];
+            double y = base.y() + baseSin * originX[fan] + baseCos * originY[fan];
+            for (int i = begin[fan]; i < begin[fan + 1]; i++) {
+                rays.x[i] = x;
+                rays.y[i] = y;
+                rays.dx[i] = baseCos * cos[i] - baseSin * sin[i];
+                rays.dy[i] = baseSin * cos[i] + baseCos * sin[i];
+            }
+        }
+    }
+
+    /// Ends the rays of a fan at a body, looking only at those that may meet the circle around it.
+    private void clip(Outline body, Outline base, int fan, double reach) {
+        int last = begin[fan + 1] - begin[fan] - 1;
+        double toX = body.x() - rays.x[begin[fan]];
+        double toY = body.y() - rays.y[begin[fan]];
+        double square = toX * toX + toY * toY;
+        if (last < FEW || square <= body.radius() * body.radius()) {
+            clip(body, reach, begin[fan], begin[fan] + last);
+            return;
+        }
+        double ahead = base.cos() * toX + base.sin() * toY; // in the base frame
+        double aside = base.cos() * toY - base.sin() * toX;
+        double halfWidth = RoughAngles.asinAtLeast(body.radius() / Math.sqrt(square)) + RoughAngles.ERROR;
+        double bearing = RoughAngles.atan2(aside, ahead) - heading[fan];
+        double start = bearing - halfWidth - TURN * Math.floor((bearing + halfWidth) / TURN); // its end is in [0, 2π)
+        double perRay = 1 / increment[fan];
+        for (double turned = start; turned <= last * increment[fan]; turned += TURN) {
+            int from = Math.max(0, (int) Math.ceil(turned * perRay));
+            int to = Math.min(last, (int) Math.floor((turned + 2 * halfWidth) * perRay));
+            clip(body, reach, begin[fan] + from, begin[fan] + to);
+        }
+    }
+
+    private void clip(Outline body, double reach, int from, int to) {
+        double square = body.radius() * body.radius();
+        for (int i = from; i <= to; i++) {
+            double aside = (body.x() - rays.x[i]) * rays.dy[i] - (body.y() - rays.y[i]) * rays.dx[i];
+            if (aside * aside <= square) {
+                double range = body.ray(rays.x[i], rays.y[i], rays.dx[i], rays.dy[i]);
+                if (range < rays.range[i] && range <= reach) {
+                    rays.range[i] = range;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package rsal.sim.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import rsal.data.Footprint;
+import rsal.data.Pose2d;
+import rsal.sim.world.Beams.Fan;
+import rsal.testkit.DrawnMap;
+
+class BeamsTest {
+    private static final Footprint BOX = RandomWorld.box(0.5, 0.4, -0.04, 0);
+
+    @Test
+    void everyRayEndsAtTheNearestWallOrRobot() {
+        for (long seed = 0; seed < 200; seed++) {
+            var random = new RandomWorld(seed, 0.1, 0.01);
+            var world = new World(new Walls(random.map));
+            var bodies = new ArrayList<Body>();
+            for (int i = 0; i < 15; i++) {
+                Pose2d pose = random.anywhere();
+                if (world.hasRoom(BOX, pose, 0)) {
+                    bodies.add(world.add("r" + i, BOX, pose));
+                }
+            }
+            if (bodies.isEmpty()) {
+                continue;
+            }
+            int count = random.random.nextInt(1, 200);
+            double first = random.random.nextDouble(-4, 4);
+            double increment = random.random.nextDouble(0.001, 7.0 / count); // up to more than a turn
+            double reach = random.random.nextDouble(0.5, 10);
+            var baseFromSensor = new Pose2d(0.1, 0.1, 1);
+            Pose2d mapFromSensor = bodies.getFirst().pose().compose(baseFromSensor);
+            var beams = new Beams(List.of(new Fan(baseFromSensor, first, increment, count)));
+            double[] ranges = beams.cast(world, bodies.getFirst(), reach);
+            for (int i = 0; i < count; i++) {
+                double direction = mapFromSensor.theta() + first + i * increment;
+                assertThat(ranges[i])
+                        .as("seed %d, ray %d of %d", seed, i, count)
+                        .isCloseTo(slow(world, bodies, mapFromSensor, direction, reach), within(1e-9));
+            }
+        }
+    }
+
+    private static double slow(World world, List<Body> bodies, Pose2d from, double direction, double reach) {
+        double dx = Math.cos(direction);
+        double dy = Math.sin(direction);
+        double range = RandomWorld.ray(world.walls(), from.x(), from.y(), dx, dy, reach);
+        for (Body body : bodies.subList(1, bodies.size())) {
+            range = Math.min(range, body.outline.ray(from.x(), from.y(), dx, dy));
+        }
+        return range <= reach ? range : Double.POSITIVE_INFINITY;
+    }
+
+    @Test
+    void robotsAreSeenWhereTheyWereWhenTheWorldWasLookedAt() {
+        var world = new World(new Walls(DrawnMap.grid(10, ".").grid()));
+        Body self = world.add("self", BOX, new Pose2d(1, 5, 0));
+        Body other = world.add("other", BOX, new Pose2d(3, 5, 0));
+        world.place(other, new Pose2d(4, 5, 0));
+        var ahead = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)));
+        assertThat(ahead.cast(world, self, 8)[0]).isCloseTo(2 - 0.29, within(1e-9));
+        world.look();
+        assertThat(ahead.cast(world, self, 8)[0]).isCloseTo(3 - 0.29, within(1e-9));
+    }
+}
