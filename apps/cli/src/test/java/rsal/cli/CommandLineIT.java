@@ -85,6 +85,9 @@ class CommandLineIT {
             run a b             | (b)
             validate            | FILE
             list things         | things
+            bench sin           | Maybe (sim)
+            bench sim --only x9 | (x9)
+            bench --repeat 0    | (0)
             """)
     void refusesWhatItCannotUnderstand(String line, String expected) throws Exception {
         Ended ended = rsal.run(line == null ? new String[0] : line.split(" "));
