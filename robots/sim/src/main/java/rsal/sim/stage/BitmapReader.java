@@ -1,0 +1,84 @@
+package rsal.sim.stage;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.BitSet;
+import java.util.Iterator;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+
+/// Reads images as Stage does: a pixel is solid when its first channel (red, or gray) is at most half of the
+/// brightest. PNG, GIF, JPEG, BMP, TIFF and the portable formats (PBM, PGM, PPM) are known.
+final class BitmapReader {
+    /// Of one image, 400 m × 400 m at 0.05 m.
+    static final int MAX_PIXELS = 1 << 26;
+
+    private BitmapReader() {}
+
+    /// @throws Unreadable when it is no image, broken, or too large
+    static Bitmap read(String file, byte[] bytes) throws Unreadable {
+        if (bytes.length >= 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') {
+            return new PortableImage(file, bytes).read();
+        }
+        try (var in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
+            Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+            if (!readers.hasNext()) {
+                throw new Unreadable("it is no image of a known kind (PNG, GIF, JPEG, BMP, TIFF, PBM, PGM, PPM)");
+            }
+            ImageReader reader = readers.next();
+            try {
+                reader.setInput(in, true, true);
+                checkSize(reader.getWidth(0), reader.getHeight(0));
+                return bitmap(file, reader.read(0));
+            } finally {
+                reader.dispose();
+            }
+        } catch (IOException | RuntimeException e) { // a damaged image can make ImageIO throw almost anything
+            throw new Unreadable("it is broken (%s)".formatted(e.getMessage()));
+        }
+    }
+
+    private static Bitmap bitmap(String file, BufferedImage image) {
+        int width = image.getWidth();
+        int height = image.getHeight();
+        boolean asStored = image.getColorModel() instanceof ComponentColorModel;
+        int brightest = asStored ? (1 << image.getSampleModel().getSampleSize(0)) - 1 : 255;
+        var solid = new BitSet(width * height);
+        for (int row = 0; row < height; row++) {
+            int line = height - 1 - row;
+            for (int column = 0; column < width; column++) {
+                int first = asStored
+                        ? image.getRaster().getSample(column, line, 0)
+                        : image.getRGB(column, line) >> 16 & 0xff;
+                solid.set(row * width + column, isSolid(first, brightest));
+            }
+        }
+        return new Bitmap(file, width, height, solid);
+    }
+
+    static boolean isSolid(int first, int brightest) {
+        return 2L * first <= brightest;
+    }
+
+    static void checkSize(long width, long height) throws Unreadable {
+        if (width < 1 || height < 1 || width > MAX_PIXELS || height > MAX_PIXELS || width * height > MAX_PIXELS) {
+            throw new Unreadable("it has %d × %d pixels; 1 to %d are read".formatted(width, height, MAX_PIXELS));
+        }
+    }
+
+    /// Why an image can't be read.
+    static final class Unreadable extends Exception {
+        private static final long serialVersionUID = 1;
+
+        Unreadable(String why) {
+            super(why);
+        }
+
+        String why() {
+            return String.valueOf(getMessage());
+        }
+    }
+}

@@ -1,0 +1,91 @@
+package rsal.sim.stage;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Problem;
+import rsal.settings.Suggestion;
+
+/// What is wrong with a world (errors), and what of it has no effect here (warnings). Each thing is told once for
+/// each place, however often a macro repeats it, and neither list grows without bound.
+final class Findings {
+    private static final int MAX_ERRORS = 50;
+    private static final int MAX_WARNINGS = 500;
+    private static final int MAX_GUESSES = 1000;
+    private static final int MAX_CANDIDATES = 5000; // of a guess
+    private static final int MAX_WORD = 64; // letters of a candidate
+
+    private final List<Problem> errors = new ArrayList<>();
+    private final List<Problem> warnings = new ArrayList<>();
+    private final Set<Object> told = new HashSet<>();
+    private int untold;
+    private int guesses;
+
+    /// @throws InvalidSettings with all errors so far when there are too many to go on
+    void error(Location location, String message, String remedy) {
+        var problem = new Problem(location, message, remedy);
+        if (told.add(problem)) {
+            errors.add(problem);
+        }
+        if (errors.size() >= MAX_ERRORS) {
+            throwIfAny();
+        }
+    }
+
+    /// Nothing more can be read.
+    InvalidSettings fatal(Location location, String message, String remedy) {
+        errors.add(new Problem(location, message, remedy));
+        return new InvalidSettings(errors);
+    }
+
+    void warn(Location location, String message, String remedy) {
+        var problem = new Problem(location, message, remedy);
+        if (told.size() < 100 * MAX_WARNINGS && told.add(problem)) {
+            if (warnings.size() < MAX_WARNINGS) {
+                warnings.add(problem);
+            } else {
+                untold++;
+            }
+        }
+    }
+
+    /// The known word that a person may have meant; empty when none is close, or after so many guesses that
+    /// another would only cost time.
+    Optional<String> guess(String read, Collection<String> known) {
+        if (++guesses > MAX_GUESSES) {
+            return Optional.empty();
+        }
+        List<String> candidates = known.stream()
+                .filter(word -> word.length() <= MAX_WORD)
+                .limit(MAX_CANDIDATES)
+                .toList();
+        return Suggestion.closest(read, candidates);
+    }
+
+    /// A guess as a sentence.
+    String maybe(String read, Collection<String> known, String otherwise) {
+        return guess(read, known)
+                .map(word -> "Maybe (%s) was meant?".formatted(word))
+                .orElse(otherwise);
+    }
+
+    void throwIfAny() {
+        if (!errors.isEmpty()) {
+            throw new InvalidSettings(errors);
+        }
+    }
+
+    /// @param file the world's, for what is said of all of it
+    List<Problem> warnings(String file) {
+        var all = new ArrayList<>(warnings);
+        if (untold > 0) {
+            all.add(new Problem(Location.of(file), "There are %d more warnings.".formatted(untold), ""));
+        }
+        return List.copyOf(all);
+    }
+}

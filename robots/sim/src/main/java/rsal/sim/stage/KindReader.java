@@ -1,0 +1,279 @@
+package rsal.sim.stage;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rsal.data.Twist2d;
+import rsal.settings.Location;
+import rsal.sim.stage.Kind.Drive;
+import rsal.sim.stage.Kind.Limits;
+import rsal.sim.stage.Kind.Localization;
+import rsal.sim.stage.Kind.OdometryError;
+import rsal.sim.stage.Kind.RangeNoise;
+import rsal.sim.stage.Kind.Strip;
+import rsal.sim.stage.Kind.Transducer;
+
+/// Reads the properties that only one type of model has, with Stage's defaults.
+final class KindReader {
+    private static final int MOST_SAMPLES = 100_000;
+    private static final int MOST_PIXELS = 10_000; // of a side
+    private static final int MOST_STRIPS = 1000;
+    private static final Interval SPEED = new Interval(-1, 1); // [m/s]
+    private static final Interval TURN = new Interval(-Math.PI / 2, Math.PI / 2); // [rad/s]
+    private static final Size TRANSDUCER = new Size(0.02, 0.02, 0.02);
+
+    private final Paint paint;
+    private final Units units;
+    private final Findings findings;
+
+    KindReader(Paint paint, Units units, Findings findings) {
+        this.paint = paint;
+        this.units = units;
+        this.findings = findings;
+    }
+
+    /// @param fields of an entity of one of [Types#MODELS]
+    Kind read(Fields fields, Size size) {
+        return switch (fields.entity().type()) {
+            case "position" -> position(fields);
+            case "ranger" -> ranger(fields);
+            case "blobfinder" -> blobfinder(fields);
+            case "fiducial" -> fiducial(fields);
+            case "gripper" -> gripper(fields, size);
+            case "bumper" -> bumper(fields);
+            case "actuator" -> actuator(fields);
+            case "camera" -> camera(fields);
+            case "blinkenlight" -> blinkenlight(fields);
+            case "lightindicator" -> new Kind.LightIndicator();
+            default -> new Kind.Thing();
+        };
+    }
+
+    private static Kind position(Fields fields) {
+        Drive drive = switch (fields.choice("drive", "diff", List.of("diff", "omni", "car"))) {
+            case "omni" -> Drive.OMNIDIRECTIONAL;
+            case "car" -> Drive.CAR;
+            default -> Drive.DIFFERENTIAL;
+        };
+        boolean odometry =
+                fields.choice("localization", "gps", List.of("gps", "odom")).equals("odom");
+        double wheelbase = fields.length("wheelbase", 1);
+        if (!(wheelbase > 0)) {
+            fields.problem("wheelbase", "(wheelbase) must be positive.", "");
+        }
+        Twist2d velocity = fields.tuple("velocity", "[x y z a]")
+                .map(v -> new Twist2d(v[0], v[1], v[3]))
+                .orElse(Twist2d.STOP);
+        return new Kind.Position(
+                drive,
+                wheelbase,
+                velocity,
+                limits(fields, "velocity_bounds"),
+                limits(fields, "acceleration_bounds"),
+                odometry ? Localization.ODOMETRY : Localization.GPS,
+                fields.pose("localization_origin"),
+                fields.numbers("odom_error", "[x y z a]").map(e -> new OdometryError(e[0], e[1], e[2], e[3])));
+    }
+
+    private static Limits limits(Fields fields, String name) {
+        double[] b =
+                fields.tuple(name, "[xmin xmax ymin ymax zmin zmax amin amax]").orElse(null);
+        return b == null
+                ? new Limits(SPEED, SPEED, SPEED, TURN)
+                : new Limits(
+                        fields.interval(name, b[0], b[1]).orElse(SPEED),
+                        fields.interval(name, b[2], b[3]).orElse(SPEED),
+                        fields.interval(name, b[4], b[5]).orElse(SPEED),
+                        fields.interval(name, b[6], b[7]).orElse(TURN));
+    }
+
+    private Kind ranger(Fields fields) {
+        var transducers = new ArrayList<Transducer>();
+        for (Entity child : fields.entity().children()) {
+            if (child.type().equals(Types.SENSOR)) {
+                transducers.add(transducer(new Fields(child, "a sensor", units, findings)));
+            }
+        }
+        return new Kind.Ranger(transducers);
+    }
+
+    private Transducer transducer(Fields fields) {
+        Interval range = fields.interval("range", new Interval(0, 5));
+        if (range.min() < 0) {
+            fields.problem("range", "(range) must not begin below 0.", "");
+        }
+        RangeNoise noise = noise(fields);
+        var transducer = new Transducer(
+                fields.pose("pose").orElse(Placement.ORIGIN),
+                fields.size(TRANSDUCER),
+                range,
+                turn(fields, "fov", 0.1),
+                fields.integer("samples", 1, 1, MOST_SAMPLES),
+                noise);
+        paint.color(fields, Color.BLUE); // drawing only; a wrong name is told all the same
+        fields.done();
+        return transducer;
+    }
+
+    private static RangeNoise noise(Fields fields) {
+        double[] noise = fields.tuple(
+                        "noise",
+                        "[constant proportional angular]",
+                        Units.Kind.LENGTH,
+                        Units.Kind.NUMBER,
+                        Units.Kind.ANGLE)
+                .orElseGet(() -> new double[3]);
+        if (noise[0] < 0) {
+            fields.problem("noise", "The first value of (noise) is a variance and must not be negative.", "");
+        }
+        return new RangeNoise(noise[0], noise[1], noise[2]);
+    }
+
+    /// An angle of view, 0 to 2π.
+    private static double turn(Fields fields, String name, double fallback) {
+        double angle = fields.angle(name, fallback);
+        if (!(angle >= 0 && angle <= 2 * Math.PI + 1e-6)) {
+            fields.problem(name, "(%s) must be from 0 to a full turn.".formatted(name), "Maybe unit_angle is wrong.");
+            return fallback;
+        }
+        return angle;
+    }
+
+    private Kind blobfinder(Fields fields) {
+        List<String> names = fields.texts("colors");
+        int count = fields.integer("colors_count", names.size(), 0, 1_000_000);
+        if (count > names.size()) {
+            fields.problem(
+                    "colors_count",
+                    "(colors_count) is %d, but (colors) names %d.".formatted(count, names.size()),
+                    "Maybe (colors_count %d)?".formatted(names.size()));
+            count = names.size();
+        }
+        var colors = new ArrayList<Color>();
+        for (String name : names.subList(0, count)) {
+            paint.named(name, fields.locationOf("colors")).ifPresent(colors::add);
+        }
+        int[] image = image(fields, "image", 80, 60);
+        return new Kind.Blobfinder(
+                colors,
+                image[0],
+                image[1],
+                fields.atLeast(0, "range", Units.Kind.NUMBER, 12),
+                turn(fields, "fov", Math.toRadians(60)),
+                fields.angle("pan", 0));
+    }
+
+    private static int[] image(Fields fields, String name, int columns, int rows) {
+        double[] image = fields.numbers(name, "[width height]").orElseGet(() -> new double[] {columns, rows});
+        for (double side : image) {
+            if (!(side >= 1 && side <= MOST_PIXELS)) {
+                fields.problem(name, "(%s) must be from 1 to %d pixels.".formatted(name, MOST_PIXELS), "");
+                return new int[] {columns, rows};
+            }
+        }
+        return new int[] {(int) image[0], (int) image[1]};
+    }
+
+    private static Kind fiducial(Fields fields) {
+        double min = fields.atLeast(0, "range_min", Units.Kind.LENGTH, 0);
+        double max = fields.atLeast(0, "range_max", Units.Kind.LENGTH, 8);
+        return new Kind.Fiducial(
+                fields.interval("range_min", min, max).orElse(new Interval(0, max)),
+                fields.atLeast(0, "range_max_id", Units.Kind.LENGTH, 5),
+                turn(fields, "fov", Math.PI),
+                fields.integer("fiducial_key", 0, Integer.MIN_VALUE, Integer.MAX_VALUE),
+                fields.flag("ignore_zloc", false));
+    }
+
+    private static Kind gripper(Fields fields, Size size) {
+        double[] part = fields.numbers("paddle_size", "[x y z]").orElseGet(() -> new double[] {0.66, 0.1, 0.4});
+        for (double share : part) {
+            if (!(share >= 0 && share <= 1)) {
+                fields.problem("paddle_size", "(paddle_size) must be parts of the gripper's size, 0 to 1.", "");
+                part = new double[] {0.66, 0.1, 0.4};
+            }
+        }
+        List<String> state = fields.texts("paddle_state");
+        boolean closed = word(fields, state, 0, "open", "closed");
+        boolean up = word(fields, state, 1, "down", "up");
+        var paddle = new Size(part[0] * size.x(), part[1] * size.y(), part[2] * size.z());
+        return new Kind.Gripper(paddle, closed, up, fields.flag("autosnatch", false));
+    }
+
+    /// Whether a word of the paddles' state is the second of two.
+    private static boolean word(Fields fields, List<String> state, int index, String no, String yes) {
+        String word = index < state.size() ? state.get(index) : no;
+        if (!word.equals(no) && !word.equals(yes)) {
+            fields.problem(
+                    "paddle_state",
+                    "(paddle_state) has (%s) where (%s) or (%s) was expected."
+                            .formatted(Lexer.shortened(word), no, yes),
+                    "Write [\"open\" \"down\"] or the like.");
+        }
+        return word.equals(yes);
+    }
+
+    private static Kind bumper(Fields fields) {
+        int count = fields.integer("bcount", 0, 0, MOST_STRIPS);
+        double length = fields.atLeast(0, "blength", Units.Kind.LENGTH, 0.1);
+        var strips = new ArrayList<Strip>();
+        for (int i = 0; i < count; i++) {
+            Placement pose = fields.pose("bpose[%d]".formatted(i)).orElse(Placement.ORIGIN);
+            strips.add(new Strip(pose, fields.atLeast(0, "blength[%d]".formatted(i), Units.Kind.LENGTH, length)));
+        }
+        return new Kind.Bumper(strips);
+    }
+
+    private static Kind actuator(Fields fields) {
+        boolean turning =
+                fields.choice("type", "linear", List.of("linear", "rotational")).equals("rotational");
+        Units.Kind kind = turning ? Units.Kind.ANGLE : Units.Kind.LENGTH;
+        double[] axis = fields.numbers("axis", "[x y z]").orElseGet(() -> new double[] {1, 0, 0});
+        double norm = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+        if (!(norm > 0)) {
+            fields.problem("axis", "(axis) must not be [0 0 0].", "");
+            norm = 1;
+        }
+        double min = fields.scaled("min_position", kind, 0);
+        double max = fields.scaled("max_position", kind, 1);
+        return new Kind.Actuator(
+                turning,
+                axis[0] / norm,
+                axis[1] / norm,
+                axis[2] / norm,
+                fields.interval("min_position", min, max).orElse(new Interval(0, 1)),
+                fields.atLeast(0, "max_speed", kind, 1),
+                fields.scaled("start_position", kind, 0));
+    }
+
+    private static Kind camera(Fields fields) {
+        fields.findings()
+                .warn(
+                        fields.entity().location(),
+                        "A camera gives no images here.",
+                        "A blobfinder sees colors, a fiducial markers.");
+        int[] image = image(fields, "resolution", 32, 32);
+        Interval range = fields.interval("range", new Interval(0.2, 8));
+        double[] fov =
+                fields.tuple("fov", "[a a]").orElseGet(() -> new double[] {Math.toRadians(70), Math.toRadians(40)});
+        double[] pantilt = fields.tuple("pantilt", "[a a]").orElseGet(() -> new double[2]);
+        return new Kind.Camera(image[0], image[1], range, fov[0], fov[1], pantilt[0], pantilt[1]);
+    }
+
+    private static Kind blinkenlight(Fields fields) {
+        double duty = fields.number("dutycycle", 1);
+        if (!(duty >= 0 && duty <= 1)) {
+            fields.problem("dutycycle", "(dutycycle) must be from 0 to 1.", "");
+            duty = 1;
+        }
+        return new Kind.Blinkenlight(fields.milliseconds("period", 1000), duty, fields.flag("enabled", true));
+    }
+
+    /// Colors as worlds write them.
+    interface Paint {
+        /// The color of an entity; empty when it is drawn at random.
+        Optional<Color> color(Fields fields, Color fallback);
+
+        Optional<Color> named(String name, Location at);
+    }
+}

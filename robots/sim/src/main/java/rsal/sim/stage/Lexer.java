@@ -1,0 +1,288 @@
+package rsal.sim.stage;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+
+/// Cuts a world file into tokens; what it includes is put in its place.
+///
+/// More lenient than Stage where nothing else could be meant: numbers may have an exponent, names may begin with
+/// an underscore, and no blank is needed before a tuple (`size[1 1 1]`).
+final class Lexer {
+    /// Of one file.
+    static final int MAX_BYTES = 1 << 24;
+
+    static final int MAX_INCLUDE_DEPTH = 32;
+    static final int MAX_INCLUDES = 1000;
+    static final int MAX_TOKENS = 2_000_000;
+
+    private final WorldFiles files;
+    private final String world;
+    private final Findings findings;
+    private final List<Token> tokens = new ArrayList<>();
+    private final Deque<String> open = new ArrayDeque<>(); // paths of files that are being read
+    private int includes;
+    private boolean missing;
+
+    private Lexer(WorldFiles files, String world, Findings findings) {
+        this.files = files;
+        this.world = world;
+        this.findings = findings;
+    }
+
+    /// @param complete whether all that is included was there
+    record Tokens(List<Token> all, boolean complete) {}
+
+    static Tokens read(String world, WorldFiles files, Findings findings) {
+        var lexer = new Lexer(files, world, findings);
+        lexer.read(files.open(world, MAX_BYTES));
+        return new Tokens(lexer.tokens, !lexer.missing);
+    }
+
+    private void read(WorldFiles.Found file) {
+        open.addLast(file.path());
+        new Text(file.path(), decode(file.bytes())).read();
+        open.removeLast();
+    }
+
+    /// UTF-8, or Latin-1 when it is none, as some authors' names are.
+    private static String decode(byte[] bytes) {
+        try {
+            String text = StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(ByteBuffer.wrap(bytes))
+                    .toString();
+            return text.startsWith("\uFEFF") ? text.substring(1) : text;
+        } catch (CharacterCodingException _) {
+            return new String(bytes, StandardCharsets.ISO_8859_1);
+        }
+    }
+
+    private void include(String name, Location at) {
+        if (open.size() > MAX_INCLUDE_DEPTH || ++includes > MAX_INCLUDES) {
+            throw findings.fatal(
+                    at,
+                    "Files are included %d deep or more than %d times.".formatted(open.size(), MAX_INCLUDES),
+                    "At most %d deep and %d times is read.".formatted(MAX_INCLUDE_DEPTH, MAX_INCLUDES));
+        }
+        WorldFiles.Found file;
+        try {
+            file = files.find(name, world, MAX_BYTES, at);
+        } catch (InvalidSettings e) {
+            missing = true;
+            findings.error(
+                    at,
+                    e.problems().getFirst().message(),
+                    e.problems().getFirst().remedy());
+            return;
+        }
+        if (open.contains(file.path())) {
+            findings.error(
+                    at,
+                    "(%s) includes itself: %s.".formatted(file.path(), String.join(" → ", open) + " → " + file.path()),
+                    "Take one of these includes out.");
+            return;
+        }
+        read(file);
+    }
+
+    private void add(Token token) {
+        if (tokens.size() >= MAX_TOKENS) {
+            throw findings.fatal(
+                    token.location(),
+                    "The world has more than %d words, numbers and brackets.".formatted(MAX_TOKENS),
+                    "Maybe files include each other many times.");
+        }
+        tokens.add(token);
+    }
+
+    /// One file's text.
+    private final class Text {
+        private final String file;
+        private final String text;
+        private int next;
+        private int line = 1;
+        private int lineStart;
+
+        Text(String file, String text) {
+            this.file = file;
+            this.text = text;
+        }
+
+        void read() {
+            while (next < text.length()) {
+                char c = text.charAt(next);
+                if (c == '\n' || c == '\r') {
+                    newline();
+                } else if (c == '#') {
+                    skipLine();
+                } else if (c == '"') {
+                    string();
+                } else if (c == '(' || c == ')' || c == '[' || c == ']') {
+                    add(new Token.Bracket(here(), c));
+                    next++;
+                } else if (isLetter(c)) {
+                    word();
+                } else if (isNumeric(c)) {
+                    number();
+                } else {
+                    if (!Character.isWhitespace(c) && !Character.isSpaceChar(c)) {
+                        findings.error(here(), "(%s) means nothing here.".formatted(c), maybe(c));
+                    }
+                    next++;
+                }
+            }
+        }
+
+        private Location here() {
+            return new Location(file, line, next - lineStart + 1);
+        }
+
+        /// LF, CR, or CR LF.
+        private void newline() {
+            if (text.startsWith("\r\n", next)) {
+                next++;
+            }
+            next++;
+            line++;
+            lineStart = next;
+        }
+
+        private void skipLine() {
+            while (next < text.length() && text.charAt(next) != '\n' && text.charAt(next) != '\r') {
+                next++;
+            }
+        }
+
+        private void string() {
+            Location at = here();
+            int start = ++next;
+            while (next < text.length() && "\"\n\r".indexOf(text.charAt(next)) < 0) {
+                next++;
+            }
+            String value = text.substring(start, next);
+            if (next < text.length() && text.charAt(next) == '"') {
+                next++;
+            } else {
+                findings.error(at, "The text that begins here is not closed.", "Close it with \" on the same line.");
+            }
+            add(new Token.Literal(at, value));
+        }
+
+        private void word() {
+            Location at = here();
+            int start = next;
+            while (next < text.length() && (isWordPart(text.charAt(next)) || isIndex())) {
+                next = text.charAt(next) == '[' ? text.indexOf(']', next) + 1 : next + 1;
+            }
+            String word = text.substring(start, next);
+            if (word.equals("include")) {
+                include(at);
+            } else {
+                add(new Token.Word(at, word));
+            }
+        }
+
+        /// Whether digits in brackets follow, `[12]`: part of a name.
+        private boolean isIndex() {
+            if (text.charAt(next) != '[') {
+                return false;
+            }
+            int end = next + 1;
+            while (end < text.length() && end - next < 12 && isDigit(text.charAt(end))) {
+                end++;
+            }
+            return end > next + 1 && end < text.length() && text.charAt(end) == ']';
+        }
+
+        private void include(Location at) {
+            while (next < text.length() && (text.charAt(next) == ' ' || text.charAt(next) == '\t')) {
+                next++;
+            }
+            int end = next + 1;
+            while (end < text.length() && "\"\n\r".indexOf(text.charAt(end)) < 0) {
+                end++;
+            }
+            if (next < text.length() && text.charAt(next) == '"' && end < text.length() && text.charAt(end) == '"') {
+                String name = text.substring(next + 1, end);
+                skipLine();
+                Lexer.this.include(name, at);
+            } else {
+                skipLine();
+                findings.error(at, "(include) names no file.", "Write include \"FILE\" on one line.");
+            }
+        }
+
+        private void number() {
+            Location at = here();
+            int start = next;
+            while (next < text.length() && isNumeric(text.charAt(next))) {
+                next++;
+            }
+            if (next < text.length() && (text.charAt(next) == 'e' || text.charAt(next) == 'E')) {
+                int end = next + 1;
+                while (end < text.length() && isNumeric(text.charAt(end))) {
+                    end++;
+                }
+                boolean exponent = end > next + 1 && (end == text.length() || !isWordPart(text.charAt(end)));
+                next = exponent ? end : next;
+            }
+            String digits = text.substring(start, next);
+            double value = parse(digits);
+            if (!Double.isFinite(value)) {
+                findings.error(at, "(%s) is not a number.".formatted(shortened(digits)), "");
+            }
+            add(new Token.Literal(at, plain(Double.isFinite(value) ? value : 0)));
+        }
+    }
+
+    /// Whole numbers as such, so that messages show them as they were written.
+    private static Object plain(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e15 ? (Object) (long) value : (Object) value;
+    }
+
+    private static double parse(String digits) {
+        try {
+            return Double.parseDouble(digits);
+        } catch (NumberFormatException _) {
+            return Double.NaN;
+        }
+    }
+
+    static String shortened(String text) {
+        return text.length() <= 80 ? text : text.substring(0, 77) + "...";
+    }
+
+    private static String maybe(char c) {
+        return switch (c) {
+            case '{', '}' -> "Maybe ( ) was meant?";
+            case ',', ';' -> "Blanks are enough between values.";
+            case '\'' -> "Texts stand in \" \".";
+            case '=', ':' -> "A blank is enough between a name and its value.";
+            case '/', '*', '%' -> "Comments begin with #.";
+            default -> "";
+        };
+    }
+
+    private static boolean isLetter(char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    }
+
+    private static boolean isDigit(char c) {
+        return c >= '0' && c <= '9';
+    }
+
+    private static boolean isNumeric(char c) {
+        return isDigit(c) || c == '+' || c == '-' || c == '.';
+    }
+
+    private static boolean isWordPart(char c) {
+        return isLetter(c) || isDigit(c) || c == '.' || c == '-';
+    }
+}

@@ -1,0 +1,59 @@
+package rsal.sim.stage;
+
+import rsal.settings.Value;
+
+/// What a file's lengths and angles are in.
+///
+/// @param length of one unit [m]
+/// @param angle of one unit [rad]
+record Units(double length, double angle) {
+    static final Units DEFAULT = new Units(1, Math.toRadians(1));
+
+    /// What one number of a property is, and so how it is scaled.
+    enum Kind {
+        LENGTH,
+        ANGLE,
+        /// As it is.
+        NUMBER
+    }
+
+    double scale(Kind kind) {
+        return switch (kind) {
+            case LENGTH -> length;
+            case ANGLE -> angle;
+            case NUMBER -> 1;
+        };
+    }
+
+    /// A number as Stage would take it: a tuple's first value counts, and a text that is a number.
+    ///
+    /// @return NaN when it is none
+    static double number(Value value) {
+        return switch (value) {
+            case Value.Sequence tuple ->
+                tuple.items().isEmpty() ? Double.NaN : number(tuple.items().getFirst());
+            case Value.Scalar scalar when scalar.value() instanceof Number number -> number.doubleValue();
+            case Value.Scalar scalar -> parse(scalar.value().toString());
+            case Value.Mapping _ -> Double.NaN;
+        };
+    }
+
+    /// A text as Stage would take it: a tuple's first value counts, and a number as it is written.
+    static String text(Value value) {
+        return switch (value) {
+            case Value.Sequence tuple ->
+                tuple.items().isEmpty() ? "" : text(tuple.items().getFirst());
+            case Value.Scalar scalar -> scalar.value().toString();
+            case Value.Mapping _ -> "";
+        };
+    }
+
+    private static double parse(String text) {
+        try {
+            double number = Double.parseDouble(text.strip());
+            return Double.isFinite(number) ? number : Double.NaN;
+        } catch (NumberFormatException _) {
+            return Double.NaN;
+        }
+    }
+}

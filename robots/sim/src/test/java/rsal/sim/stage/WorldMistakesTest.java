@@ -1,0 +1,233 @@
+package rsal.sim.stage;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.settings.InvalidSettings;
+
+/// What is told of worlds that can't be read, or not all of them.
+class WorldMistakesTest {
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "model ( mass 1.2.3 )       | 14 | (1.2.3) is not a number.",
+                "model ( mass 1e999 )       | 14 | (1e999) is not a number.",
+                "model ( mass \"much\" )    | 9 | (mass) must be a number, not (much).",
+                "model ( name \"a )         | 14 | The text that begins here is not closed.",
+                "model ( mass 1             | 7 | The ( of (model) is not closed.",
+                "model ( mass 1 ) )         | 18 | This ) closes nothing.",
+                "model ( pose [1 2 3 4 )    | 14 | This [ is not closed.",
+                "model ( pose [1 2 3 x] )   | 21 | (x) can't stand in a tuple.",
+                "model ( mass )             | 9 | (mass) has no value.",
+                "model ( color red )        | 9 | (color) has no value.",
+                "model ( 5 )                | 9 | Here a name was expected, not (5).",
+                "model ( mass 1, )          | 15 | (,) means nothing here.",
+                "model { mass 1 }           | 7 | ({) means nothing here.",
+                "define a                   | 1 | (define) is incomplete.",
+                "define a b ( )             | 10 | (b) is neither a type nor a macro that is defined above.",
+                "model ( define a model ( ) ) | 9 | (define) can't stand inside of (model).",
+                "include                    | 1 | (include) names no file.",
+                "include \"no.inc\"         | 1 | There is no file (no.inc).",
+                "model ( bitmap \"no.png\" ) | 9 | There is no file (no.png).",
+                "model ( pose [1 2 90] )    | 9 | (pose) needs 4 numbers, [x y z a], but has 3.",
+                "model ( size [1 2] )       | 9 | (size) needs 3 numbers, [x y z], but has 2.",
+                "model ( size 1 )           | 9 | (size) needs 3 numbers, [x y z], but has 1.",
+                "model ( size [1 -2 1] )    | 9 | (size) must be from 0 to 1000000 m.",
+                "model ( pose [1 \"b\" 0 0] ) | 17 | Value 2 of (pose) must be a number, not (b).",
+                "model ( pose [9999999 0 0 0] ) | 9 | (pose) must be within 1000000 m.",
+                "model ( mass -1 )          | 9 | (mass) must be at least 0, not (-1).",
+                "model ( update_interval 0 ) | 9 | (update_interval) must be a positive number of milliseconds, not (0).",
+                "interval_sim -5            | 1 | (interval_sim) must be a positive number of milliseconds, not (-5).",
+                "resolution 0               | 1 | (resolution) must be positive.",
+                "unit_length \"inch\"       | 1 | There is no unit_length (inch).",
+                "unit_angle \"degree\"      | 1 | There is no unit_angle (degree).",
+                "position ( drive \"omnI\" ) | 12 | There is no drive (omnI).",
+                "position ( drive \"car\" wheelbase 0 ) | 24 | (wheelbase) must be positive.",
+                "position ( velocity_bounds [1 -1 0 0 0 0 0 0] ) | 12 "
+                        + "| (velocity_bounds) has its least value (1) above its greatest (-1).",
+                "ranger ( sensor ( samples 0 ) ) | 19 | (samples) must be a whole number from 1 to 100000, not (0).",
+                "ranger ( sensor ( range [5 0] ) ) | 19 | (range) has its least value (5) above its greatest (0).",
+                "ranger ( sensor ( fov 700 ) )  | 19 | (fov) must be from 0 to a full turn.",
+                "ranger ( sensor ( noise [-1 0 0] ) ) | 19 "
+                        + "| The first value of (noise) is a variance and must not be negative.",
+                "blobfinder ( colors_count 2 colors [\"red\"] ) | 14 | (colors_count) is 2, but (colors) names 1.",
+                "blobfinder ( image [0 60] ) | 14 | (image) must be from 1 to 10000 pixels.",
+                "gripper ( paddle_state [\"ajar\" \"up\"] ) | 11 "
+                        + "| (paddle_state) has (ajar) where (open) or (closed) was expected.",
+                "gripper ( paddle_size [2 0.1 0.4] ) | 11 | (paddle_size) must be parts of the gripper's size, 0 to 1.",
+                "actuator ( axis [0 0 0] )   | 12 | (axis) must not be [0 0 0].",
+                "blinkenlight ( dutycycle 2 ) | 16 | (dutycycle) must be from 0 to 1.",
+                "model ( block ( points 1 point[0] [0 0] ) ) | 17 | A block needs at least 2 points.",
+                "model ( block ( points 3 point[0] [0 0] point[1] [1 0] ) ) | 17 "
+                        + "| The block has no (point[2]), though (points) is 3.",
+                "model ( block ( points 2 point[0] [0 0] point[1] [1] ) ) | 41 "
+                        + "| (point[1]) needs 2 numbers, [x y], but has 1."
+            })
+    void mistakesAreToldWithTheirPlace(String text, int column, String message) {
+        assertThat(Worlds.of("\n" + text).mistakes())
+                .isNotEmpty()
+                .first()
+                .asString()
+                .satisfies(problem -> assertThat(problem.lines().toList().getFirst())
+                        .isEqualTo("test.world:2:%d: %s".formatted(column, message)));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "define a modle ( )          | Maybe (model) was meant?",
+                "define cart position ( )\\ncrat ( ) | Maybe (cart) was meant?",
+                "define a b ( )\\ndefine b model ( ) | It is defined at test.world:2:8; put that first.",
+                "model ( color red )         | Maybe \"red\" was meant? Texts stand in \" \".",
+                "model ( pose [1 2 90] )     | Maybe [1 2 0 90], with 0 for z?",
+                "model ( size [1 2] )        | Maybe [1 2 1], with 1 for the height?",
+                "model { }                   | Maybe ( ) was meant?",
+                "position ( drive \"omin\" )  | Maybe (omni) was meant?",
+                "laser ( )                   | Write ranger ( sensor ( range [0 8] fov 180 samples 180 ) ), with the "
+                        + "values that this one has.",
+                "model ( wifi ( ) )          | Nothing simulates radios; take it out if its robots can do without."
+            })
+    void whatWasMeantIsGuessed(String text, String remedy) {
+        assertThat(Worlds.of(text.replace("\\n", "\n")).mistakes().getFirst()).endsWith("\n    " + remedy);
+    }
+
+    @Test
+    void severalMistakesAreToldAtOnce() {
+        assertThat(Worlds.of("""
+                        include "no.inc"
+                        model ( mass 1.2.3 )
+                        model ( pose [1 2] )
+                        model ( bitmap "no.png" colour "red" )
+                        """).mistakes()).hasSize(4);
+    }
+
+    @Test
+    void whatAMissingFileMayDefineIsNotToldToBeMissing() {
+        assertThat(Worlds.of("include \"no.inc\"\ndefine b a ( )\na ( )\nb ( )").mistakes())
+                .containsExactly("test.world:1:1: There is no file (no.inc).\n"
+                        + "    Maybe it is in another folder: those in the environment's STAGEPATH are searched, too.");
+    }
+
+    @Test
+    void aWorldThatIsNotThereIsNamed() {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> StageWorld.read("no.world", WorldFiles.in(new Worlds().source())))
+                .withMessage("no.world: There is no file (no.world).");
+    }
+
+    @Test
+    void theFileThatMistakesAreInIsNamed() {
+        assertThat(Worlds.of("include \"a.inc\"")
+                        .and("a.inc", "\nmodel ( mass \"x\" )")
+                        .mistakes())
+                .containsExactly("a.inc:2:9: (mass) must be a number, not (x).");
+    }
+
+    @Test
+    void aCircleOfIncludesIsTold() {
+        assertThat(Worlds.of("include \"a.inc\"")
+                        .and("a.inc", "include \"b.inc\"")
+                        .and("b.inc", "include \"a.inc\"")
+                        .mistakes())
+                .containsExactly("b.inc:1:1: (a.inc) includes itself: test.world → a.inc → b.inc → a.inc.\n"
+                        + "    Take one of these includes out.");
+    }
+
+    @Test
+    void aMacroThatHoldsItselfIsTold() {
+        assertThat(Worlds.of("define a model ( b ( ) )\ndefine b model ( a ( ) )\na ( )")
+                        .mistakes())
+                .containsExactly("test.world:2:18: (a) is part of its own definition at test.world:1:8.\n"
+                        + "    Take it out there.");
+    }
+
+    @Test
+    void obsoleteTypesAreToldOnlyWhereTheyAreUsed() {
+        var worlds = Worlds.of("define sick laser ( samples 180 )\ndefine disc puck ( )\nmodel ( )");
+        assertThat(worlds.names()).containsExactly("model:0");
+        assertThat(Worlds.of("define sick laser ( )\nposition ( sick ( ) )").mistakes())
+                .containsExactly(
+                        "test.world:2:12: (sick) is made of (laser), a type that later versions of Stage dropped.\n"
+                                + "    Write ranger ( sensor ( range [0 8] fov 180 samples 180 ) ), with the values that this"
+                                + " one has.");
+    }
+
+    @Test
+    void aTypeThatNobodyKnowsIsLeftOutWithAWarning() {
+        var worlds = Worlds.of("model ( teleporter ( power 3 model ( ) ) model ( ) )\nspeech ( )");
+        assertThat(worlds.names()).containsExactly("model:0", "model:0.model:0");
+        assertThat(worlds.warnings())
+                .containsExactly(
+                        "test.world:1:9: (teleporter) is neither a type nor a macro; it is left out with all that is"
+                                + " in it.\n    Maybe an include is missing.",
+                        "test.world:2:1: (speech) is a type that later versions of Stage dropped; it is left out.");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "model ( colour \"red\" ) | 9 | (colour) is not known in a model and has no effect. "
+                        + "| Maybe (color) was meant?",
+                "model ( laser_return 1 ) | 9 | (laser_return) is not known in a model and has no effect. "
+                        + "| Older versions of Stage knew it. Rangers look at ranger_return.",
+                "model ( xyzzy 1 )        | 9 | (xyzzy) is not known in a model and has no effect. | ``",
+                "ranger ( spose[0] [0 0 0] spose[1] [0 0 0] ) | 10 | (spose[0]) is not known in a ranger and has no "
+                        + "effect. | Older versions of Stage knew it. Write one sensor ( pose [X Y Z A] ) for each "
+                        + "transducer.",
+                "interval_real 100        | 1 | (interval_real) is not known in a world and has no effect. "
+                        + "| Older versions of Stage knew it. A run's pace is chosen when it is started.",
+                "window ( zoom 3 )        | 10 | (zoom) is not known in a window and has no effect. | ``",
+                "model ( color \"rde\" )  | 9 | There is no color (rde). | Maybe (red) was meant?",
+                "model ( color \"ultraviolettish\" ) | 9 | There is no color (ultraviolettish). "
+                        + "| Stage would take red.",
+                "position ( ctrl \"wander 3\" ) | 12 | Controller (wander) is a program for Stage and can't be loaded "
+                        + "here. | Give the robot the behavior (wander).",
+                "position ( camera ( ) )  | 12 | A camera gives no images here. "
+                        + "| A blobfinder sees colors, a fiducial markers.",
+                "sensor ( )               | 1 | (sensor) has no effect here. | Put it into a ranger ( ... ).",
+                "model ( window ( ) )     | 9 | (window) has no effect here. "
+                        + "| It belongs to the world, outside of models.",
+                "block ( )                | 1 | (block) has no effect here. | It shapes the model that it stands in.",
+                "model ( name \"a\" ) model ( name \"a\" ) | 20 | There is more than one model (a); this one is called "
+                        + "(a~2) here. | Give each a name of its own."
+            })
+    void whatHasNoEffectIsWarnedOfOnce(String text, int column, String message, String remedy) {
+        assertThat(Worlds.of(text).warnings())
+                .containsExactly(
+                        "test.world:1:%d: %s".formatted(column, message) + (remedy.isEmpty() ? "" : "\n    " + remedy));
+    }
+
+    @Test
+    void whatOnlyViewersLookAtIsNotWarnedOf() {
+        assertThat(Worlds.of("""
+                        threads 2 speedup 10 paused 1 show_clock 1
+                        window ( size [600 400] scale 30 center [0 0] rotate [0 0] show_data 1 show_trailrise 0 )
+                        model ( gui_nose 1 gui_grid 0 gui_move 1 gui_outline 0 trail_length 3 map_resolution 0.1 friction 1 )
+                        """).warnings()).isEmpty();
+    }
+
+    @Test
+    void endlessWarningsAreCutShort() {
+        var text = new StringBuilder();
+        for (int i = 0; i < 700; i++) {
+            text.append("model ( xyzzy 1 )\n");
+        }
+        List<String> warnings = Worlds.of(text.toString()).warnings();
+        assertThat(warnings).hasSize(501).last().isEqualTo("test.world: There are 200 more warnings.");
+    }
+
+    @Test
+    void endlessMistakesAreCutShort() {
+        assertThat(Worlds.of("model ( mass \"x\" )\n".repeat(1000)).mistakes()).hasSize(50);
+    }
+}
