@@ -6,14 +6,15 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
+import rsal.settings.Problem;
 import rsal.settings.Suggestion;
 
 /// Where the files of a world are looked for: as Stage does beside the world itself and in the folders of
@@ -50,7 +51,13 @@ public final class WorldFiles {
 
     /// The world itself.
     Found open(String path, int most) {
-        return new Found(path, source.read(path, most, Location.of(path)));
+        try {
+            return new Found(path, source.read(path, most, Location.of(path)));
+        } catch (InvalidSettings e) {
+            Problem why = e.problems().getFirst();
+            throw new InvalidSettings(
+                    why.location(), why.message(), guess(path, names.apply(folder(path)), why.remedy()));
+        }
     }
 
     /// A file that a world names.
@@ -90,10 +97,15 @@ public final class WorldFiles {
         for (String path : candidates(name, world, asking)) {
             known.addAll(names.apply(folder(path)));
         }
-        String last = name.substring(name.lastIndexOf('/') + 1);
-        Optional<String> close = Suggestion.closest(last, known);
-        return close.map(file -> "Maybe (%s) was meant?".formatted(file))
-                .orElse("Maybe it is in another folder: those in the environment's STAGEPATH are searched, too.");
+        return guess(
+                name, known, "Maybe it is in another folder: those in the environment's STAGEPATH are searched, too.");
+    }
+
+    private static String guess(String path, Collection<String> known, String otherwise) {
+        String last = path.substring(path.lastIndexOf('/') + 1);
+        return Suggestion.closest(last, known)
+                .map(file -> "Maybe (%s) was meant?".formatted(file))
+                .orElse(otherwise);
     }
 
     /// The folder of a path with its slash; empty when there is none.

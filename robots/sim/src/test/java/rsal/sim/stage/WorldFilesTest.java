@@ -80,6 +80,15 @@ class WorldFilesTest {
     }
 
     @Test
+    void aSlipInTheWorldsOwnNameIsGuessed() throws IOException {
+        write("worlds/a.world", "");
+        String slip = temp.resolve("worlds/b.world").toString();
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> StageWorld.read(slip, WorldFiles.onDisk(List.of())))
+                .withMessage(slip + ": There is no file (" + slip + ").\n    Maybe (a.world) was meant?");
+    }
+
+    @Test
     void aSourceIsNeverLeft() throws IOException {
         write("worlds/a.world", "include \"../shared/wheel.inc\"\nwheel ( )");
         write("shared/wheel.inc", "define wheel model ( mass 4 )");
