@@ -14,9 +14,17 @@ import rsal.settings.Value;
 /// @param settings by name, in the order of the file; of those of one name the last, the instance's before the
 /// macro's. Not to be changed
 /// @param children the macro's before the instance's own. Not to be changed; macros share them
+/// @param make the entity of which this is a copy at another place and of another name; empty when it is
+/// more or less than that
 /// @param size how many entities this is with all that is in it
 record Entity(
-        String type, String macro, Location location, Map<String, Setting> settings, List<Entity> children, long size) {
+        String type,
+        String macro,
+        Location location,
+        Map<String, Setting> settings,
+        List<Entity> children,
+        Optional<Entity> make,
+        long size) {
 
     /// A property.
     ///

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
@@ -24,6 +25,8 @@ final class Macros {
     private static final long MAX_COPIES = 20_000_000; // of children and settings, while macros are put in
 
     private static final String TYPES = "Types are: %s.".formatted(String.join(", ", Types.ALL));
+
+    private static final Set<String> COPIED = Set.of("name", "pose");
 
     private final Findings findings;
     private final Map<String, Macro> macros = new LinkedHashMap<>();
@@ -116,7 +119,8 @@ final class Macros {
                     "Maybe macros hold each other.");
         }
         Entity base = macro == null
-                ? new Entity(written.name(), written.name(), written.location(), Map.of(), List.of(), 1)
+                ? new Entity(
+                        written.name(), written.name(), written.location(), Map.of(), List.of(), Optional.empty(), 1)
                 : template(macro, written, depth);
         long size = base.size();
         List<Entity> own = new ArrayList<>();
@@ -132,7 +136,14 @@ final class Macros {
                 written.location(),
                 joined(base.settings(), written.settings()),
                 joined(base.children(), own),
+                isCopy(written) ? Optional.of(base.make().orElse(base)) : Optional.empty(),
                 size);
+    }
+
+    /// Whether a macro's user says nothing but where it is and what it is called.
+    private static boolean isCopy(Syntax written) {
+        return written.children().isEmpty()
+                && COPIED.containsAll(written.settings().keySet());
     }
 
     private Entity template(Macro macro, Syntax user, int depth) {
@@ -144,7 +155,7 @@ final class Macros {
                         "(%s) is part of its own definition at %s."
                                 .formatted(Lexer.shortened(user.name()), macro.location),
                         "Take it out there.");
-                return new Entity("model", user.name(), user.location(), Map.of(), List.of(), 1);
+                return new Entity("model", user.name(), user.location(), Map.of(), List.of(), Optional.empty(), 1);
             }
             macro.expanding = true;
             template = expand(macro.body, macro.base, depth + 1);

@@ -7,6 +7,7 @@ import rsal.settings.Location;
 /// A thing in a world: a robot, a sensor, a piece of furniture, the floor plan.
 ///
 /// @param name unique in the world: `r0`, `r0.ranger:0`
+/// @param macro what it was written as: `pioneer2dx`; its type when no macro was used
 /// @param location where it is written; those made by a macro share it
 /// @param parentFromModel its pose; z above the parent's top or, when that does not stack its children, above the
 /// parent's underside [m]
@@ -14,6 +15,7 @@ import rsal.settings.Location;
 /// @param traits all else, shared by models of one make
 public record StageModel(
         String name,
+        String macro,
         Location location,
         Placement parentFromModel,
         Placement worldFromModel,

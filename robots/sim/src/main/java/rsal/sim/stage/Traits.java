@@ -5,9 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/// What models of one make have in common.
+/// What models of one make have in common: copies of a macro share it.
 ///
-/// @param macro what it was written as: `pioneer2dx`; its type when no macro was used
 /// @param kind what it can do
 /// @param size of the box that holds it
 /// @param origin modelFromBody: where the middle of the box's underside is, seen from the point of rotation
@@ -19,7 +18,6 @@ import java.util.OptionalDouble;
 /// @param updateInterval between two readings; they are taken at the world's steps
 /// @param controllers programs for Stage that would drive it
 public record Traits(
-        String macro,
         Kind kind,
         Size size,
         Placement origin,

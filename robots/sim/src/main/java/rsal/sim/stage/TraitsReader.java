@@ -78,7 +78,6 @@ final class TraitsReader implements KindReader.Paint {
         Placement origin = fields.pose("origin").orElse(Placement.ORIGIN);
         Kind kind = kinds.read(fields, size);
         var traits = new Traits(
-                entity.macro(),
                 kind,
                 size,
                 origin,

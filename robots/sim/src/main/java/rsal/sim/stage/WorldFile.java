@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -82,7 +83,7 @@ record WorldFile(Entity root, Set<String> known, boolean complete) {
                     }
                 }
             }
-            return new Entity("world", "world", Location.of(path), settings, entities, size);
+            return new Entity("world", "world", Location.of(path), settings, entities, Optional.empty(), size);
         }
 
         /// A property, or an entity with all that is in it.

@@ -104,12 +104,13 @@ final class WorldReader {
                     entity.location(), "The world has more than %d models.".formatted(MAX_MODELS), "Use fewer.");
         }
         String name = unique(name(entity, prefix, index), entity.location());
-        Traits own = known.computeIfAbsent(entity, traits::read);
+        Traits own = known.computeIfAbsent(entity.make().orElse(entity), traits::read);
         Placement parentFromModel = pose(entity);
         Placement worldFromModel = worldFromParent.compose(parentFromModel);
         double top = own.stacksChildren() ? own.size().z() : 0;
         return new StageModel(
                 name,
+                entity.macro(),
                 entity.location(),
                 parentFromModel,
                 worldFromModel,
@@ -117,7 +118,6 @@ final class WorldReader {
                 children(entity, name + ".", worldFromModel.raised(top)));
     }
 
-    /// Only numbers; that it is right was checked with the traits.
     private Placement pose(Entity entity) {
         return entity.find("pose").isPresent()
                 ? new Fields(entity, "", units, findings).pose("pose").orElse(Placement.ORIGIN)

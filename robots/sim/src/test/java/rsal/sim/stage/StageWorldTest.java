@@ -173,6 +173,25 @@ class StageWorldTest {
     }
 
     @Test
+    void modelsOfOneMakeShareTheirTraits() {
+        var named = Worlds.of("""
+                define cart position ( ranger ( sensor ( ) ) )
+                define bot cart ( )
+                cart ( name "a" pose [1 0 0 0] )
+                bot ( name "b" pose [2 0 0 0] )
+                cart ( name "c" mass 3 )
+                """).named();
+        assertThat(named.get("a").traits()).isSameAs(named.get("b").traits());
+        assertThat(named.get("c").traits()).isNotEqualTo(named.get("a").traits());
+        assertThat(named.get("c").traits().mass()).isEqualTo(3);
+        assertThat(named.get("c.ranger:0").traits())
+                .isSameAs(named.get("a.ranger:0").traits());
+        assertThat(named.get("a").macro()).isEqualTo("cart");
+        assertThat(named.get("b").macro()).isEqualTo("bot");
+        near(named.get("b").worldFromModel(), Placement.of(2, 0, 0, 0));
+    }
+
+    @Test
     void energyIsStoredUsedAndExchanged() {
         assertThat(energy("joules 500 watts 3 give_watts 4 take_watts 5"))
                 .isEqualTo(new Energy(OptionalDouble.of(500), OptionalDouble.of(500), 3, 4, 5));

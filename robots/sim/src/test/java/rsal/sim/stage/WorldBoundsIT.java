@@ -89,8 +89,8 @@ class WorldBoundsIT {
         }
         var world = Worlds.of(text.toString()).read();
         assertThat(world.models()).hasSize(10_000);
-        assertThat(world.models().getFirst().children().getFirst().traits())
-                .isSameAs(world.models().getLast().children().getFirst().traits());
+        assertThat(world.models().getFirst().traits())
+                .isSameAs(world.models().getLast().traits());
     }
 
     @Test

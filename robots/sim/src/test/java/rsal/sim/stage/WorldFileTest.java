@@ -101,7 +101,8 @@ class WorldFileTest {
         var named = worlds.named();
         assertThat(named.get("a").traits().size()).isEqualTo(new Size(9, 2, 3));
         assertThat(named.get("a").traits().mass()).isEqualTo(4);
-        assertThat(named.get("a").traits().macro()).isEqualTo("wide");
+        assertThat(named.get("a").macro()).isEqualTo("wide");
+        assertThat(named.get("c").macro()).isEqualTo("base");
         assertThat(named.get("b").traits().mass()).isEqualTo(5);
         assertThat(named.get("c").traits().size()).isEqualTo(new Size(1, 2, 3));
     }
