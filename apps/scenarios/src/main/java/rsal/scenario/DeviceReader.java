@@ -58,9 +58,10 @@ final class DeviceReader {
         model.ifPresent(m -> m.sensors().values().forEach(part -> has.add(type(part))));
         var drivers = new ArrayList<Driver>();
         software.forEach((name, driver) -> {
-            if (model.isPresent()) {
+            model.ifPresent(m -> {
                 checkNeeds(devices, name, driver, has);
-            }
+                driver.refusal(m).ifPresent(why -> refuse(devices, name, driver, why));
+            });
             has.add(driver.makes());
             options(devices, name, driver).ifPresent(options -> drivers.add(new Driver(name, driver, options)));
         });
@@ -126,6 +127,10 @@ final class DeviceReader {
                             .formatted(driver.key(), words(missing), name),
                     "Add it to (devices), above (%s).".formatted(name));
         }
+    }
+
+    private static void refuse(Section devices, String name, DeviceDriver driver, String why) {
+        devices.problem(name, "Device driver (%s) can't work on this robot.".formatted(driver.key()), why);
     }
 
     static List<Class<? extends Device>> missing(

@@ -410,6 +410,29 @@ class ScenarioTest {
     }
 
     @Test
+    void aDeviceThatCanNotWorkOnARobotIsRefusedAtItsLine() throws IOException {
+        Files.writeString(folder.resolve("car.yaml"), """
+                title: Car
+                body: {length: 0.4, width: 0.3}
+                drive:
+                  type: car
+                  wheelbase: 0.3
+                  maxSteeringAngle: 30
+                  maxSpeed: 1
+                  maxTurnRate: 90
+                  maxAcceleration: 1
+                  maxTurnAcceleration: 90
+                  odometryNoise: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0}
+                mounts: {}
+                sensors: {}
+                """);
+        String text = GOOD.replace("model: pioneer3at", "model: car.yaml\n    devices: {pilot: {}}");
+        assertThat(mistakes(text))
+                .contains("good.yaml:18:22: Device driver (pilot) can't work on this robot.")
+                .contains("which a car (car.yaml) can't");
+    }
+
+    @Test
     void aYamlBombIsRefused() {
         String bomb = "a: &a [x, x, x, x, x, x, x, x, x]\n"
                 + IntStream.range(0, 8)

@@ -1,10 +1,12 @@
 package rsal.behavior;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
 import rsal.robot.DeviceDriver;
+import rsal.robot.RobotModel;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.time.Phase;
@@ -35,6 +37,13 @@ public final class PilotDriver implements DeviceDriver {
     public List<Parameter> parameters() {
         return List.of(Parameter.number(
                 "maxRange", 5, 0.5, 100, "m", "Things farther away than this do not count for behaviors."));
+    }
+
+    @Override
+    public Optional<String> refusal(RobotModel model) {
+        return model.drive().turnsInPlace()
+                ? Optional.empty()
+                : Optional.of("Behaviors turn robots in place, which a car (%s) can't.".formatted(model.name()));
     }
 
     @Override

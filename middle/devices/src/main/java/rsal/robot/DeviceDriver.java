@@ -22,6 +22,11 @@ public interface DeviceDriver {
     /// What it makes.
     Class<? extends Device> makes();
 
+    /// Why it can not work on robots of a model, in a sentence; empty when it can.
+    default Optional<String> refusal(RobotModel model) {
+        return Optional.empty();
+    }
+
     /// Types of devices that the robot must have before this one can be made.
     List<Class<? extends Device>> needs();
 

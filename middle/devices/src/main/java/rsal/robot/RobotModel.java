@@ -4,7 +4,9 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import rsal.data.Footprint;
+import rsal.data.Interval;
 import rsal.data.Pose2d;
+import rsal.data.Twist2d;
 
 /// What a kind of robot is like: a file in `rsal/robot/models`, read by [RobotModels].
 ///
@@ -16,19 +18,128 @@ public record RobotModel(String name, String title, Footprint footprint, Drive d
         sensors = java.util.Collections.unmodifiableMap(new java.util.LinkedHashMap<>(sensors));
     }
 
-    /// A differential drive.
+    /// The same robot with another drive.
+    public RobotModel with(Drive other) {
+        return new RobotModel(name, title, footprint, other, sensors);
+    }
+
+    /// How it moves.
     ///
-    /// @param maxSpeed [m/s]
-    /// @param maxTurnRate [rad/s]
-    /// @param maxAcceleration [m/s²], speeding up and slowing down
-    /// @param maxTurnAcceleration [rad/s²]
+    /// @param steering what it can do at all
+    /// @param forward along its x axis [m/s, m/s²]
+    /// @param sideways along its y axis [m/s, m/s²]; nothing unless it is omnidirectional
+    /// @param turn counter-clockwise [rad/s, rad/s²]
     /// @param odometryNoise standard deviation of drift per way and turn made
-    public record Drive(
-            double maxSpeed,
-            double maxTurnRate,
-            double maxAcceleration,
-            double maxTurnAcceleration,
-            OdometryNoise odometryNoise) {}
+    public record Drive(Steering steering, Axis forward, Axis sideways, Axis turn, OdometryNoise odometryNoise) {
+
+        /// A differential drive that is as fast both ways.
+        ///
+        /// @param maxSpeed [m/s]
+        /// @param maxTurnRate [rad/s]
+        /// @param maxAcceleration [m/s²], speeding up and slowing down
+        /// @param maxTurnAcceleration [rad/s²]
+        public Drive(
+                double maxSpeed,
+                double maxTurnRate,
+                double maxAcceleration,
+                double maxTurnAcceleration,
+                OdometryNoise odometryNoise) {
+            this(
+                    new Steering.Differential(),
+                    Axis.symmetric(maxSpeed, maxAcceleration),
+                    Axis.NONE,
+                    Axis.symmetric(maxTurnRate, maxTurnAcceleration),
+                    odometryNoise);
+        }
+
+        /// Fastest speed forward [m/s].
+        public double maxSpeed() {
+            return forward.speed().most();
+        }
+
+        /// Fastest rate at which it turns both ways [rad/s].
+        public double maxTurnRate() {
+            return turn.speed().reach();
+        }
+
+        /// What it manages speeding up as well as slowing down [m/s²].
+        public double maxAcceleration() {
+            return forward.acceleration().reach();
+        }
+
+        /// Likewise, turning [rad/s²].
+        public double maxTurnAcceleration() {
+            return turn.acceleration().reach();
+        }
+
+        /// Whether it is as fast and as quick to change its speed both ways, on every axis.
+        public boolean symmetric() {
+            return forward.symmetric() && sideways.symmetric() && turn.symmetric();
+        }
+
+        /// Whether it can turn without going anywhere.
+        public boolean turnsInPlace() {
+            return !(steering instanceof Steering.Car);
+        }
+
+        /// What it makes of a velocity that somebody wants, once it is up to speed. What it can't do at all is
+        /// left out; a car turns no tighter than its wheels let it. If anything is too fast then, all is cut by
+        /// the same factor, which keeps the curvature.
+        public Twist2d feasible(Twist2d wanted) {
+            double vx = wanted.vx();
+            double vy = steering instanceof Steering.Omnidirectional ? wanted.vy() : 0;
+            double omega = wanted.omega();
+            if (steering instanceof Steering.Car car) {
+                omega = Interval.around0(Math.abs(vx) / car.turningRadius()).clamp(omega);
+            }
+            double part = Math.min(Math.min(forward.part(vx), sideways.part(vy)), Math.min(turn.part(omega), 1));
+            return new Twist2d(vx * part + 0.0, vy * part + 0.0, omega * part + 0.0); // + 0.0: no negative zeros
+        }
+    }
+
+    /// What a drive can do at all.
+    public sealed interface Steering {
+        /// Forward, and turning, also in place.
+        record Differential() implements Steering {}
+
+        /// In every direction and turning, all at once.
+        record Omnidirectional() implements Steering {}
+
+        /// Forward, turning only on the way: the rear wheels are fixed, the front wheels steer (Ackermann). The
+        /// base's origin is in the middle of the rear axle.
+        ///
+        /// @param wheelbase between the axles [m]
+        /// @param maxSteeringAngle of a wheel in the middle of the front axle, to each side [rad]
+        record Car(double wheelbase, double maxSteeringAngle) implements Steering {
+            /// Of the smallest circle that the base can drive [m].
+            public double turningRadius() {
+                return wheelbase / Math.tan(maxSteeringAngle);
+            }
+        }
+    }
+
+    /// What a drive can do in one direction and against it. Signed: the least speed is the fastest one backward,
+    /// the least acceleration is what brakes on the way forward and speeds up on the way back.
+    ///
+    /// @param speed 0 is in it
+    /// @param acceleration 0 is in it
+    public record Axis(Interval speed, Interval acceleration) {
+        /// Nothing.
+        public static final Axis NONE = symmetric(0, 0);
+
+        public static Axis symmetric(double maxSpeed, double maxAcceleration) {
+            return new Axis(Interval.around0(maxSpeed), Interval.around0(maxAcceleration));
+        }
+
+        boolean symmetric() {
+            return speed.least() == -speed.most() && acceleration.least() == -acceleration.most();
+        }
+
+        /// How much of a speed is possible; more than 1 when it could be faster.
+        double part(double wanted) {
+            return wanted == 0 ? 1 : (wanted > 0 ? speed.most() : speed.least()) / wanted;
+        }
+    }
 
     /// Standard deviations of what odometry gets wrong per step, growing with the square root of the way made, so
     /// that the step's length does not matter.

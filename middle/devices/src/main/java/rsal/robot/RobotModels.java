@@ -9,7 +9,6 @@ import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.robot.RobotModel.Drive;
-import rsal.robot.RobotModel.OdometryNoise;
 import rsal.robot.RobotModel.Part;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -25,7 +24,6 @@ public final class RobotModels {
     /// Chosen for a device, it takes the model's own part away.
     public static final String NO_PART = "none";
 
-    private static final double MOST = 1000;
     private static final int MAX_SAMPLES = 10_000;
     private static final int MAX_SENSORS = 1_000;
     private static final FileSource MODELS = FileSource.resources(RobotModels.class, "/rsal/robot/models/");
@@ -67,7 +65,7 @@ public final class RobotModels {
         var section = new Section("", file, problems);
         String title = section.text("title");
         Footprint footprint = body(section.section("body"));
-        Drive drive = drive(section.section("drive"));
+        Drive drive = DriveReader.read(section.section("drive"));
         Map<String, Pose2d> mounts = mounts(section.section("mounts"));
         Map<String, Choice> chosen = own(section.section("sensors"));
         section.done();
@@ -111,35 +109,15 @@ public final class RobotModels {
     }
 
     private static Footprint body(Section body) {
-        double length = positive(body, "length");
-        double width = positive(body, "width");
+        double length = Numbers.positive(body, "length");
+        double width = Numbers.positive(body, "width");
         double[] center = body.numbers("center", 2).orElse(new double[2]);
-        if (Math.abs(center[0]) > MOST || Math.abs(center[1]) > MOST) {
-            body.problem("center", "(body.center) must be at most %s away.".formatted(MOST), "");
+        if (Math.abs(center[0]) > Numbers.MOST || Math.abs(center[1]) > Numbers.MOST) {
+            body.problem("center", "(body.center) must be at most %s away.".formatted(Numbers.MOST), "");
             center = new double[2];
         }
         body.done();
         return Footprint.box(length, width, new Point2d(center[0], center[1]));
-    }
-
-    private static Drive drive(Section drive) {
-        double maxSpeed = positive(drive, "maxSpeed");
-        double maxTurnRate = positive(drive, "maxTurnRate");
-        double maxAcceleration = positive(drive, "maxAcceleration");
-        double maxTurnAcceleration = positive(drive, "maxTurnAcceleration");
-        OdometryNoise noise = odometryNoise(drive.section("odometryNoise"));
-        drive.done();
-        return new Drive(
-                maxSpeed, Math.toRadians(maxTurnRate), maxAcceleration, Math.toRadians(maxTurnAcceleration), noise);
-    }
-
-    private static OdometryNoise odometryNoise(Section noise) {
-        double distancePerMeter = notNegative(noise, "distancePerMeter");
-        double headingPerMeter = notNegative(noise, "headingPerMeter");
-        double headingPerDegree = notNegative(noise, "headingPerDegree");
-        noise.done();
-        return new OdometryNoise(
-                distancePerMeter, Math.toRadians(headingPerMeter), Math.sqrt(Math.toRadians(1)) * headingPerDegree);
     }
 
     private static Map<String, Pose2d> mounts(Section section) {
@@ -162,13 +140,13 @@ public final class RobotModels {
         var problems = new Problems();
         var section = new Section("", find("part", name, builtInParts(), PARTS, askedAt), problems);
         String type = section.text("type");
-        double fieldOfView = positive(section, "fieldOfView");
+        double fieldOfView = Numbers.positive(section, "fieldOfView");
         double[] range = section.numbers("range", 2).orElse(new double[] {0, 1});
         if (!(range[0] >= 0 && range[1] > range[0])) {
             section.problem("range", "(range) must be [least, most], not [%s, %s].".formatted(range[0], range[1]), "");
         }
-        double noise = notNegative(section, "noise");
-        Duration period = Duration.ofNanos(Math.round(positive(section, "period") * 1e9));
+        double noise = Numbers.notNegative(section, "noise");
+        Duration period = Duration.ofNanos(Math.round(Numbers.positive(section, "period") * 1e9));
         if (fieldOfView > 360) {
             section.problem("fieldOfView", "(fieldOfView) must be at most 360, not (%s).".formatted(fieldOfView), "");
         }
@@ -221,30 +199,5 @@ public final class RobotModels {
                 .flatMap(item -> section.numbers("sensors", item, 3).stream())
                 .map(n -> baseFromRing.compose(Pose2d.ofDegrees(n[0], n[1], n[2])))
                 .toList();
-    }
-
-    private static double positive(Section section, String key) {
-        return checked(section, key, 1e-3);
-    }
-
-    private static double notNegative(Section section, String key) {
-        return checked(section, key, 0);
-    }
-
-    /// The number, or 1 when it can't be used. No length, speed or time of a robot is beyond a thousand.
-    private static double checked(Section section, String key, double least) {
-        if (!section.has(key)) {
-            section.number(key); // notes that it is missing
-            return 1;
-        }
-        double value = section.number(key, 1);
-        if (value >= least && value <= MOST) {
-            return value;
-        }
-        section.problem(
-                key,
-                "(%s) must be a number from %s to %s, not (%s).".formatted(section.path(key), least, MOST, value),
-                "");
-        return 1;
     }
 }

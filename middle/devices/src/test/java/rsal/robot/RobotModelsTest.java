@@ -15,8 +15,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Interval;
 import rsal.data.Pose2d;
+import rsal.robot.RobotModel.Axis;
+import rsal.robot.RobotModel.Drive;
+import rsal.robot.RobotModel.OdometryNoise;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.Steering;
 import rsal.robot.RobotModels.Choice;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -123,14 +128,7 @@ class RobotModelsTest {
     @Test
     void aPersonsOwnModelAndPartAreReadFromTheirFolder() throws IOException {
         write("cart.yaml", CART);
-        write("eye.yaml", """
-                type: laser
-                fieldOfView: 90
-                samples: 3
-                range: [0, 8]
-                noise: 0
-                period: 0.05
-                """);
+        write("eye.yaml", EYE);
         RobotModel cart = models.read("cart.yaml", HERE);
         assertThat(cart.title()).isEqualTo("Cart");
         assertThat(cart.sensors().get("eye"))
@@ -146,6 +144,47 @@ class RobotModelsTest {
                         Duration.ofMillis(50)));
     }
 
+    @Test
+    void aDriveIsDifferentialUnlessItsFileSaysOtherwise() throws IOException {
+        write("eye.yaml", EYE);
+        write("cart.yaml", CART);
+        Drive drive = models.read("cart.yaml", HERE).drive();
+        assertThat(drive).isEqualTo(new Drive(1, Math.PI / 2, 1, Math.PI / 2, new OdometryNoise(0, 0, 0)));
+        assertThat(drive.symmetric()).isTrue();
+    }
+
+    @Test
+    void anOmnidirectionalDriveHasItsOwnLimitsOnEachAxisAndWay() throws IOException {
+        write("eye.yaml", EYE);
+        write("cart.yaml", CART.replace("maxSpeed: 1", """
+                type: omnidirectional
+                  maxSpeed: [-0.5, 1.5]
+                  maxSideSpeed: [0, 0.4]
+                  maxSideAcceleration: 2"""));
+        Drive drive = models.read("cart.yaml", HERE).drive();
+        assertThat(drive.steering()).isEqualTo(new Steering.Omnidirectional());
+        assertThat(drive.forward().speed()).isEqualTo(new Interval(-0.5, 1.5));
+        assertThat(drive.maxSpeed()).isEqualTo(1.5);
+        assertThat(drive.sideways()).isEqualTo(new Axis(new Interval(0, 0.4), Interval.around0(2)));
+        assertThat(drive.symmetric()).isFalse();
+    }
+
+    @Test
+    void aCarHasAWheelbaseAndASteeringAngle() throws IOException {
+        write("eye.yaml", EYE);
+        write("cart.yaml", CART.replace("maxSpeed: 1", """
+                type: car
+                  wheelbase: 0.5
+                  maxSteeringAngle: 45
+                  maxSpeed: 1"""));
+        Drive drive = models.read("cart.yaml", HERE).drive();
+        assertThat(drive.steering())
+                .isInstanceOfSatisfying(
+                        Steering.Car.class,
+                        car -> assertThat(car.turningRadius()).isCloseTo(0.5, within(1e-9)));
+        assertThat(drive.turnsInPlace()).isFalse();
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -155,6 +194,16 @@ class RobotModelsTest {
                 "length: 0.3|lenght: 0.3",
                 "length: 0.3|length: long",
                 "maxSpeed: 1|maxSpeed: 0",
+                "maxSpeed: 1|maxSpeed: [0.1, 1]",
+                "maxSpeed: 1|maxSpeed: [-1, 0]",
+                "maxSpeed: 1|maxSpeed: [-1, 1, 1]",
+                "maxSpeed: 1|{maxSpeed: 1, type: tracked}",
+                "maxTurnRate: 90|maxTurnRate: [0, 90]",
+                "maxAcceleration: 1|maxAcceleration: [0, 1]",
+                "maxSpeed: 1|maxSpeed: 1\n  type: omnidirectional",
+                "maxSpeed: 1|maxSpeed: 1\n  type: car",
+                "maxSpeed: 1|maxSpeed: 1\n  maxSideSpeed: 1",
+                "maxSpeed: 1|maxSpeed: 1\n  wheelbase: 1",
                 "maxSpeed: 1|maxSpeed: .nan",
                 "eye: [0.1, 0, 0]|eye: [0.1, 0]",
                 "eye: eye.yaml|eye: ../eye.yaml",
@@ -164,6 +213,9 @@ class RobotModelsTest {
     void aWrongModelFileIsRefused(String change) throws IOException {
         String[] fromTo = change.split("\\|", 2);
         assertThat(CART).contains(fromTo[0]);
+        write("eye.yaml", EYE);
+        write("cart.yaml", CART);
+        models.read("cart.yaml", HERE);
         write("cart.yaml", CART.replace(fromTo[0], fromTo[1]));
         assertThatExceptionOfType(InvalidSettings.class).isThrownBy(() -> models.read("cart.yaml", HERE));
     }
@@ -179,6 +231,15 @@ class RobotModelsTest {
               odometryNoise: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0}
             mounts: {eye: [0.1, 0, 0]}
             sensors: {eye: eye.yaml}
+            """;
+
+    private static final String EYE = """
+            type: laser
+            fieldOfView: 90
+            samples: 3
+            range: [0, 8]
+            noise: 0
+            period: 0.05
             """;
 
     private void write(String name, String text) throws IOException {

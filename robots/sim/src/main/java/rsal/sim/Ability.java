@@ -16,6 +16,11 @@ final class Ability {
     static List<String> problems(RobotModel model) {
         var problems = new ArrayList<String>();
         RobotModel.Drive drive = model.drive();
+        if (!(drive.steering() instanceof RobotModel.Steering.Differential)) {
+            problems.add("Only differential drives are simulated so far, not (%s).".formatted(drive.steering()));
+        } else if (!drive.symmetric()) {
+            problems.add("Drives that are faster one way than the other are not simulated so far.");
+        }
         positive(problems, "Its drive's top speed [m/s]", drive.maxSpeed());
         positive(problems, "Its drive's top turn rate [rad/s]", drive.maxTurnRate());
         positive(problems, "Its drive's acceleration [m/s²]", drive.maxAcceleration());

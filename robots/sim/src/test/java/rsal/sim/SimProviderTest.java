@@ -89,6 +89,18 @@ class SimProviderTest {
     }
 
     @Test
+    void refusesDrivesThatItCannotSimulate() {
+        RobotModel.Drive drive = Models.DRIVE;
+        var car = new RobotModel.Drive(
+                new RobotModel.Steering.Car(0.3, 0.5),
+                drive.forward(),
+                drive.sideways(),
+                drive.turn(),
+                drive.odometryNoise());
+        assertRefused("model", "Only differential drives", robot("r1", Models.box(car), new Pose2d(2, 2, 0)));
+    }
+
+    @Test
     void tellsOfAllThatIsWrong() {
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> SimRun.of(

@@ -66,6 +66,14 @@ public final class NavigatorDriver implements DeviceDriver {
     }
 
     @Override
+    public Optional<String> refusal(RobotModel model) {
+        return model.drive().turnsInPlace()
+                ? Optional.empty()
+                : Optional.of(
+                        "It plans ways for robots that turn in place, which a car (%s) can't.".formatted(model.name()));
+    }
+
+    @Override
     public Device create(Context context, Arguments arguments) {
         RobotModel model = context.robot().model();
         Optional<LaserScanner> laser = context.robot().find(LaserScanner.class);

@@ -17,7 +17,7 @@ public abstract class LaserScannerContract extends SensorContract<LaserScan, Las
         super(LaserScanner.class, "r1/laser");
     }
 
-    private static Part.Laser part() {
+    private Part.Laser part() {
         return (Part.Laser) java.util.Objects.requireNonNull(model().sensors().get("laser"));
     }
 

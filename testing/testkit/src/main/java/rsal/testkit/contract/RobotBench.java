@@ -33,8 +33,8 @@ import rsal.settings.Location;
 import rsal.testkit.DrawnMap;
 import rsal.time.LockstepScheduler;
 
-/// A robot on the bench: what all contract tests of devices start from. One Pioneer 2-DX with laser and sonars,
-/// `r1`, stands at `@` of [#WORLD], looking along +x.
+/// A robot on the bench: what all contract tests of devices start from. One robot, a Pioneer 2-DX with laser and
+/// sonars unless a test takes another [#model], `r1`, stands at `@` of [#WORLD], looking along +x.
 ///
 /// ```java
 /// class SimDriveBaseTest extends DriveBaseContract {
@@ -108,6 +108,11 @@ public abstract class RobotBench {
         return Set.of();
     }
 
+    /// What the robot carries besides laser and sonars: parts by device name.
+    protected Map<String, String> parts() {
+        return Map.of();
+    }
+
     /// Software devices that the robot gets, in this order.
     protected List<DeviceDriver> drivers() {
         return List.of();
@@ -153,15 +158,17 @@ public abstract class RobotBench {
         return provider().create(config, scheduler);
     }
 
-    /// A Pioneer 2-DX with laser and sonars.
-    protected static RobotSpec spec(String id, Pose2d mapFromBase) {
+    /// A robot of the [#model].
+    protected final RobotSpec spec(String id, Pose2d mapFromBase) {
         return new RobotSpec(id, "tested", model(), Optional.of(mapFromBase), "#3366cc");
     }
 
-    protected static RobotModel model() {
+    /// A Pioneer 2-DX with laser, sonars and [#parts].
+    protected RobotModel model() {
         Location here = Location.of("contract");
         var choices = new LinkedHashMap<String, RobotModels.Choice>();
         choices.put("laser", new RobotModels.Choice("urg04lx", here));
+        parts().forEach((device, part) -> choices.put(device, new RobotModels.Choice(part, here)));
         return new RobotModels(FileSource.resources(RobotBench.class, "/")).read("pioneer2dx", here, choices);
     }
 

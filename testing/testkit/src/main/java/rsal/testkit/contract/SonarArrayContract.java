@@ -16,7 +16,7 @@ public abstract class SonarArrayContract extends SensorContract<RangeArray, Sona
         super(SonarArray.class, "r1/base_link");
     }
 
-    private static Part.Sonars part() {
+    private Part.Sonars part() {
         return (Part.Sonars) java.util.Objects.requireNonNull(model().sensors().get("sonar"));
     }
 

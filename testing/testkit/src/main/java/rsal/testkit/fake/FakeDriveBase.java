@@ -61,7 +61,7 @@ public final class FakeDriveBase extends SensorCore<Odometry> implements DriveBa
             throw new IllegalArgumentException("A command must be finite, not (%s).".formatted(twist));
         }
         commands.add(twist);
-        wanted = cut(twist);
+        wanted = model.drive().feasible(twist);
         stepsSinceCommand = 0;
     }
 
@@ -101,9 +101,11 @@ public final class FakeDriveBase extends SensorCore<Odometry> implements DriveBa
         velocity = wanted;
         double dt = FakeSystem.STEP.toNanos() / (double) Duration.ofSeconds(1).toNanos();
         double middle = velocity.omega() * dt / 2;
-        Pose2d next = mapFromBase.compose(new Pose2d(0, 0, middle)).compose(new Pose2d(velocity.vx() * dt, 0, middle));
+        Pose2d next = mapFromBase
+                .compose(new Pose2d(0, 0, middle))
+                .compose(new Pose2d(velocity.vx() * dt, velocity.vy() * dt, middle));
         boolean touches = rays.clearance(next.x(), next.y()) < model.footprint().inscribedRadius();
-        if (touches && velocity.vx() != 0) {
+        if (touches && velocity.speed() != 0) {
             if (!stalled) {
                 simulation.touched(clock.instant(), info().robot());
             }
@@ -111,7 +113,7 @@ public final class FakeDriveBase extends SensorCore<Odometry> implements DriveBa
         } else {
             mapFromBase = next;
         }
-        stalled = touches && wanted.vx() != 0;
+        stalled = touches && wanted.speed() != 0;
     }
 
     void sense() {
@@ -120,14 +122,5 @@ public final class FakeDriveBase extends SensorCore<Odometry> implements DriveBa
             deliver(new Stamped<>(
                     clock.instant(), info().robot() + "/odom", new Odometry(odomFromBase, velocity, stalled)));
         }
-    }
-
-    private Twist2d cut(Twist2d twist) {
-        double much = Math.max(
-                Math.abs(twist.vx()) / model.drive().maxSpeed(),
-                Math.abs(twist.omega()) / model.drive().maxTurnRate());
-        return much <= 1
-                ? Twist2d.drive(twist.vx(), twist.omega())
-                : Twist2d.drive(twist.vx() / much, twist.omega() / much);
     }
 }
