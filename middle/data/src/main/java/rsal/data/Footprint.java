@@ -1,5 +1,7 @@
 package rsal.data;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 
 /// Outline of a body in its base frame: corners [m] of a convex polygon, counter-clockwise, around the origin or
@@ -20,8 +22,7 @@ public record Footprint(List<Point2d> corners) {
     }
 
     private static void requireLeft(Point2d from, Point2d to, Point2d corner) {
-        double turn = (to.x() - from.x()) * (corner.y() - to.y()) - (to.y() - from.y()) * (corner.x() - to.x());
-        if (!(turn > 0)) {
+        if (!(turn(from, to, corner) > 0)) {
             throw new IllegalArgumentException(
                     "A footprint is convex and counter-clockwise: (%s, %s) must be left of its edge from (%s, %s) to (%s, %s)."
                             .formatted(corner.x(), corner.y(), from.x(), from.y(), to.x(), to.y()));
@@ -37,6 +38,37 @@ public record Footprint(List<Point2d> corners) {
                 new Point2d(center.x() + l, center.y() - w),
                 new Point2d(center.x() + l, center.y() + w),
                 new Point2d(center.x() - l, center.y() + w)));
+    }
+
+    /// The smallest outline around points, by Andrew's monotone chain (1979). It starts at the leftmost.
+    ///
+    /// @throws IllegalArgumentException when all are in a line
+    public static Footprint around(List<Point2d> points) {
+        List<Point2d> sorted = points.stream()
+                .distinct()
+                .sorted(Comparator.comparingDouble(Point2d::x).thenComparingDouble(Point2d::y))
+                .toList();
+        List<Point2d> hull = chain(sorted);
+        hull.addAll(chain(sorted.reversed()));
+        return new Footprint(hull);
+    }
+
+    /// The outline's right side on the way from the first point to the last, which is left out.
+    private static List<Point2d> chain(List<Point2d> sorted) {
+        var chain = new ArrayList<Point2d>();
+        for (Point2d point : sorted) {
+            while (chain.size() > 1 && turn(chain.get(chain.size() - 2), chain.getLast(), point) <= 0) {
+                chain.removeLast();
+            }
+            chain.add(point);
+        }
+        chain.removeLast();
+        return chain;
+    }
+
+    /// Positive when the way over three points turns left; twice the area of their triangle.
+    static double turn(Point2d a, Point2d b, Point2d c) {
+        return (b.x() - a.x()) * (c.y() - b.y()) - (b.y() - a.y()) * (c.x() - b.x());
     }
 
     /// Radius of the smallest circle around the base's origin that holds the body [m].

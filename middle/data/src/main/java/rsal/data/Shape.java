@@ -1,7 +1,5 @@
 package rsal.data;
 
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -47,34 +45,15 @@ public sealed interface Shape {
             return new Polygon(footprint.corners());
         }
 
-        /// Andrew's monotone chain (1979).
         @Override
         public Footprint hull() {
-            List<Point2d> sorted = corners.stream()
-                    .sorted(Comparator.comparingDouble(Point2d::x).thenComparingDouble(Point2d::y))
-                    .toList();
-            List<Point2d> hull = chain(sorted);
-            hull.addAll(chain(sorted.reversed()));
-            return new Footprint(hull);
-        }
-
-        /// The right side of the hull on the way from the first to the last, which is left out.
-        private static List<Point2d> chain(List<Point2d> sorted) {
-            var chain = new ArrayList<Point2d>();
-            for (Point2d point : sorted) {
-                while (chain.size() > 1 && turn(chain.get(chain.size() - 2), chain.getLast(), point) <= 0) {
-                    chain.removeLast();
-                }
-                chain.add(point);
-            }
-            chain.removeLast();
-            return chain;
+            return Footprint.around(corners);
         }
 
         private static double area(List<Point2d> corners) {
             double twice = 0;
             for (int i = 0; i < corners.size(); i++) {
-                twice += turn(corners.getFirst(), corners.get(i), corners.get((i + 1) % corners.size()));
+                twice += Footprint.turn(corners.getFirst(), corners.get(i), corners.get((i + 1) % corners.size()));
             }
             return twice / 2;
         }
@@ -98,10 +77,10 @@ public sealed interface Shape {
         }
 
         private static boolean meet(Point2d a, Point2d b, Point2d c, Point2d d) {
-            double abc = Math.signum(turn(a, b, c));
-            double abd = Math.signum(turn(a, b, d));
-            double cda = Math.signum(turn(c, d, a));
-            double cdb = Math.signum(turn(c, d, b));
+            double abc = Math.signum(Footprint.turn(a, b, c));
+            double abd = Math.signum(Footprint.turn(a, b, d));
+            double cda = Math.signum(Footprint.turn(c, d, a));
+            double cdb = Math.signum(Footprint.turn(c, d, b));
             return (abc * abd < 0 && cda * cdb < 0)
                     || (abc == 0 && between(a, b, c))
                     || (abd == 0 && between(a, b, d))
@@ -114,11 +93,6 @@ public sealed interface Shape {
                     && inLine.x() <= Math.max(from.x(), to.x())
                     && Math.min(from.y(), to.y()) <= inLine.y()
                     && inLine.y() <= Math.max(from.y(), to.y());
-        }
-
-        /// Positive when the way over three points turns left; twice the area of their triangle.
-        private static double turn(Point2d a, Point2d b, Point2d c) {
-            return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
         }
     }
 

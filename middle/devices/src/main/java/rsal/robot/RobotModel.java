@@ -6,21 +6,37 @@ import java.util.Map;
 import rsal.data.Footprint;
 import rsal.data.Interval;
 import rsal.data.Pose2d;
+import rsal.data.Shape;
+import rsal.data.Solid;
 import rsal.data.Twist2d;
 
 /// What a kind of robot is like: a file in `rsal/robot/models`, read by [RobotModels].
 ///
 /// @param name `pioneer2dx`
 /// @param title for people: `Pioneer 2-DX`
+/// @param body what is solid of it, in its base frame; pieces without a color have that of the robot
 /// @param sensors the parts it carries, by device name (`laser`, `sonar`), in the file's order
-public record RobotModel(String name, String title, Footprint footprint, Drive drive, Map<String, Part> sensors) {
+public record RobotModel(String name, String title, Solid body, Drive drive, Map<String, Part> sensors) {
+    /// Of bodies for which none is told [m].
+    static final double HEIGHT = 0.25;
+
     public RobotModel {
         sensors = java.util.Collections.unmodifiableMap(new java.util.LinkedHashMap<>(sensors));
     }
 
+    /// A model of a plain body.
+    public RobotModel(String name, String title, Footprint footprint, Drive drive, Map<String, Part> sensors) {
+        this(name, title, Solid.standing(Shape.Polygon.of(footprint), HEIGHT), drive, sensors);
+    }
+
+    /// Its convex outline, which is what it takes for itself when it keeps out of the way of things.
+    public Footprint footprint() {
+        return body.hull();
+    }
+
     /// The same robot with another drive.
     public RobotModel with(Drive other) {
-        return new RobotModel(name, title, footprint, other, sensors);
+        return new RobotModel(name, title, body, other, sensors);
     }
 
     /// How it moves.

@@ -5,9 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import rsal.data.Footprint;
-import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.Solid;
 import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.Part;
 import rsal.settings.FileSource;
@@ -64,7 +63,7 @@ public final class RobotModels {
         Value.Mapping file = find("robot model", name, builtIn(), MODELS, askedAt);
         var section = new Section("", file, problems);
         String title = section.text("title");
-        Footprint footprint = body(section.section("body"));
+        Solid body = BodyReader.read(section.section("body"));
         Drive drive = DriveReader.read(section.section("drive"));
         Map<String, Pose2d> mounts = mounts(section.section("mounts"));
         Map<String, Choice> chosen = own(section.section("sensors"));
@@ -91,7 +90,7 @@ public final class RobotModels {
             }
         });
         problems.throwIfAny();
-        return new RobotModel(name, title, footprint, drive, sensors);
+        return new RobotModel(name, title, body, drive, sensors);
     }
 
     /// @param part name or file of a part
@@ -106,18 +105,6 @@ public final class RobotModels {
             return files.yaml(name, askedAt);
         }
         throw new InvalidSettings(askedAt, "There is no %s (%s).".formatted(what, name), Suggestion.among(name, known));
-    }
-
-    private static Footprint body(Section body) {
-        double length = Numbers.positive(body, "length");
-        double width = Numbers.positive(body, "width");
-        double[] center = body.numbers("center", 2).orElse(new double[2]);
-        if (Math.abs(center[0]) > Numbers.MOST || Math.abs(center[1]) > Numbers.MOST) {
-            body.problem("center", "(body.center) must be at most %s away.".formatted(Numbers.MOST), "");
-            center = new double[2];
-        }
-        body.done();
-        return Footprint.box(length, width, new Point2d(center[0], center[1]));
     }
 
     private static Map<String, Pose2d> mounts(Section section) {

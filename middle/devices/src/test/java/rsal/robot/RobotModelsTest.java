@@ -9,14 +9,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Footprint;
 import rsal.data.Interval;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.Prism;
+import rsal.data.Rgb;
+import rsal.data.Shape;
+import rsal.data.Solid;
 import rsal.robot.RobotModel.Axis;
 import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.OdometryNoise;
@@ -145,6 +152,34 @@ class RobotModelsTest {
     }
 
     @Test
+    void aBodyIsABoxADiscOrAnOutline() throws IOException {
+        write("eye.yaml", EYE);
+        assertThat(body("length: 0.3, width: 0.2, height: 0.5"))
+                .isEqualTo(Solid.standing(Shape.Polygon.of(Footprint.box(0.3, 0.2, new Point2d(0, 0))), 0.5));
+        assertThat(body("radius: 0.2, center: [0.1, 0], color: '#ff0000'").pieces())
+                .containsExactly(
+                        new Prism(new Shape.Disc(new Point2d(0.1, 0), 0.2), 0, 0.25, Optional.of(new Rgb(255, 0, 0))));
+        Solid arrow = body("outline: [[0.3, 0], [-0.2, 0.2], [-0.1, 0], [-0.2, -0.2]]");
+        assertThat(((Shape.Polygon) arrow.pieces().getFirst().shape()).corners())
+                .hasSize(4);
+        assertThat(arrow.hull().corners()).hasSize(3);
+    }
+
+    @Test
+    void aBodyMayHavePieces() throws IOException {
+        write("eye.yaml", EYE);
+        Solid body = body("pieces: [{radius: 0.2, height: 0.1}, {length: 0.1, width: 0.1, bottom: 0.1, height: 1}]");
+        assertThat(body.pieces()).hasSize(2);
+        assertThat(body.pieces().getLast().bottom()).isEqualTo(0.1);
+        assertThat(body.top()).isEqualTo(1.1);
+    }
+
+    private Solid body(String text) throws IOException {
+        write("cart.yaml", CART.replace("length: 0.3, width: 0.2", text));
+        return models.read("cart.yaml", HERE).body();
+    }
+
+    @Test
     void aDriveIsDifferentialUnlessItsFileSaysOtherwise() throws IOException {
         write("eye.yaml", EYE);
         write("cart.yaml", CART);
@@ -192,6 +227,20 @@ class RobotModelsTest {
                 "width: 0.2}|width: .inf}",
                 "width: 0.2}|width: 0.2, center: [1e300, 0]}",
                 "length: 0.3|lenght: 0.3",
+                "length: 0.3|length: 0.3, height: 0",
+                "length: 0.3|length: 0.3, color: blue",
+                "length: 0.3|length: 0.3, radius: 0.2",
+                "length: 0.3, width: 0.2|radius: 0",
+                "length: 0.3, width: 0.2|radius: 0.2, center: [0]",
+                "length: 0.3, width: 0.2|outline: []",
+                "length: 0.3, width: 0.2|outline: 1",
+                "length: 0.3, width: 0.2|outline: [[0, 0], [1, 0], [1]]",
+                "length: 0.3, width: 0.2|outline: [[0, 0], [1, 1], [1, 0], [0, 1]]",
+                "length: 0.3, width: 0.2|outline: [[0, 0], [1e9, 1], [1, 0]]",
+                "length: 0.3, width: 0.2|pieces: []",
+                "length: 0.3, width: 0.2|pieces: [{radius: 0.2, pieces: []}]",
+                "length: 0.3, width: 0.2|pieces: [{radius: 0.2}], height: 1",
+                "length: 0.3, width: 0.2|pieces: [1]",
                 "length: 0.3|length: long",
                 "maxSpeed: 1|maxSpeed: 0",
                 "maxSpeed: 1|maxSpeed: [0.1, 1]",
