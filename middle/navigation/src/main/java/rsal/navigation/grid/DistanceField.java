@@ -1,7 +1,7 @@
 package rsal.navigation.grid;
 
+import rsal.data.DistanceTransform;
 import rsal.data.OccupancyGrid;
-import rsal.map.DistanceTransform;
 
 /// For each cell of a map the distance [m] from its middle to the middle of the nearest cell of some kind,
 /// exactly. Immutable; robots that share a map share its fields.

@@ -1,4 +1,4 @@
-package rsal.map;
+package rsal.data;
 
 import java.util.Arrays;
 import java.util.function.IntPredicate;
