@@ -14,6 +14,7 @@ import rsal.map.FreeSpace;
 import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystemProvider.InvalidRobots.Problem;
 import rsal.sim.world.Body;
+import rsal.sim.world.Solid;
 import rsal.sim.world.Walls;
 import rsal.sim.world.World;
 
@@ -33,7 +34,7 @@ final class Lineup {
 
     Lineup(OccupancyGrid map, List<RobotSpec> robots, Seeds seeds) {
         this.map = map;
-        this.walls = new Walls(map);
+        this.walls = Walls.of(map);
         this.world = new World(walls);
         this.seeds = seeds;
         for (RobotSpec robot : robots) {
@@ -81,22 +82,22 @@ final class Lineup {
                     robot,
                     "The start pose %s is inside a wall.%s"
                             .formatted(at(pose.x(), pose.y()), suggestion(footprint, pose)));
-        } else if (!world.hasRoom(footprint, pose, 0)) {
+        } else if (!world.hasRoom(Solid.of(footprint), pose, 0)) {
             refuse(
                     robot,
                     "At its start pose %s the robot would touch %s.%s"
                             .formatted(at(pose.x(), pose.y()), obstacle(), suggestion(footprint, pose)));
         } else {
-            bodies.put(robot.id(), world.add(robot.id(), footprint, pose));
+            bodies.put(robot.id(), world.add(robot.id(), Solid.of(footprint), pose, 0));
         }
     }
 
     private boolean addSomewhere(RobotSpec robot) {
         Footprint footprint = robot.model().footprint();
         Optional<Pose2d> pose = space(footprint)
-                .choose(seeds.stream(robot.id() + "/start"), p -> world.hasRoom(footprint, p, CLEARANCE));
+                .choose(seeds.stream(robot.id() + "/start"), p -> world.hasRoom(Solid.of(footprint), p, CLEARANCE));
         pose.ifPresentOrElse(
-                place -> bodies.put(robot.id(), world.add(robot.id(), footprint, place)),
+                place -> bodies.put(robot.id(), world.add(robot.id(), Solid.of(footprint), place, 0)),
                 () -> refuse(robot, """
                         There is no free place left for it that is %s m from walls and from all other robots. \
                         Maybe take fewer robots or a larger map, or name a start pose.""".formatted(CLEARANCE)));
@@ -120,7 +121,7 @@ final class Lineup {
 
     private String suggestion(Footprint footprint, Pose2d pose) {
         return space(footprint)
-                .nearest(pose, p -> world.hasRoom(footprint, p, CLEARANCE))
+                .nearest(pose, p -> world.hasRoom(Solid.of(footprint), p, CLEARANCE))
                 .map(place -> " Maybe %s, the nearest place with room?".formatted(at(place.x(), place.y())))
                 .orElse("");
     }

@@ -28,7 +28,8 @@ final class Odometer {
                 square(noise.headingPerMeter()) * way + square(noise.headingPerRadian()) * Math.abs(turn);
         double distanceError = scale * noise.distancePerMeter() * Math.sqrt(way) * random.nextGaussian();
         double headingError = scale * Math.sqrt(headingVariance) * random.nextGaussian();
-        odomFromBase = new Arc(odomFromBase, distance + distanceError, turn + headingError).at(1);
+        odomFromBase = Arc.ahead(odomFromBase, distance + distanceError, turn + headingError)
+                .at(1);
     }
 
     void reset(Pose2d now) {

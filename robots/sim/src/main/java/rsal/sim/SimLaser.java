@@ -19,7 +19,7 @@ final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
         super(info, info.id(), laser.period(), noise);
         this.laser = laser;
         this.beams = new Beams(
-                List.of(new Fan(laser.baseFromLaser(), laser.angleMin(), laser.angleIncrement(), laser.samples())));
+                List.of(new Fan(laser.baseFromLaser(), laser.angleMin(), laser.angleIncrement(), laser.samples())), 0);
     }
 
     @Override

@@ -27,7 +27,7 @@ final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
         List<Fan> fans = sonars.baseFromSensors().stream()
                 .map(baseFromSensor -> cone(baseFromSensor, sonars.fieldOfView()))
                 .toList();
-        this.cones = new Beams(fans);
+        this.cones = new Beams(fans, 0);
         this.raysOfEach = fans.getFirst().count();
     }
 

@@ -14,11 +14,12 @@ public final class Beams {
     private final double[] heading; // of each fan's first ray, in the base frame [rad]
     private final double[] increment; // between the rays of each fan [rad]
     private final int[] begin; // of each fan, the index of its first ray; one more for the end
+    private final double height;
     private final double farthestOrigin;
     private final double[] cos; // of each ray, in the base frame
     private final double[] sin;
     private final Rays rays;
-    private final BodyGrid.Found near = new BodyGrid.Found();
+    private final PieceGrid.Found near = new PieceGrid.Found();
 
     /// Rays that leave one place at equal angles.
     ///
@@ -26,7 +27,9 @@ public final class Beams {
     /// @param increment angle between rays, counter-clockwise [rad]; positive
     public record Fan(Pose2d baseFromSensor, double first, double increment, int count) {}
 
-    public Beams(List<Fan> fans) {
+    /// @param height of the sensor above its body's base [m]
+    public Beams(List<Fan> fans, double height) {
+        this.height = height;
         originX = fans.stream().mapToDouble(fan -> fan.baseFromSensor.x()).toArray();
         originY = fans.stream().mapToDouble(fan -> fan.baseFromSensor.y()).toArray();
         heading = fans.stream()
@@ -63,28 +66,35 @@ public final class Beams {
     /// @param self whose sensor it is, where sensors see it; rays pass through it
     /// @return overwritten by the next cast
     public double[] cast(World world, Body self, double reach) {
-        Outline base = self.seen;
+        Figure base = self.seen;
+        double z = base.height() + height;
         aim(base);
         Arrays.fill(rays.range, Double.POSITIVE_INFINITY);
-        world.seenNear(base.x(), base.y(), reach + farthestOrigin, near);
+        Arrays.fill(rays.met, Rays.NOTHING);
+        world.seenNear(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
         for (int i = 0; i < near.count; i++) {
-            if (near.circles[i] != self.index) {
-                Outline body = world.body(near.circles[i]).seen;
+            int slot = near.slots[i];
+            Piece piece = world.seen(slot);
+            if (piece.surface.seenByRangers() && piece.isAt(z) && world.owner(slot) != self) {
                 for (int fan = 0; fan < originX.length; fan++) {
-                    clip(body, base, fan, reach);
+                    clip(slot, piece, base, fan, reach);
                 }
             }
         }
-        world.walls().end(rays, reach);
+        for (Walls walls : world.walls()) {
+            if (walls.surface().seenByRangers() && walls.isAt(z)) {
+                walls.end(rays, reach);
+            }
+        }
         return rays.range;
     }
 
-    private void aim(Outline base) {
+    private void aim(Figure base) {
         double baseCos = base.cos();
         double baseSin = base.sin();
         for (int fan = 0; fan < originX.length; fan++) {
-            double x = base.x() + baseCos * originX[fan] - baseSin * originY[fan];
-            double y = base.y() + baseSin * originX[fan] + baseCos * originY[fan];
+            double x = base.pose().x() + baseCos * originX[fan] - baseSin * originY[fan];
+            double y = base.pose().y() + baseSin * originX[fan] + baseCos * originY[fan];
             for (int i = begin[fan]; i < begin[fan + 1]; i++) {
                 rays.x[i] = x;
                 rays.y[i] = y;
@@ -94,37 +104,38 @@ public final class Beams {
         }
     }
 
-    /// Ends the rays of a fan at a body, looking only at those that may meet the circle around it.
-    private void clip(Outline body, Outline base, int fan, double reach) {
+    /// Ends the rays of a fan at a piece, looking only at those that may meet the circle around it.
+    private void clip(int slot, Piece piece, Figure base, int fan, double reach) {
         int last = begin[fan + 1] - begin[fan] - 1;
-        double toX = body.x() - rays.x[begin[fan]];
-        double toY = body.y() - rays.y[begin[fan]];
+        double toX = piece.x() - rays.x[begin[fan]];
+        double toY = piece.y() - rays.y[begin[fan]];
         double square = toX * toX + toY * toY;
-        if (last < FEW || square <= body.radius() * body.radius()) {
-            clip(body, reach, begin[fan], begin[fan] + last);
+        if (last < FEW || square <= piece.radius() * piece.radius()) {
+            clip(slot, piece, reach, begin[fan], begin[fan] + last);
             return;
         }
         double ahead = base.cos() * toX + base.sin() * toY; // in the base frame
         double aside = base.cos() * toY - base.sin() * toX;
-        double halfWidth = RoughAngles.asinAtLeast(body.radius() / Math.sqrt(square)) + RoughAngles.ERROR;
+        double halfWidth = RoughAngles.asinAtLeast(piece.radius() / Math.sqrt(square)) + RoughAngles.ERROR;
         double bearing = RoughAngles.atan2(aside, ahead) - heading[fan];
         double start = bearing - halfWidth - TURN * Math.floor((bearing + halfWidth) / TURN); // its end is in [0, 2π)
         double perRay = 1 / increment[fan];
         for (double turned = start; turned <= last * increment[fan]; turned += TURN) {
             int from = Math.max(0, (int) Math.ceil(turned * perRay));
             int to = Math.min(last, (int) Math.floor((turned + 2 * halfWidth) * perRay));
-            clip(body, reach, begin[fan] + from, begin[fan] + to);
+            clip(slot, piece, reach, begin[fan] + from, begin[fan] + to);
         }
     }
 
-    private void clip(Outline body, double reach, int from, int to) {
-        double square = body.radius() * body.radius();
+    private void clip(int slot, Piece piece, double reach, int from, int to) {
+        double square = piece.radius() * piece.radius();
         for (int i = from; i <= to; i++) {
-            double aside = (body.x() - rays.x[i]) * rays.dy[i] - (body.y() - rays.y[i]) * rays.dx[i];
+            double aside = (piece.x() - rays.x[i]) * rays.dy[i] - (piece.y() - rays.y[i]) * rays.dx[i];
             if (aside * aside <= square) {
-                double range = body.ray(rays.x[i], rays.y[i], rays.dx[i], rays.dy[i]);
+                double range = piece.ray(rays.x[i], rays.y[i], rays.dx[i], rays.dy[i]);
                 if (range < rays.range[i] && range <= reach) {
                     rays.range[i] = range;
+                    rays.met[i] = slot;
                 }
             }
         }

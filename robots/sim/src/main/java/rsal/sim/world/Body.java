@@ -1,24 +1,23 @@
 package rsal.sim.world;
 
-import rsal.data.Footprint;
+import java.util.List;
 import rsal.data.Pose2d;
 
-/// A robot as the world knows it: an outline with a name.
+/// A robot or a thing as the world knows it: a figure with a name.
 public final class Body {
-    final int index; // in the world's list
-    final Outline outline;
-    final Outline trial; // where it might go
-    final Outline seen; // where it was when sensors last looked
+    final Figure figure;
+    final Figure trial; // where it might go
+    final Figure seen; // where it was when sensors last looked
+    final int[] slots; // of its pieces, in the world's lists
     private final String name;
 
-    Body(int index, String name, Footprint footprint, Pose2d mapFromBase) {
-        this.index = index;
+    /// @param slots one for each solid
+    Body(String name, List<Solid> solids, int[] slots) {
         this.name = name;
-        outline = new Outline(footprint);
-        trial = new Outline(footprint);
-        seen = new Outline(footprint);
-        outline.placeAt(mapFromBase);
-        seen.placeAt(mapFromBase);
+        this.slots = slots;
+        figure = new Figure(solids);
+        trial = new Figure(solids);
+        seen = new Figure(solids);
     }
 
     public String name() {
@@ -27,7 +26,12 @@ public final class Body {
 
     /// Where it is: mapFromBase.
     public Pose2d pose() {
-        return outline.pose();
+        return figure.pose();
+    }
+
+    /// Of its base above ground [m].
+    public double height() {
+        return figure.height();
     }
 
     /// Where sensors see it: mapFromBase at the last [World#look].

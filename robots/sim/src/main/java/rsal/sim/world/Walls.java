@@ -1,10 +1,10 @@
 package rsal.sim.world;
 
+import java.util.BitSet;
+import rsal.data.DistanceTransform;
 import rsal.data.OccupancyGrid;
-import rsal.map.DistanceTransform;
 
-/// The occupied cells of a map. Unknown cells are no walls. The map is fenced: no robot leaves it, but a ray that
-/// does meets nothing.
+/// Walls given as an upright grid of cells, some of which are solid: a map or a floor plan.
 ///
 /// Each cell knows how far the nearest solid one is, so that rays and collision checks can skip the empty circle
 /// around it.
@@ -16,31 +16,81 @@ public final class Walls {
     private static final int MOST = 0xFF;
     private static final double GUARD = 1e-6; // [cells]; more than rounding, so that no stride ends in a wall
 
-    private final double resolution;
-    private final double cellsPerMeter;
+    private final double cellX; // [m]
+    private final double cellY;
+    private final double least; // of the two
     private final double left; // of the fence, which is one cell wide
     private final double bottom;
     private final int width; // with the fence
     private final int height;
+    private final boolean fenced;
+    private final double lowest;
+    private final double highest;
+    private final Surface surface;
     private final byte[] room; // by cell: SOLID, NEAR, or NEAR + units from any point of it to anything solid, unsigned
 
-    public Walls(OccupancyGrid map) {
-        resolution = map.resolution();
-        cellsPerMeter = 1 / resolution;
-        left = map.originX() - resolution;
-        bottom = map.originY() - resolution;
-        width = map.width() + 2;
-        height = map.height() + 2;
+    /// A grid of solid cells, row by row from the lower left one.
+    ///
+    /// @param left of its lower left corner in the map frame [m]
+    /// @param cellX size of a cell [m]
+    /// @param lowest lower end above ground [m]
+    /// @param highest upper end above ground [m]
+    /// @param fenced whether no body leaves it
+    public record Plan(
+            int width,
+            int height,
+            BitSet solid,
+            double left,
+            double bottom,
+            double cellX,
+            double cellY,
+            double lowest,
+            double highest,
+            boolean fenced,
+            Surface surface) {}
+
+    /// The walls of a map, of all heights. Unknown cells are none. No body leaves it.
+    public static Walls of(OccupancyGrid map) {
+        var solid = new BitSet(map.cells().length);
+        for (int i = 0; i < map.cells().length; i++) {
+            solid.set(i, map.cells()[i] == OccupancyGrid.OCCUPIED);
+        }
+        return new Walls(new Plan(
+                map.width(),
+                map.height(),
+                solid,
+                map.originX(),
+                map.originY(),
+                map.resolution(),
+                map.resolution(),
+                Double.NEGATIVE_INFINITY,
+                Double.POSITIVE_INFINITY,
+                true,
+                Surface.PLAIN));
+    }
+
+    public Walls(Plan plan) {
+        cellX = plan.cellX;
+        cellY = plan.cellY;
+        least = Math.min(cellX, cellY);
+        left = plan.left - cellX;
+        bottom = plan.bottom - cellY;
+        width = plan.width + 2;
+        height = plan.height + 2;
+        fenced = plan.fenced;
+        lowest = plan.lowest;
+        highest = plan.highest;
+        surface = plan.surface;
         room = new byte[Math.multiplyExact(width, height)];
-        markSolid(map);
+        markSolid(plan);
         markNear();
         measureFar();
     }
 
-    private void markSolid(OccupancyGrid map) {
-        for (int row = 0; row < map.height(); row++) {
-            for (int column = 0; column < map.width(); column++) {
-                if (map.cells()[row * map.width() + column] != OccupancyGrid.OCCUPIED) {
+    private void markSolid(Plan plan) {
+        for (int row = 0; row < plan.height; row++) {
+            for (int column = 0; column < plan.width; column++) {
+                if (!plan.solid.get(row * plan.width + column)) {
                     room[(row + 1) * width + column + 1] = FAR;
                 }
             }
@@ -80,26 +130,39 @@ public final class Walls {
         });
     }
 
-    /// Whether a place is on the map and not in a wall.
+    Surface surface() {
+        return surface;
+    }
+
+    boolean isAt(double z) {
+        return lowest <= z && z < highest;
+    }
+
+    /// Without the fence.
+    public Extent extent() {
+        return new Extent(left + cellX, bottom + cellY, left + (width - 1) * cellX, bottom + (height - 1) * cellY);
+    }
+
+    /// Whether a place is in the grid and not in a wall.
     public boolean isFree(double x, double y) {
         return roomAt(x, y) != SOLID;
     }
 
     /// A distance [m] within which nothing is solid around a place; less than the true one by up to two cells.
-    /// Negative in walls and outside the map.
+    /// Negative in walls and outside the grid.
     double emptyAround(double x, double y) {
         int at = roomAt(x, y);
-        return at == SOLID ? -resolution : empty(at) * resolution;
+        return at == SOLID ? -least : empty(at);
     }
 
-    /// [cells]
-    private static double empty(int room) {
-        return (room - NEAR) / UNITS_PER_CELL;
+    /// [m]
+    private double empty(int room) {
+        return (room - NEAR) * (least / UNITS_PER_CELL);
     }
 
     private int roomAt(double x, double y) {
-        double column = (x - left) * cellsPerMeter;
-        double row = (y - bottom) * cellsPerMeter;
+        double column = (x - left) / cellX;
+        double row = (y - bottom) / cellY;
         boolean inside = column >= 0 && column < width && row >= 0 && row < height; // false for NaN
         return inside ? roomIn((int) column, (int) row) : SOLID;
     }
@@ -108,24 +171,25 @@ public final class Walls {
         return room[row * width + column] & 0xFF;
     }
 
-    /// Ends rays at the border of the first occupied cell, if that is within reach and they have met nothing
-    /// before; at once inside a wall. Rays from outside the map meet nothing.
+    /// Ends rays at the border of the first solid cell, if that is within reach and they have met nothing before;
+    /// at once inside a wall.
     ///
     /// Each strides across the empty circle around where it is (Hart, Sphere Tracing, 1996) until walls are near,
     /// then walks from cell to cell exactly (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987). All take
     /// their strides in turns, so that while one waits for memory others go on.
     void end(Rays rays, double reach) {
-        int under = begin(rays);
+        double guard = GUARD * least;
+        int under = begin(rays, reach);
         while (under > 0) {
             int still = 0;
             for (int k = 0; k < under; k++) {
                 int i = rays.under[k];
                 double way = rays.way[i];
-                int column = (int) (rays.column[i] + way * rays.dx[i]);
-                int row = (int) (rays.row[i] + way * rays.dy[i]);
+                int column = (int) (rays.column[i] + way * rays.columnsPerMeter[i]);
+                int row = (int) (rays.row[i] + way * rays.rowsPerMeter[i]);
                 int here = roomIn(column, row);
-                double limit = Math.min(reach, rays.range[i]) * cellsPerMeter;
-                way = here > NEAR ? way + empty(here) - GUARD : walk(rays, i, way, column, row, limit);
+                double limit = Math.min(reach, rays.range[i]);
+                way = here > NEAR ? way + empty(here) - guard : walk(rays, i, way, column, row, limit);
                 if (way <= limit) {
                     rays.way[i] = way;
                     rays.under[still++] = i;
@@ -135,37 +199,62 @@ public final class Walls {
         }
     }
 
-    private int begin(Rays rays) {
+    private int begin(Rays rays, double reach) {
+        double columnsPerMeter = 1 / cellX;
+        double rowsPerMeter = 1 / cellY;
         int under = 0;
         for (int i = 0; i < rays.count; i++) {
-            double column = (rays.x[i] - left) * cellsPerMeter;
-            double row = (rays.y[i] - bottom) * cellsPerMeter;
-            if (column >= 1 && column < width - 1 && row >= 1 && row < height - 1) { // false for NaN
-                rays.column[i] = column;
-                rays.row[i] = row;
-                rays.way[i] = 0;
+            double column = (rays.x[i] - left) * columnsPerMeter;
+            double row = (rays.y[i] - bottom) * rowsPerMeter;
+            rays.column[i] = column;
+            rays.row[i] = row;
+            rays.columnsPerMeter[i] = rays.dx[i] * columnsPerMeter;
+            rays.rowsPerMeter[i] = rays.dy[i] * rowsPerMeter;
+            boolean inside = column >= 1 && column < width - 1 && row >= 1 && row < height - 1; // false for NaN
+            double way = inside ? 0 : toGrid(rays, i);
+            if (way <= Math.min(reach, rays.range[i])) {
+                rays.way[i] = way;
                 rays.under[under++] = i;
             }
         }
         return under;
     }
 
+    /// Way of a ray from outside until it is well in the first cell [m]; +∞ when it misses the grid.
+    private double toGrid(Rays rays, int ray) {
+        double enters = 0;
+        double leaves = Double.POSITIVE_INFINITY;
+        for (int axis = 0; axis < 2; axis++) {
+            double at = axis == 0 ? rays.column[ray] : rays.row[ray];
+            double speed = axis == 0 ? rays.columnsPerMeter[ray] : rays.rowsPerMeter[ray];
+            double last = (axis == 0 ? width : height) - 1;
+            if (speed == 0) {
+                leaves = at >= 1 && at < last ? leaves : Double.NEGATIVE_INFINITY;
+            } else {
+                enters = Math.max(enters, ((speed > 0 ? 1 : last) - at) / speed);
+                leaves = Math.min(leaves, ((speed > 0 ? last : 1) - at) / speed);
+            }
+        }
+        double inside = enters + GUARD * least;
+        return inside < leaves ? inside : Double.POSITIVE_INFINITY;
+    }
+
     /// Goes from cell to cell while walls are near.
     ///
-    /// @return how far it came [cells]; +∞ when it has met a wall, noting its range, or the fence
+    /// @return how far it came [m]; +∞ when it has met a wall, noting its range, or the fence
     private double walk(Rays rays, int ray, double from, int fromColumn, int fromRow, double limit) {
-        double dx = rays.dx[ray];
-        double dy = rays.dy[ray];
-        double perColumn = dx == 0 ? Double.POSITIVE_INFINITY : 1 / dx;
-        double perRow = dy == 0 ? Double.POSITIVE_INFINITY : 1 / dy;
-        int stepColumn = dx >= 0 ? 1 : -1;
-        int stepRow = dy >= 0 ? 1 : -1;
-        double originColumn = rays.column[ray] - (dx >= 0 ? 1 : 0); // so that a cell is left at its own number
-        double originRow = rays.row[ray] - (dy >= 0 ? 1 : 0);
-        double way = from;
+        double columnSpeed = rays.columnsPerMeter[ray];
+        double rowSpeed = rays.rowsPerMeter[ray];
+        double perColumn = columnSpeed == 0 ? Double.POSITIVE_INFINITY : 1 / columnSpeed;
+        double perRow = rowSpeed == 0 ? Double.POSITIVE_INFINITY : 1 / rowSpeed;
+        int stepColumn = columnSpeed >= 0 ? 1 : -1;
+        int stepRow = rowSpeed >= 0 ? 1 : -1;
+        double originColumn = rays.column[ray] - (columnSpeed >= 0 ? 1 : 0); // so that a cell is left at its number
+        double originRow = rays.row[ray] - (rowSpeed >= 0 ? 1 : 0);
         int column = fromColumn;
         int row = fromRow;
         int here = roomIn(column, row);
+        double way = here == SOLID ? Math.max(0, from - GUARD * least) : from; // as only [#begin] puts it into a wall
         while (here == NEAR && way <= limit) {
             double toColumn = (column - originColumn) * perColumn;
             double toRow = (row - originRow) * perRow;
@@ -179,73 +268,57 @@ public final class Walls {
             here = roomIn(column, row);
         }
         if (here > NEAR) {
-            return way + GUARD; // so that rounding does not put it back
+            return way + GUARD * least; // or rounding might put it back
         }
         boolean atFence = column == 0 || column == width - 1 || row == 0 || row == height - 1;
         if (here == SOLID && way <= limit && !atFence) {
-            rays.range[ray] = way * resolution;
+            rays.range[ray] = way;
+            rays.met[ray] = Rays.WALL;
         }
         return Double.POSITIVE_INFINITY;
     }
 
-    /// How far an outline is from walls and fence [m]: at most the true distance (exact to a face, less to a
-    /// corner), 0 or less when they overlap, `reach` when nothing is nearer than that.
-    double separation(Outline outline, double reach) {
-        double around = emptyAround(outline.x(), outline.y()) - outline.radius();
-        if (around >= reach) {
+    /// How far a piece is from walls, and from the fence if there is one [m]: at most the true distance (exact to a
+    /// face, less to a corner), 0 or less when they overlap, `reach` when nothing is nearer than that.
+    double separation(Piece piece, double reach) {
+        if (!(surface.obstacle() && piece.isBetween(lowest, highest))) {
             return reach;
         }
-        int firstColumn = column(outline.minX() - reach);
-        int lastColumn = column(outline.maxX() + reach);
-        int firstRow = row(outline.minY() - reach);
-        int lastRow = row(outline.maxY() + reach);
-        double least = Math.min(reach, fromFence(outline));
+        if (emptyAround(piece.x(), piece.y()) - piece.radius() >= reach) {
+            return reach;
+        }
+        int firstColumn = column(piece.minX() - reach);
+        int lastColumn = column(piece.maxX() + reach);
+        int firstRow = row(piece.minY() - reach);
+        int lastRow = row(piece.maxY() + reach);
+        double nearest = fenced ? Math.min(reach, fromFence(piece)) : reach;
         for (int row = firstRow; row <= lastRow; row++) {
             int stride;
             for (int column = firstColumn; column <= lastColumn; column += stride) {
                 int here = roomIn(column, row);
-                stride = 1 + (int) empty(Math.max(here, NEAR));
+                stride = 1 + (int) ((Math.max(here, NEAR) - NEAR) / UNITS_PER_CELL);
                 if (here == SOLID) {
-                    double x = left + column * resolution;
-                    double y = bottom + row * resolution;
-                    least = Math.min(least, outline.separation(x, y, x + resolution, y + resolution));
+                    double x = left + column * cellX;
+                    double y = bottom + row * cellY;
+                    nearest = Math.min(nearest, piece.separation(x, y, x + cellX, y + cellY));
                 }
             }
         }
-        return least;
+        return nearest;
     }
 
-    private double fromFence(Outline outline) {
-        double right = left + width * resolution;
-        double top = bottom + height * resolution;
-        double fromSides = Math.min(outline.minX() - left, right - outline.maxX());
-        double fromEnds = Math.min(outline.minY() - bottom, top - outline.maxY());
-        return Math.min(fromSides, fromEnds) - resolution;
+    private double fromFence(Piece piece) {
+        Extent inside = extent();
+        double fromSides = Math.min(piece.minX() - inside.left(), inside.right() - piece.maxX());
+        double fromEnds = Math.min(piece.minY() - inside.bottom(), inside.top() - piece.maxY());
+        return Math.min(fromSides, fromEnds);
     }
 
     private int column(double x) {
-        return (int) Math.clamp(Math.floor((x - left) * cellsPerMeter), 0.0, width - 1.0);
+        return (int) Math.clamp(Math.floor((x - left) / cellX), fenced ? 0.0 : 1.0, width - (fenced ? 1.0 : 2.0));
     }
 
     private int row(double y) {
-        return (int) Math.clamp(Math.floor((y - bottom) * cellsPerMeter), 0.0, height - 1.0);
-    }
-
-    double left() {
-        return left;
-    }
-
-    double bottom() {
-        return bottom;
-    }
-
-    /// With the fence [m].
-    double sizeX() {
-        return width * resolution;
-    }
-
-    /// With the fence [m].
-    double sizeY() {
-        return height * resolution;
+        return (int) Math.clamp(Math.floor((y - bottom) / cellY), fenced ? 0.0 : 1.0, height - (fenced ? 1.0 : 2.0));
     }
 }

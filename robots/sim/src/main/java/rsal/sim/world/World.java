@@ -1,74 +1,127 @@
 package rsal.sim.world;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import rsal.data.Footprint;
 import rsal.data.Pose2d;
 
-/// Walls and the robots between them, none of which ever overlap.
+/// Walls and the bodies between them. No body that moves by itself ever overlaps what is in its way.
 ///
-/// Robots keep a hair of 1 mm between themselves and anything solid. That makes a way certain to check in finitely
-/// many poses: a robot that is free by d at one pose and by a hair at the next, with no point of it moving farther
+/// Bodies keep a hair of 1 mm between themselves and anything solid. That makes a way certain to check in finitely
+/// many poses: a body that is free by d at one pose and by a hair at the next, with no point of it moving farther
 /// than d plus a hair between them, is free all the way (conservative advancement: Mirtich, Impulse-based Dynamic
 /// Simulation of Rigid Body Systems, 1996).
 public final class World {
-    /// What obstacles are called that are no robots.
+    /// What obstacles are called that are no bodies.
     public static final String WALL = "wall";
 
     private static final double HAIR = 0.001; // [m]
     private static final double LOOK_AHEAD = 0.3; // [m]; farther away nothing needs to be measured
     private static final double STILL_TOUCHING = 0.01; // [m]
 
-    private final Walls walls;
-    private final List<Body> bodies = new ArrayList<>();
-    private final BodyGrid now;
-    private final BodyGrid seen; // where sensors see them
-    private final BodyGrid.Found near = new BodyGrid.Found();
+    private final List<Walls> walls;
+    private final Set<Body> bodies = new LinkedHashSet<>();
+    private final List<@Nullable Body> owners = new ArrayList<>(); // by slot
+    private final List<@Nullable Piece> now = new ArrayList<>(); // by slot
+    private final List<@Nullable Piece> seen = new ArrayList<>(); // by slot
+    private final List<Body> moved = new ArrayList<>(); // since sensors looked
+    private final Deque<Integer> freeSlots = new ArrayDeque<>();
+    private final PieceGrid nowGrid;
+    private final PieceGrid seenGrid;
+    private final PieceGrid.Found near = new PieceGrid.Found();
     private @Nullable Body obstacle; // null: a wall
 
-    public World(Walls walls) {
-        this.walls = walls;
-        this.now = new BodyGrid(walls.left(), walls.bottom(), walls.sizeX(), walls.sizeY());
-        this.seen = new BodyGrid(walls.left(), walls.bottom(), walls.sizeX(), walls.sizeY());
+    /// @param extent where most bodies are; elsewhere they may be, too, but are found more slowly
+    public World(List<Walls> walls, Extent extent) {
+        this.walls = List.copyOf(walls);
+        this.nowGrid = new PieceGrid(extent);
+        this.seenGrid = new PieceGrid(extent);
     }
 
-    /// Adds a robot where it has room, as [#hasRoom] tells.
-    public Body add(String name, Footprint footprint, Pose2d mapFromBase) {
-        var body = new Body(bodies.size(), name, footprint, mapFromBase);
+    /// The world of a map.
+    public World(Walls walls) {
+        this(List.of(walls), walls.extent());
+    }
+
+    /// Adds a body, whether it has room ([#hasRoom]) or not.
+    ///
+    /// @param height of its base above ground [m]
+    public Body add(String name, List<Solid> solids, Pose2d mapFromBase, double height) {
+        int[] slots = new int[solids.size()];
+        for (int i = 0; i < slots.length; i++) {
+            slots[i] = freeSlot();
+        }
+        var body = new Body(name, solids, slots);
+        body.figure.placeAt(mapFromBase, height);
+        for (int i = 0; i < slots.length; i++) {
+            owners.set(slots[i], body);
+            now.set(slots[i], body.figure.pieces[i]);
+            seen.set(slots[i], body.seen.pieces[i]);
+        }
         bodies.add(body);
         arrive(body);
-        see(body);
+        see(body); // at once: who comes while sensors don't look is seen by the first that does
         return body;
     }
 
-    /// Whether a robot that is not there yet could stand somewhere. When not, [#obstacle] says why.
-    ///
-    /// @param apart how far from all other robots [m]
-    public boolean hasRoom(Footprint footprint, Pose2d mapFromBase, double apart) {
-        var outline = new Outline(footprint);
-        outline.placeAt(mapFromBase);
-        double fromRobots = Math.max(apart, HAIR);
-        return clearance(outline, null, HAIR) >= HAIR && clearanceOfRobots(outline, null, fromRobots) >= fromRobots;
+    private int freeSlot() {
+        Integer free = freeSlots.poll();
+        if (free != null) {
+            return free;
+        }
+        owners.add(null);
+        now.add(null);
+        seen.add(null);
+        return owners.size() - 1;
     }
 
-    /// Puts a robot somewhere.
+    /// Takes a body out of the world. Not while sensors look.
+    public void remove(Body body) {
+        if (bodies.remove(body)) {
+            moved.removeIf(body::equals);
+            for (int slot : body.slots) {
+                nowGrid.remove(slot);
+                seenGrid.remove(slot);
+                owners.set(slot, null);
+                now.set(slot, null);
+                seen.set(slot, null);
+                freeSlots.add(slot);
+            }
+        }
+    }
+
+    /// Whether a body that is not there yet could stand somewhere on the ground. When not, [#obstacle] says why.
+    ///
+    /// @param apart how far from all other bodies [m]
+    public boolean hasRoom(List<Solid> solids, Pose2d mapFromBase, double apart) {
+        var figure = new Figure(solids);
+        figure.placeAt(mapFromBase, 0);
+        double fromBodies = Math.max(apart, HAIR);
+        return clearance(figure, null, HAIR) >= HAIR && clearanceOfBodies(figure, null, fromBodies) >= fromBodies;
+    }
+
+    /// Puts a body somewhere.
     ///
     /// @return false when it stays where it was, as something is in the way: [#obstacle]
     public boolean place(Body body, Pose2d mapFromBase) {
-        body.trial.placeAt(mapFromBase);
+        body.trial.placeAt(mapFromBase, body.height());
         boolean free = clearance(body.trial, body, HAIR) >= HAIR;
         if (free) {
-            body.outline.copy(body.trial);
+            body.figure.placeAt(body.trial);
             arrive(body);
         }
         return free;
     }
 
-    /// Moves a robot until it would touch something, or to the arc's end.
+    /// Moves a body until it would touch something, or to the arc's end.
     ///
-    /// @param arc from where the robot is
+    /// @param arc from where the body is
     /// @return how much of the arc it made, 0–1; when less than 1, [#obstacle] says why
     public double advance(Body body, Arc arc) {
         double made = sweep(body, arc);
@@ -79,24 +132,24 @@ public final class World {
     }
 
     private double sweep(Body body, Arc arc) {
-        double way = arc.longestWay(body.outline.radius());
+        double way = arc.longestWay(body.figure.radius());
         double reach = Math.clamp(way, HAIR, LOOK_AHEAD);
         double made = way > 0 ? 0 : 1;
-        double free = clearance(body.outline, body, reach);
+        double free = made < 1 ? clearance(body.figure, body, reach) : 0;
         while (made < 1) {
             double step = Math.min(1 - made, (free + HAIR) / way);
-            body.trial.placeAt(arc.at(made + step));
+            body.trial.placeAt(arc.at(made + step), body.height());
             free = clearance(body.trial, body, reach);
             while (free < HAIR && step * way > HAIR / 4) {
                 step /= 2;
-                body.trial.placeAt(arc.at(made + step));
+                body.trial.placeAt(arc.at(made + step), body.height());
                 free = clearance(body.trial, body, reach);
             }
             if (free < HAIR) {
                 return made;
             }
             made += step;
-            body.outline.copy(body.trial);
+            body.figure.placeAt(body.trial);
         }
         return made;
     }
@@ -106,65 +159,109 @@ public final class World {
         return Optional.ofNullable(obstacle);
     }
 
-    /// Whether two robots are within 1 cm of each other.
+    /// Whether two bodies are within 1 cm of each other.
     public boolean touching(Body one, Body other) {
-        return one.outline.separation(other.outline, STILL_TOUCHING) < STILL_TOUCHING;
-    }
-
-    /// Whether a robot is within 1 cm of a wall.
-    public boolean touchingWall(Body body) {
-        return walls.separation(body.outline, STILL_TOUCHING) < STILL_TOUCHING;
-    }
-
-    /// From now on sensors see robots where they are now, whatever moves while they look.
-    public void look() {
-        for (int i = 0; i < bodies.size(); i++) {
-            see(bodies.get(i));
+        for (Piece piece : one.figure.pieces) {
+            for (Piece second : other.figure.pieces) {
+                if (inTheWay(piece, second) && piece.separation(second) < STILL_TOUCHING) {
+                    return true;
+                }
+            }
         }
+        return false;
+    }
+
+    /// Whether a body is within 1 cm of a wall.
+    public boolean touchingWall(Body body) {
+        return clearanceOfWalls(body.figure, STILL_TOUCHING) < STILL_TOUCHING;
+    }
+
+    /// From now on sensors see bodies where they are now, whatever moves while they look.
+    public void look() {
+        for (Body body : moved) {
+            see(body);
+        }
+        moved.clear();
     }
 
     private void arrive(Body body) {
-        now.put(body.index, body.outline.x(), body.outline.y(), body.outline.radius());
+        enter(nowGrid, body.slots, body.figure);
+        moved.add(body);
     }
 
     private void see(Body body) {
-        body.seen.copy(body.outline);
-        seen.put(body.index, body.seen.x(), body.seen.y(), body.seen.radius());
+        body.seen.placeAt(body.figure);
+        enter(seenGrid, body.slots, body.seen);
     }
 
-    /// Finds the bodies that reach into a circle, where sensors see them.
-    void seenNear(double x, double y, double radius, BodyGrid.Found found) {
-        seen.near(x, y, radius, found);
+    private static void enter(PieceGrid grid, int[] slots, Figure figure) {
+        for (int i = 0; i < slots.length; i++) {
+            Piece piece = figure.pieces[i];
+            grid.put(slots[i], piece.x(), piece.y(), piece.radius());
+        }
     }
 
-    Walls walls() {
+    List<Walls> walls() {
         return walls;
     }
 
-    Body body(int index) {
-        return bodies.get(index);
+    /// Finds the pieces that reach into a circle, where sensors see them.
+    void seenNear(double x, double y, double radius, PieceGrid.Found found) {
+        seenGrid.near(x, y, radius, found);
     }
 
+    Piece seen(int slot) {
+        return Objects.requireNonNull(seen.get(slot));
+    }
+
+    Body owner(int slot) {
+        return Objects.requireNonNull(owners.get(slot));
+    }
+
+    /// How much room a figure has [m], no more than `reach`.
+    ///
     /// @param itself who is not in its own way; null for one that is not there yet
-    private double clearance(Outline outline, @Nullable Body itself, double reach) {
-        double fromWalls = walls.separation(outline, reach);
+    private double clearance(Figure figure, @Nullable Body itself, double reach) {
+        double fromWalls = clearanceOfWalls(figure, reach);
         obstacle = null;
-        return clearanceOfRobots(outline, itself, fromWalls);
+        return clearanceOfBodies(figure, itself, fromWalls);
     }
 
-    private double clearanceOfRobots(Outline outline, @Nullable Body itself, double reach) {
+    private double clearanceOfWalls(Figure figure, double reach) {
         double least = reach;
-        now.near(outline.x(), outline.y(), outline.radius() + reach, near);
-        for (int i = 0; i < near.count; i++) {
-            Body other = bodies.get(near.circles[i]);
-            if (other != itself) {
-                double gap = outline.separation(other.outline, least);
-                if (gap < least) {
-                    least = gap;
-                    obstacle = other;
+        for (int i = 0; i < walls.size(); i++) {
+            for (Piece piece : figure.pieces) {
+                if (piece.surface.obstacle()) {
+                    least = Math.min(least, walls.get(i).separation(piece, least));
                 }
             }
         }
         return least;
+    }
+
+    private double clearanceOfBodies(Figure figure, @Nullable Body itself, double reach) {
+        double least = reach;
+        for (Piece piece : figure.pieces) {
+            if (!piece.surface.obstacle()) {
+                continue;
+            }
+            nowGrid.near(piece.x(), piece.y(), piece.radius() + least, near);
+            for (int i = 0; i < near.count; i++) {
+                Body owner = owner(near.slots[i]);
+                Piece other = Objects.requireNonNull(now.get(near.slots[i]));
+                if (owner != itself && inTheWay(piece, other)) {
+                    double gap = piece.separation(other);
+                    if (gap < least) {
+                        least = gap;
+                        obstacle = owner;
+                    }
+                }
+            }
+        }
+        return least;
+    }
+
+    private static boolean inTheWay(Piece one, Piece other) {
+        return one.surface.obstacle() && other.surface.obstacle() && one.isLevelWith(other);
     }
 }

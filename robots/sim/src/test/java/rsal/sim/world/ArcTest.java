@@ -14,15 +14,16 @@ class ArcTest {
         var random = new SplittableRandom(1);
         for (int i = 0; i < 100; i++) {
             double turn = i % 4 == 0 ? random.nextDouble(-1e-5, 1e-5) : random.nextDouble(-7, 7);
-            var arc = new Arc(new Pose2d(1, 2, random.nextDouble(-3, 3)), random.nextDouble(-2, 2), turn);
+            double left = i % 3 == 0 ? 0 : random.nextDouble(-2, 2);
+            var arc = new Arc(new Pose2d(1, 2, random.nextDouble(-3, 3)), random.nextDouble(-2, 2), left, turn);
             double part = random.nextDouble();
             int steps = 20_000;
             double x = 1;
             double y = 2;
             for (int step = 0; step < steps; step++) {
                 double theta = arc.from().theta() + turn * part * (step + 0.5) / steps;
-                x += arc.length() * part / steps * Math.cos(theta);
-                y += arc.length() * part / steps * Math.sin(theta);
+                x += part / steps * (arc.forward() * Math.cos(theta) - arc.left() * Math.sin(theta));
+                y += part / steps * (arc.forward() * Math.sin(theta) + arc.left() * Math.cos(theta));
             }
             Pose2d end = arc.at(part);
             assertThat(end.x()).as("%s", arc).isCloseTo(x, within(1e-7));
@@ -35,7 +36,8 @@ class ArcTest {
     void noPointOfABodyMovesFartherThanTheLongestWay() {
         var random = new SplittableRandom(2);
         for (int i = 0; i < 500; i++) {
-            var arc = new Arc(Pose2d.ORIGIN, random.nextDouble(-2, 2), random.nextDouble(-7, 7));
+            var arc = new Arc(
+                    Pose2d.ORIGIN, random.nextDouble(-2, 2), random.nextDouble(-2, 2), random.nextDouble(-7, 7));
             Pose2d point = Pose2d.polar(0.3, random.nextDouble(-3, 3));
             double way = 0;
             for (int step = 0; step < 1000; step++) {

@@ -14,16 +14,18 @@ import rsal.testkit.DrawnMap;
 class BeamsTest {
     private static final Footprint BOX = RandomWorld.box(0.5, 0.4, -0.04, 0);
 
+    private static final double HEIGHT = 0.3; // of the sensor
+
     @Test
     void everyRayEndsAtTheNearestWallOrRobot() {
         for (long seed = 0; seed < 200; seed++) {
             var random = new RandomWorld(seed, 0.1, 0.01);
-            var world = new World(new Walls(random.map));
+            var world = new World(Walls.of(random.map));
             var bodies = new ArrayList<Body>();
             for (int i = 0; i < 15; i++) {
                 Pose2d pose = random.anywhere();
-                if (world.hasRoom(BOX, pose, 0)) {
-                    bodies.add(world.add("r" + i, BOX, pose));
+                if (world.hasRoom(Solid.of(BOX), pose, 0.1)) {
+                    bodies.add(world.add("r" + i, random.solids(), pose, 0));
                 }
             }
             if (bodies.isEmpty()) {
@@ -35,7 +37,7 @@ class BeamsTest {
             double reach = random.random.nextDouble(0.5, 10);
             var baseFromSensor = new Pose2d(0.1, 0.1, 1);
             Pose2d mapFromSensor = bodies.getFirst().pose().compose(baseFromSensor);
-            var beams = new Beams(List.of(new Fan(baseFromSensor, first, increment, count)));
+            var beams = new Beams(List.of(new Fan(baseFromSensor, first, increment, count)), HEIGHT);
             double[] ranges = beams.cast(world, bodies.getFirst(), reach);
             for (int i = 0; i < count; i++) {
                 double direction = mapFromSensor.theta() + first + i * increment;
@@ -49,20 +51,24 @@ class BeamsTest {
     private static double slow(World world, List<Body> bodies, Pose2d from, double direction, double reach) {
         double dx = Math.cos(direction);
         double dy = Math.sin(direction);
-        double range = RandomWorld.ray(world.walls(), from.x(), from.y(), dx, dy, reach);
+        double range = RandomWorld.ray(world.walls().getFirst(), from.x(), from.y(), dx, dy, reach);
         for (Body body : bodies.subList(1, bodies.size())) {
-            range = Math.min(range, body.outline.ray(from.x(), from.y(), dx, dy));
+            for (Piece piece : body.figure.pieces) {
+                if (piece.isAt(body.height() + HEIGHT) && piece.surface.seenByRangers()) {
+                    range = Math.min(range, piece.ray(from.x(), from.y(), dx, dy));
+                }
+            }
         }
         return range <= reach ? range : Double.POSITIVE_INFINITY;
     }
 
     @Test
     void robotsAreSeenWhereTheyWereWhenTheWorldWasLookedAt() {
-        var world = new World(new Walls(DrawnMap.grid(10, ".").grid()));
-        Body self = world.add("self", BOX, new Pose2d(1, 5, 0));
-        Body other = world.add("other", BOX, new Pose2d(3, 5, 0));
+        var world = new World(Walls.of(DrawnMap.grid(10, ".").grid()));
+        Body self = world.add("self", Solid.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body other = world.add("other", Solid.of(BOX), new Pose2d(3, 5, 0), 0);
         world.place(other, new Pose2d(4, 5, 0));
-        var ahead = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)));
+        var ahead = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         assertThat(ahead.cast(world, self, 8)[0]).isCloseTo(2 - 0.29, within(1e-9));
         world.look();
         assertThat(ahead.cast(world, self, 8)[0]).isCloseTo(3 - 0.29, within(1e-9));

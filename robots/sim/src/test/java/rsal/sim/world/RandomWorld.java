@@ -1,6 +1,8 @@
 package rsal.sim.world;
 
 import java.awt.geom.Path2D;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
@@ -30,6 +32,25 @@ final class RandomWorld {
                 map.originX() + random.nextDouble() * map.width() * map.resolution(),
                 map.originY() + random.nextDouble() * map.height() * map.resolution(),
                 random.nextDouble(-Math.PI, Math.PI));
+    }
+
+    /// One to four solids, of which sensors and others see some.
+    List<Solid> solids() {
+        var solids = new ArrayList<Solid>();
+        for (int i = random.nextInt(4); i >= 0; i--) {
+            var center = new Point2d(random.nextDouble(-0.3, 0.3), random.nextDouble(-0.3, 0.3));
+            double bottom = random.nextDouble(-0.5, 0.5);
+            var surface = new Surface(random.nextInt(1 << 24), random.nextBoolean(), random.nextInt(3) - 1);
+            solids.add(
+                    random.nextBoolean()
+                            ? new Solid.Cylinder(center, random.nextDouble(0.05, 0.3), bottom, bottom + 0.7, surface)
+                            : new Solid.Prism(
+                                    Footprint.box(random.nextDouble(0.05, 0.5), 0.2, center),
+                                    bottom,
+                                    bottom + 0.7,
+                                    surface));
+        }
+        return solids;
     }
 
     /// A box that is larger by a margin on each side.

@@ -3,9 +3,13 @@ package rsal.sim.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.BitSet;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Footprint;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.testkit.DrawnMap;
 import rsal.testkit.Rays;
@@ -16,7 +20,7 @@ class WallsTest {
     void raysEndWhereTheSlowOnesDo(double density) {
         for (long seed = 0; seed < 60; seed++) {
             var world = new RandomWorld(seed, 0.05, density);
-            var walls = new Walls(world.map);
+            var walls = Walls.of(world.map);
             var slow = new Rays(world.map);
             for (int i = 0; i < 50; i++) {
                 Pose2d pose = world.anywhere();
@@ -34,21 +38,67 @@ class WallsTest {
 
     @Test
     void raysEndAtTheirReach() {
-        var walls = new Walls(DrawnMap.grid(0.5, "......#").grid());
+        var walls = Walls.of(DrawnMap.grid(0.5, "......#").grid());
         assertThat(RandomWorld.ray(walls, 0.5, 0.25, 1, 0, 2.6)).isEqualTo(2.5);
         assertThat(RandomWorld.ray(walls, 0.5, 0.25, 1, 0, 2.4)).isEqualTo(Double.POSITIVE_INFINITY);
     }
 
     @Test
-    void raysFromOutsideTheMapMeetNothing() {
-        var walls = new Walls(DrawnMap.grid(0.5, "######").grid());
-        assertThat(RandomWorld.ray(walls, -5, 0.25, 1, 0, 100)).isEqualTo(Double.POSITIVE_INFINITY);
+    void raysFromOutsideMeetTheFirstWallInside() {
+        var walls = Walls.of(DrawnMap.grid(0.5, "..####").grid());
+        assertThat(RandomWorld.ray(walls, -5, 0.25, 1, 0, 100)).isEqualTo(6);
+        assertThat(RandomWorld.ray(walls, -5, 0.25, 1, 0, 5.9)).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(RandomWorld.ray(walls, -5, 0.25, -1, 0, 100)).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(RandomWorld.ray(walls, -5, 0.75, 1, 0, 100)).isEqualTo(Double.POSITIVE_INFINITY);
         assertThat(RandomWorld.ray(walls, Double.NaN, 0.25, 1, 0, 100)).isEqualTo(Double.POSITIVE_INFINITY);
+    }
+
+    /// Cells of floor plans need not be square, and rays may come from outside.
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 0.1, 0.5})
+    void raysMeetOblongCellsWhereTheyMeetBoxes(double density) {
+        int hits = 0;
+        for (long seed = 0; seed < 40; seed++) {
+            var random = new SplittableRandom(seed);
+            int width = random.nextInt(1, 40);
+            int height = random.nextInt(1, 40);
+            double cellX = random.nextDouble(0.02, 0.2);
+            double cellY = random.nextDouble(0.02, 0.2);
+            var solid = new BitSet();
+            for (int i = 0; i < width * height; i++) {
+                solid.set(i, random.nextDouble() < density);
+            }
+            var walls = new Walls(new Walls.Plan(width, height, solid, 1, 2, cellX, cellY, 0, 1, false, Surface.PLAIN));
+            for (int i = 0; i < 50; i++) {
+                double x = random.nextDouble(-2, 10);
+                double y = random.nextDouble(-2, 10);
+                double direction = random.nextDouble(-4, 4);
+                double dx = Math.cos(direction);
+                double dy = Math.sin(direction);
+                double slow = Double.POSITIVE_INFINITY;
+                for (int cell = solid.nextSetBit(0); cell >= 0; cell = solid.nextSetBit(cell + 1)) {
+                    int column = cell % width;
+                    int row = cell / width;
+                    var middle = new Point2d(1 + (column + 0.5) * cellX, 2 + (row + 0.5) * cellY);
+                    var box = Footprint.box(cellX, cellY, middle);
+                    slow = Math.min(
+                            slow, new Polygon((Solid.Prism) Solid.of(box).getFirst()).ray(x, y, dx, dy));
+                }
+                double fast = RandomWorld.ray(walls, x, y, dx, dy, 100);
+                if (slow < Double.POSITIVE_INFINITY) {
+                    hits++;
+                    assertThat(fast).as("seed %d, ray %d", seed, i).isCloseTo(slow, within(1e-9));
+                } else {
+                    assertThat(fast).as("seed %d, ray %d", seed, i).isEqualTo(slow);
+                }
+            }
+        }
+        assertThat(hits).isGreaterThan(20);
     }
 
     @Test
     void unknownCellsAreNoWalls() {
-        var walls = new Walls(DrawnMap.grid(0.5, ".???#").grid());
+        var walls = Walls.of(DrawnMap.grid(0.5, ".???#").grid());
         assertThat(RandomWorld.ray(walls, 0.25, 0.25, 1, 0, 100)).isEqualTo(1.75);
     }
 
@@ -56,7 +106,7 @@ class WallsTest {
     void whatIsSaidToBeEmptyIs() {
         for (long seed = 0; seed < 50; seed++) {
             var world = new RandomWorld(seed, 0.1, 0.01);
-            var walls = new Walls(world.map);
+            var walls = Walls.of(world.map);
             var slow = new Rays(world.map);
             Pose2d place = world.anywhere();
             assertThat(walls.emptyAround(place.x(), place.y()))

@@ -26,13 +26,14 @@ class WorldTest {
         int free = 0;
         for (long seed = 0; seed < 800; seed++) {
             var random = new RandomWorld(seed, 0.05, 0.01);
-            var world = new World(new Walls(random.map));
+            var world = new World(Walls.of(random.map));
             Pose2d start = random.anywhere();
-            if (!world.hasRoom(BOX, start, 0)) {
+            if (!world.hasRoom(Solid.of(BOX), start, 0)) {
                 continue;
             }
-            Body body = world.add("r1", BOX, start);
-            var arc = new Arc(start, random.random.nextDouble(-speed, speed), random.random.nextDouble(-4, 4) * speed);
+            Body body = world.add("r1", Solid.of(BOX), start, 0);
+            var arc =
+                    Arc.ahead(start, random.random.nextDouble(-speed, speed), random.random.nextDouble(-4, 4) * speed);
             double made = world.advance(body, arc);
             assertThat(body.pose()).as("seed %d", seed).isEqualTo(arc.at(made));
             for (int i = 0; i <= 300; i++) {
@@ -42,7 +43,7 @@ class WorldTest {
             }
             if (made < 1) {
                 blocked++;
-                double next = made + 0.002 / arc.longestWay(body.outline.radius());
+                double next = made + 0.002 / arc.longestWay(body.figure.radius());
                 assertThat(random.hits(RandomWorld.shape(RandomWorld.box(0.3, 0.2, -0.04, 0.002), arc.at(next))))
                         .as("seed %d, %s: there is room after %s", seed, arc, made)
                         .isTrue();
@@ -59,18 +60,18 @@ class WorldTest {
         int blocked = 0;
         for (long seed = 0; seed < 600; seed++) {
             var random = new RandomWorld(seed, 0.05, 0.01);
-            var world = new World(new Walls(random.map));
+            var world = new World(Walls.of(random.map));
             Pose2d start = random.anywhere();
-            if (!world.hasRoom(BOX, start, 0)) {
+            if (!world.hasRoom(Solid.of(BOX), start, 0)) {
                 continue;
             }
-            Body body = world.add("r1", BOX, start);
+            Body body = world.add("r1", Solid.of(BOX), start, 0);
             double length = random.random.nextDouble(-1, 1);
             double turn = random.random.nextDouble(-4, 4);
-            double made = world.advance(body, new Arc(start, length, turn));
+            double made = world.advance(body, Arc.ahead(start, length, turn));
             if (made < 1 && made > 0.1) {
                 blocked++;
-                double back = world.advance(body, new Arc(body.pose(), -length * made / 2, -turn * made / 2));
+                double back = world.advance(body, Arc.ahead(body.pose(), -length * made / 2, -turn * made / 2));
                 assertThat(back).as("seed %d", seed).isEqualTo(1);
             }
         }
@@ -81,18 +82,18 @@ class WorldTest {
     @ValueSource(doubles = {0.05, 1})
     void robotsNeverOverlap(double speed) {
         var random = new RandomWorld(3, 0.1, 0);
-        var world = new World(new Walls(random.map));
+        var world = new World(Walls.of(random.map));
         var bodies = new ArrayList<Body>();
         while (bodies.size() < 12) {
             Pose2d pose = random.anywhere();
-            if (world.hasRoom(BOX, pose, 0)) {
-                bodies.add(world.add("r" + bodies.size(), BOX, pose));
+            if (world.hasRoom(Solid.of(BOX), pose, 0)) {
+                bodies.add(world.add("r" + bodies.size(), Solid.of(BOX), pose, 0));
             }
         }
         int touches = 0;
         for (int step = 0; step < 300; step++) {
             for (Body body : bodies) {
-                var arc = new Arc(
+                var arc = Arc.ahead(
                         body.pose(), random.random.nextDouble(-speed, speed), random.random.nextDouble(-2, 2) * speed);
                 touches += world.advance(body, arc) < 1 && world.obstacle().isPresent() ? 1 : 0;
             }
@@ -118,9 +119,9 @@ class WorldTest {
     @Test
     void nobodyLeavesTheMap() {
         var world = new World(
-                new Walls(DrawnMap.grid(0.5, ".....\n.....\n.....\n.....").grid()));
-        Body body = world.add("r1", BOX, new Pose2d(1, 1, 0));
-        assertThat(world.advance(body, new Arc(body.pose(), 100, 0))).isLessThan(0.02);
+                Walls.of(DrawnMap.grid(0.5, ".....\n.....\n.....\n.....").grid()));
+        Body body = world.add("r1", Solid.of(BOX), new Pose2d(1, 1, 0), 0);
+        assertThat(world.advance(body, Arc.ahead(body.pose(), 100, 0))).isLessThan(0.02);
         assertThat(body.pose().x()).isBetween(2.5 - 0.11 - 0.005, 2.5 - 0.11);
     }
 
@@ -131,15 +132,80 @@ class WorldTest {
         for (int i = 0; i < size; i++) {
             cells[i * size + i] = OccupancyGrid.OCCUPIED;
         }
-        var world = new World(new Walls(new OccupancyGrid(size, size, 0.05, 0, 0, cells)));
+        var world = new World(Walls.of(new OccupancyGrid(size, size, 0.05, 0, 0, cells)));
         var small = Footprint.box(0.01, 0.01, new Point2d(0, 0));
-        Body body = world.add("r1", small, new Pose2d(0.8, 0.2, 0));
+        Body body = world.add("r1", Solid.of(small), new Pose2d(0.8, 0.2, 0), 0);
         for (int i = 0; i < 500; i++) {
-            world.advance(body, new Arc(body.pose(), 0.7, 0));
+            world.advance(body, Arc.ahead(body.pose(), 0.7, 0));
             assertThat(body.pose().x())
                     .as("after %d ways", i)
                     .isGreaterThan(body.pose().y());
-            world.advance(body, new Arc(body.pose(), 0, 2.4));
+            world.advance(body, Arc.ahead(body.pose(), 0, 2.4));
         }
+    }
+
+    @Test
+    void bodiesOfManyPiecesGoSidewaysAndNeverOverlap() {
+        var random = new RandomWorld(5, 0.1, 0.01);
+        var world = new World(Walls.of(random.map));
+        var bodies = new ArrayList<Body>();
+        for (int i = 0; i < 400; i++) {
+            List<Solid> solids = random.solids();
+            Pose2d pose = random.anywhere();
+            if (world.hasRoom(solids, pose, 0)) {
+                bodies.add(world.add("r" + bodies.size(), solids, pose, 0));
+            }
+        }
+        int touches = 0;
+        for (int step = 0; step < 100; step++) {
+            for (Body body : bodies) {
+                var arc = new Arc(
+                        body.pose(),
+                        random.random.nextDouble(-0.3, 0.3),
+                        random.random.nextDouble(-0.3, 0.3),
+                        random.random.nextDouble(-1, 1));
+                touches += world.advance(body, arc) < 1 ? 1 : 0;
+            }
+            for (Body one : bodies) {
+                for (Body other : bodies) {
+                    assertThat(one == other || apart(one, other))
+                            .as("step %d: %s and %s", step, one.name(), other.name())
+                            .isTrue();
+                }
+            }
+        }
+        assertThat(bodies.size()).isGreaterThan(10);
+        assertThat(touches).isGreaterThan(100);
+    }
+
+    private static boolean apart(Body one, Body other) {
+        for (Piece piece : one.figure.pieces) {
+            for (Piece second : other.figure.pieces) {
+                boolean solid = piece.surface.obstacle() && second.surface.obstacle() && piece.isLevelWith(second);
+                if (solid && piece.separation(second) <= 0) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    @Test
+    void whoIsGoneIsInNobodysWayAndNotSeen() {
+        var world = new World(Walls.of(DrawnMap.grid(10, ".").grid()));
+        Body self = world.add("self", Solid.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body other = world.add("other", Solid.of(BOX), new Pose2d(3, 5, 0), 0);
+        var beams = new Beams(List.of(new Beams.Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
+        assertThat(beams.cast(world, self, 8)[0]).isLessThan(2);
+        assertThat(world.hasRoom(Solid.of(BOX), other.pose(), 0)).isFalse();
+        world.remove(other);
+        world.remove(other);
+        world.look();
+        assertThat(beams.cast(world, self, 8)[0]).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(world.advance(self, Arc.ahead(self.pose(), 3, 0))).isEqualTo(1);
+        Body next = world.add("next", Solid.of(BOX), new Pose2d(6, 5, 0), 0);
+        assertThat(beams.cast(world, self, 8)[0]).isLessThan(5);
+        assertThat(world.advance(self, Arc.ahead(self.pose(), 3, 0))).isLessThan(1);
+        assertThat(world.obstacle()).contains(next);
     }
 }

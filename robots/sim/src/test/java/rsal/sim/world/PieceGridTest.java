@@ -10,15 +10,15 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 
-class BodyGridTest {
+class PieceGridTest {
     private record Circle(double x, double y, double radius) {}
 
     @Test
     void findsAllThatReachIntoACircleWhateverComesMovesAndGoes() {
         for (long seed = 0; seed < 30; seed++) {
             var random = new SplittableRandom(seed);
-            var grid = new BodyGrid(-10, -5, random.nextDouble(0.1, 50), random.nextDouble(0.1, 50));
-            var found = new BodyGrid.Found();
+            var grid = new PieceGrid(new Extent(-10, -5, random.nextDouble(-9.9, 40), random.nextDouble(-4.9, 45)));
+            var found = new PieceGrid.Found();
             var circles = new TreeMap<Integer, Circle>();
             for (int i = 0; i < 500; i++) {
                 int circle = random.nextInt(60);
@@ -34,7 +34,7 @@ class BodyGridTest {
                 double y = random.nextDouble(-20, 50);
                 double radius = random.nextDouble(0, 10);
                 int count = grid.near(x, y, radius, found);
-                assertThat(Arrays.stream(found.circles, 0, count).boxed().toList())
+                assertThat(Arrays.stream(found.slots, 0, count).boxed().toList())
                         .as("seed %d, step %d", seed, i)
                         .doesNotHaveDuplicates()
                         .containsExactlyInAnyOrderElementsOf(slow(circles, x, y, radius));

@@ -2,11 +2,11 @@ package rsal.sim.world;
 
 import java.util.Arrays;
 
-/// Circles on the plane, in square cells by where their centers are, so that only those nearby are looked at.
-/// Circles beyond the border are in the cells along it.
-final class BodyGrid {
+/// Circles around pieces, in square cells by where their centers are, so that only those nearby are looked at. Those
+/// beyond the border are in the cells along it.
+final class PieceGrid {
     private static final double CELL = 2; // [m]
-    private static final int MOST_CELLS = 1 << 22;
+    private static final int MOST_CELLS_ACROSS = 2000;
     private static final int NONE = -1;
 
     private final double left;
@@ -15,7 +15,7 @@ final class BodyGrid {
     private final int columns;
     private final int rows;
     private final int[] first; // of each cell's list
-    private int[] next = {}; // by circle
+    private int[] next = {}; // by slot
     private int[] previous = {};
     private int[] cell = {}; // NONE when it is not there
     private double[] x = {};
@@ -23,54 +23,54 @@ final class BodyGrid {
     private double[] radius = {};
     private double largest;
 
-    BodyGrid(double left, double bottom, double sizeX, double sizeY) {
-        double side = Math.max(CELL, Math.sqrt(sizeX * sizeY / MOST_CELLS));
-        this.left = left;
-        this.bottom = bottom;
+    PieceGrid(Extent extent) {
+        double side = Math.max(CELL, Math.max(extent.width(), extent.height()) / MOST_CELLS_ACROSS);
+        this.left = extent.left();
+        this.bottom = extent.bottom();
         this.cellsPerMeter = 1 / side;
-        this.columns = 1 + (int) (sizeX / side);
-        this.rows = 1 + (int) (sizeY / side);
+        this.columns = 1 + (int) (extent.width() / side);
+        this.rows = 1 + (int) (extent.height() / side);
         this.first = new int[columns * rows];
         Arrays.fill(first, NONE);
     }
 
-    /// Adds a circle or moves it.
-    void put(int circle, double centerX, double centerY, double itsRadius) {
-        if (circle >= cell.length) {
-            grow(Math.max(circle + 1, 2 * cell.length));
+    /// Adds the circle around a piece or moves it.
+    void put(int slot, double centerX, double centerY, double itsRadius) {
+        if (slot >= cell.length) {
+            grow(Math.max(slot + 1, 2 * cell.length));
         }
-        x[circle] = centerX;
-        y[circle] = centerY;
-        radius[circle] = itsRadius;
+        x[slot] = centerX;
+        y[slot] = centerY;
+        radius[slot] = itsRadius;
         largest = Math.max(largest, itsRadius);
         int now = row(centerY) * columns + column(centerX);
-        if (now != cell[circle]) {
-            remove(circle);
-            cell[circle] = now;
-            next[circle] = first[now];
-            previous[circle] = NONE;
-            if (next[circle] != NONE) {
-                previous[next[circle]] = circle;
+        if (now != cell[slot]) {
+            remove(slot);
+            cell[slot] = now;
+            next[slot] = first[now];
+            previous[slot] = NONE;
+            if (next[slot] != NONE) {
+                previous[next[slot]] = slot;
             }
-            first[now] = circle;
+            first[now] = slot;
         }
     }
 
-    /// Takes a circle away, if it is there.
-    void remove(int circle) {
-        int was = cell[circle];
+    /// Takes one away, if it is there.
+    void remove(int slot) {
+        int was = cell[slot];
         if (was == NONE) {
             return;
         }
-        if (previous[circle] == NONE) {
-            first[was] = next[circle];
+        if (previous[slot] == NONE) {
+            first[was] = next[slot];
         } else {
-            next[previous[circle]] = next[circle];
+            next[previous[slot]] = next[slot];
         }
-        if (next[circle] != NONE) {
-            previous[next[circle]] = previous[circle];
+        if (next[slot] != NONE) {
+            previous[next[slot]] = previous[slot];
         }
-        cell[circle] = NONE;
+        cell[slot] = NONE;
     }
 
     /// Finds the circles that reach into another one.
@@ -86,12 +86,12 @@ final class BodyGrid {
         found.count = 0;
         for (int row = firstRow; row <= lastRow; row++) {
             for (int at = row * columns + firstColumn; at <= row * columns + lastColumn; at++) {
-                for (int circle = first[at]; circle != NONE; circle = next[circle]) {
-                    double dx = x[circle] - centerX;
-                    double dy = y[circle] - centerY;
-                    double apart = within + radius[circle];
+                for (int slot = first[at]; slot != NONE; slot = next[slot]) {
+                    double dx = x[slot] - centerX;
+                    double dy = y[slot] - centerY;
+                    double apart = within + radius[slot];
                     if (dx * dx + dy * dy < apart * apart) {
-                        found.add(circle);
+                        found.add(slot);
                     }
                 }
             }
@@ -99,16 +99,16 @@ final class BodyGrid {
         return found.count;
     }
 
-    /// Circles that were found. Kept by who asks, as many may ask at once.
+    /// Slots that were found. Kept by who asks, as many may ask at once.
     static final class Found {
-        int[] circles = new int[16];
+        int[] slots = new int[16];
         int count;
 
-        private void add(int circle) {
-            if (count == circles.length) {
-                circles = Arrays.copyOf(circles, 2 * count);
+        private void add(int slot) {
+            if (count == slots.length) {
+                slots = Arrays.copyOf(slots, 2 * count);
             }
-            circles[count++] = circle;
+            slots[count++] = slot;
         }
     }
 

@@ -1,13 +1,14 @@
 package rsal.sim.world;
 
-import rsal.data.Footprint;
+import java.util.List;
 import rsal.data.Point2d;
-import rsal.data.Pose2d;
 
-/// A robot's footprint, placed somewhere: a convex polygon as corners and as half planes, of which each edge's
-/// outward normal and offset make one. Flat arrays, as all rays and collision checks look at them.
-public final class Outline {
+/// A convex polygon as corners and as half planes, of which each edge's outward normal and offset make one. Flat
+/// arrays, as all rays and collision checks look at them.
+final class Polygon extends Piece {
     private final int count;
+    private final double middleX; // in the base frame
+    private final double middleY;
     private final double radius;
     private final double[] bodyX;
     private final double[] bodyY;
@@ -15,9 +16,8 @@ public final class Outline {
     private final double[] bodyNormalY;
     private final double[] bodyOffset;
 
-    private Pose2d pose = Pose2d.ORIGIN;
-    private double cos;
-    private double sin;
+    private double x;
+    private double y;
     private final double[] cornerX;
     private final double[] cornerY;
     private final double[] normalX;
@@ -28,10 +28,10 @@ public final class Outline {
     private double maxX;
     private double maxY;
 
-    /// Placed at the origin.
-    public Outline(Footprint footprint) {
-        count = footprint.corners().size();
-        radius = footprint.circumscribedRadius();
+    Polygon(Solid.Prism prism) {
+        super(prism);
+        List<Point2d> corners = prism.outline().corners();
+        count = corners.size();
         bodyX = new double[count];
         bodyY = new double[count];
         bodyNormalX = new double[count];
@@ -42,33 +42,45 @@ public final class Outline {
         normalX = new double[count];
         normalY = new double[count];
         offset = new double[count];
+        double left = Double.POSITIVE_INFINITY;
+        double bottom = Double.POSITIVE_INFINITY;
+        double right = Double.NEGATIVE_INFINITY;
+        double top = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < count; i++) {
-            Point2d from = footprint.corners().get(i);
-            Point2d to = footprint.corners().get((i + 1) % count);
+            Point2d from = corners.get(i);
+            Point2d to = corners.get((i + 1) % count);
             double length = from.distanceTo(to);
             bodyX[i] = from.x();
             bodyY[i] = from.y();
             bodyNormalX[i] = (to.y() - from.y()) / length;
             bodyNormalY[i] = (from.x() - to.x()) / length;
             bodyOffset[i] = bodyNormalX[i] * from.x() + bodyNormalY[i] * from.y();
+            left = Math.min(left, from.x());
+            bottom = Math.min(bottom, from.y());
+            right = Math.max(right, from.x());
+            top = Math.max(top, from.y());
         }
-        placeAt(Pose2d.ORIGIN);
+        middleX = (left + right) / 2;
+        middleY = (bottom + top) / 2;
+        var middle = new Point2d(middleX, middleY);
+        radius = corners.stream().mapToDouble(middle::distanceTo).max().orElseThrow();
+        place(0, 0, 1, 0);
     }
 
-    public void placeAt(Pose2d mapFromBase) {
-        pose = mapFromBase;
-        cos = StrictMath.cos(pose.theta());
-        sin = StrictMath.sin(pose.theta());
+    @Override
+    void place(double baseX, double baseY, double cos, double sin) {
+        x = baseX + cos * middleX - sin * middleY;
+        y = baseY + sin * middleX + cos * middleY;
         minX = Double.POSITIVE_INFINITY;
         minY = Double.POSITIVE_INFINITY;
         maxX = Double.NEGATIVE_INFINITY;
         maxY = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < count; i++) {
-            cornerX[i] = pose.x() + cos * bodyX[i] - sin * bodyY[i];
-            cornerY[i] = pose.y() + sin * bodyX[i] + cos * bodyY[i];
+            cornerX[i] = baseX + cos * bodyX[i] - sin * bodyY[i];
+            cornerY[i] = baseY + sin * bodyX[i] + cos * bodyY[i];
             normalX[i] = cos * bodyNormalX[i] - sin * bodyNormalY[i];
             normalY[i] = sin * bodyNormalX[i] + cos * bodyNormalY[i];
-            offset[i] = bodyOffset[i] + normalX[i] * pose.x() + normalY[i] * pose.y();
+            offset[i] = bodyOffset[i] + normalX[i] * baseX + normalY[i] * baseY;
             minX = Math.min(minX, cornerX[i]);
             minY = Math.min(minY, cornerY[i]);
             maxX = Math.max(maxX, cornerX[i]);
@@ -76,80 +88,47 @@ public final class Outline {
         }
     }
 
-    /// Places it where another of the same footprint is.
-    void copy(Outline other) {
-        pose = other.pose;
-        cos = other.cos;
-        sin = other.sin;
-        minX = other.minX;
-        minY = other.minY;
-        maxX = other.maxX;
-        maxY = other.maxY;
-        System.arraycopy(other.cornerX, 0, cornerX, 0, count);
-        System.arraycopy(other.cornerY, 0, cornerY, 0, count);
-        System.arraycopy(other.normalX, 0, normalX, 0, count);
-        System.arraycopy(other.normalY, 0, normalY, 0, count);
-        System.arraycopy(other.offset, 0, offset, 0, count);
-    }
-
-    /// Where it is: mapFromBase.
-    public Pose2d pose() {
-        return pose;
-    }
-
-    /// Of its heading.
-    double cos() {
-        return cos;
-    }
-
-    /// Of its heading.
-    double sin() {
-        return sin;
-    }
-
-    double x() {
-        return pose.x();
-    }
-
-    double y() {
-        return pose.y();
-    }
-
-    /// Of the smallest circle around the base's origin that holds it [m].
-    public double radius() {
+    @Override
+    double radius() {
         return radius;
     }
 
+    @Override
+    double x() {
+        return x;
+    }
+
+    @Override
+    double y() {
+        return y;
+    }
+
+    @Override
     double minX() {
         return minX;
     }
 
+    @Override
     double minY() {
         return minY;
     }
 
+    @Override
     double maxX() {
         return maxX;
     }
 
+    @Override
     double maxY() {
         return maxY;
     }
 
-    /// How far this is from another [m]: the largest gap along the normal of any edge (separating axes), which is
-    /// at most the true distance; 0 or less when they overlap. No more is computed once it is known to reach
-    /// `reach`.
-    double separation(Outline other, double reach) {
-        double dx = other.x() - x();
-        double dy = other.y() - y();
-        double circles = radius + other.radius + reach;
-        if (dx * dx + dy * dy >= circles * circles) {
-            return reach;
-        }
-        return Math.min(reach, Math.max(gapTo(other), other.gapTo(this)));
+    /// The largest gap along the normal of any edge (separating axes): exact from a face, less from a corner.
+    double separation(Polygon other) {
+        return Math.max(gapTo(other), other.gapTo(this));
     }
 
-    private double gapTo(Outline other) {
+    private double gapTo(Polygon other) {
         double gap = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < count; i++) {
             double nearest = Double.POSITIVE_INFINITY;
@@ -161,7 +140,7 @@ public final class Outline {
         return gap;
     }
 
-    /// As [#separation(Outline, double)], from an upright box.
+    @Override
     double separation(double left, double bottom, double right, double top) {
         double gap = Math.max(Math.max(left - maxX, minX - right), Math.max(bottom - maxY, minY - top));
         for (int i = 0; i < count; i++) {
@@ -172,13 +151,33 @@ public final class Outline {
         return gap;
     }
 
-    /// Way of a ray from a place to where it enters the outline [m]; 0 from inside, +∞ when it misses. Clips the
-    /// ray by one half plane after the other (Cyrus and Beck 1978).
-    double ray(double x, double y, double dx, double dy) {
+    /// How far a point is from it [m], exactly; 0 or less inside.
+    double distance(double pointX, double pointY) {
+        double outside = Double.NEGATIVE_INFINITY;
+        double square = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < count; i++) {
+            outside = Math.max(outside, normalX[i] * pointX + normalY[i] * pointY - offset[i]);
+            int next = i + 1 < count ? i + 1 : 0;
+            double edgeX = cornerX[next] - cornerX[i];
+            double edgeY = cornerY[next] - cornerY[i];
+            double toX = pointX - cornerX[i];
+            double toY = pointY - cornerY[i];
+            double along = (toX * edgeX + toY * edgeY) / (edgeX * edgeX + edgeY * edgeY);
+            double part = Math.clamp(along, 0.0, 1.0);
+            double dx = toX - part * edgeX;
+            double dy = toY - part * edgeY;
+            square = Math.min(square, dx * dx + dy * dy);
+        }
+        return outside <= 0 ? outside : Math.sqrt(square);
+    }
+
+    /// Clips the ray by one half plane after the other (Cyrus and Beck 1978).
+    @Override
+    double ray(double fromX, double fromY, double dx, double dy) {
         double enters = 0;
         double leaves = Double.POSITIVE_INFINITY;
         for (int i = 0; i < count; i++) {
-            double outside = normalX[i] * x + normalY[i] * y - offset[i];
+            double outside = normalX[i] * fromX + normalY[i] * fromY - offset[i];
             double along = normalX[i] * dx + normalY[i] * dy;
             if (along < 0) {
                 enters = Math.max(enters, -outside / along);

@@ -1,0 +1,80 @@
+package rsal.sim.world;
+
+import java.util.List;
+import rsal.data.Pose2d;
+
+/// A body's pieces, all placed with its base.
+final class Figure {
+    final Piece[] pieces;
+    private final double radius;
+    private Pose2d pose = Pose2d.ORIGIN;
+    private double cos = 1;
+    private double sin;
+    private double height;
+
+    /// Placed at the origin.
+    Figure(List<Solid> solids) {
+        pieces = solids.stream()
+                .map(solid -> switch (solid) {
+                    case Solid.Prism prism -> new Polygon(prism);
+                    case Solid.Cylinder cylinder -> new Disc(cylinder);
+                })
+                .toArray(Piece[]::new);
+        double farthest = 0;
+        for (Solid solid : solids) {
+            farthest = Math.max(
+                    farthest,
+                    switch (solid) {
+                        case Solid.Prism prism -> prism.outline().circumscribedRadius();
+                        case Solid.Cylinder c ->
+                            Math.hypot(c.center().x(), c.center().y()) + c.radius();
+                    });
+        }
+        radius = farthest;
+    }
+
+    /// @param height above ground [m]
+    void placeAt(Pose2d mapFromBase, double height) {
+        place(mapFromBase, StrictMath.cos(mapFromBase.theta()), StrictMath.sin(mapFromBase.theta()), height);
+    }
+
+    /// Places it where another is.
+    void placeAt(Figure other) {
+        place(other.pose, other.cos, other.sin, other.height);
+    }
+
+    private void place(Pose2d mapFromBase, double itsCos, double itsSin, double itsHeight) {
+        pose = mapFromBase;
+        cos = itsCos;
+        sin = itsSin;
+        height = itsHeight;
+        for (Piece piece : pieces) {
+            piece.place(pose.x(), pose.y(), cos, sin, height);
+        }
+    }
+
+    /// mapFromBase
+    Pose2d pose() {
+        return pose;
+    }
+
+    /// Of its heading.
+    double cos() {
+        return cos;
+    }
+
+    /// Of its heading.
+    double sin() {
+        return sin;
+    }
+
+    /// Above ground [m].
+    double height() {
+        return height;
+    }
+
+    /// Of the smallest circle around the base's origin that holds it [m].
+    double radius() {
+        return radius;
+    }
+}

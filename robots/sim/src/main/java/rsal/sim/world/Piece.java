@@ -1,0 +1,82 @@
+package rsal.sim.world;
+
+/// A solid, placed somewhere. Rays and collision checks look at nothing else.
+abstract sealed class Piece permits Polygon, Disc {
+    final Surface surface;
+    private final double bottom;
+    private final double top;
+    private double height; // of its body [m]
+
+    Piece(Solid solid) {
+        this.surface = solid.surface();
+        this.bottom = solid.bottom();
+        this.top = solid.top();
+    }
+
+    /// Places it with its body.
+    ///
+    /// @param x of mapFromBase
+    /// @param cos of mapFromBase's heading
+    /// @param height of the body above ground [m]
+    final void place(double x, double y, double cos, double sin, double height) {
+        this.height = height;
+        place(x, y, cos, sin);
+    }
+
+    abstract void place(double x, double y, double cos, double sin);
+
+    /// Of the smallest circle around its middle that holds it [m].
+    abstract double radius();
+
+    /// Of its middle, in the map frame.
+    abstract double x();
+
+    abstract double y();
+
+    abstract double minX();
+
+    abstract double minY();
+
+    abstract double maxX();
+
+    abstract double maxY();
+
+    /// Way of a ray from a place to where it enters [m]; 0 from inside, +∞ when it misses.
+    ///
+    /// @param dx direction; (dx, dy) has length 1
+    abstract double ray(double x, double y, double dx, double dy);
+
+    /// How far this is from another [m]: at most the true distance, 0 or less when they overlap.
+    final double separation(Piece other) {
+        return switch (this) {
+            case Polygon polygon ->
+                switch (other) {
+                    case Polygon second -> polygon.separation(second);
+                    case Disc disc -> disc.separation(polygon);
+                };
+            case Disc disc ->
+                switch (other) {
+                    case Polygon polygon -> disc.separation(polygon);
+                    case Disc second -> disc.separation(second);
+                };
+        };
+    }
+
+    /// As [#separation(Piece)], from an upright box.
+    abstract double separation(double left, double bottom, double right, double top);
+
+    /// Whether it is at a height above ground.
+    final boolean isAt(double z) {
+        return bottom + height <= z && z < top + height;
+    }
+
+    /// Whether the two are at a height in common.
+    final boolean isLevelWith(Piece other) {
+        return bottom + height < other.top + other.height && other.bottom + other.height < top + height;
+    }
+
+    /// Whether it is at some of the heights from one to another.
+    final boolean isBetween(double low, double high) {
+        return bottom + height < high && low < top + height;
+    }
+}
