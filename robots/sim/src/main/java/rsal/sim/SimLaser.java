@@ -15,10 +15,15 @@ final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
     private final Laser laser;
     private final Beams beams;
 
-    SimLaser(DeviceInfo info, Laser laser, Noise noise) {
+    /// @param beams made by [#beams]
+    SimLaser(DeviceInfo info, Laser laser, Beams beams, Noise noise) {
         super(info, info.id(), laser.period(), noise);
         this.laser = laser;
-        this.beams = new Beams(
+        this.beams = beams;
+    }
+
+    static Beams beams(Laser laser) {
+        return new Beams(
                 List.of(new Fan(laser.baseFromLaser(), laser.angleMin(), laser.angleIncrement(), laser.samples())), 0);
     }
 
@@ -30,7 +35,7 @@ final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
     @Override
     LaserScan measure(World world, Body robot) {
         double[] ways = beams.cast(world, robot, laser.rangeMax());
-        float[] ranges = new float[ways.length];
+        float[] ranges = new float[beams.count()];
         for (int i = 0; i < ranges.length; i++) {
             ranges[i] = shown(ways[i], laser.rangeMin(), laser.rangeMax());
         }

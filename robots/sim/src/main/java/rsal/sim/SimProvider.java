@@ -4,15 +4,11 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
-import rsal.device.DeviceInfo;
-import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystem;
 import rsal.robot.RobotSystemProvider;
 import rsal.robot.RobotSystemProvider.InvalidRobots.Problem;
-import rsal.settings.Arguments;
 import rsal.settings.Parameter;
-import rsal.sim.world.Body;
 import rsal.sim.world.World;
 import rsal.time.Scheduler;
 
@@ -22,11 +18,11 @@ public final class SimProvider implements RobotSystemProvider {
 
     private static final Parameter STEP = Parameter.number(
             "step", 0.1, 0.01, 0.2, "s", "Time between two states of the world; sensors look no more often.");
-    private static final Parameter WATCHDOG =
+    static final Parameter WATCHDOG =
             Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
-    private static final Parameter ODOMETRY_NOISE = Parameter.number(
+    static final Parameter ODOMETRY_NOISE = Parameter.number(
             "odometryNoise", 1, 0, 10, "", "How much odometry drifts: 1 as the model says, 0 not at all.");
-    private static final Parameter SENSOR_NOISE =
+    static final Parameter SENSOR_NOISE =
             Parameter.number("sensorNoise", 1, 0, 10, "", "How noisy ranges are: 1 as the model says, 0 not at all.");
 
     @Override
@@ -52,8 +48,9 @@ public final class SimProvider implements RobotSystemProvider {
         var seeds = new Seeds(config.seed());
         var lineup = new Lineup(config.world(), specs, seeds);
         refuse(lineup.problems());
+        var assembly = new Assembly(config.settings(), scheduler, seeds);
         var robots = specs.stream()
-                .map(spec -> robot(spec, lineup.body(spec.id()), config.settings(), scheduler, seeds))
+                .map(spec -> assembly.robot(spec, lineup.body(spec.id())))
                 .toList();
         return new SimSystem(scheduler, config.settings().seconds(STEP.name()), lineup.world(), robots);
     }
@@ -83,31 +80,5 @@ public final class SimProvider implements RobotSystemProvider {
             }
         }
         return problems;
-    }
-
-    private static SimRobot robot(RobotSpec spec, Body body, Arguments settings, Scheduler scheduler, Seeds seeds) {
-        var drive = new SimDrive(
-                new DeviceInfo(spec.id(), "base", KEY),
-                scheduler,
-                settings.seconds(WATCHDOG.name()),
-                new Wheels(spec.model().drive()),
-                new Odometer(
-                        spec.model().drive().odometryNoise(),
-                        settings.number(ODOMETRY_NOISE.name()),
-                        seeds.stream(spec.id() + "/base")));
-        var sensors = new ArrayList<RangeSensor<?>>();
-        spec.model().sensors().forEach((name, part) -> {
-            var info = new DeviceInfo(spec.id(), name, KEY);
-            var random = seeds.stream(info.id());
-            double scale = settings.number(SENSOR_NOISE.name());
-            sensors.add(
-                    switch (part) {
-                        case Part.Laser laser ->
-                            new SimLaser(info, laser, new RangeSensor.Noise(scale * laser.noise(), random));
-                        case Part.Sonars sonars ->
-                            new SimSonar(info, sonars, new RangeSensor.Noise(scale * sonars.noise(), random));
-                    });
-        });
-        return new SimRobot(spec, body, drive, List.copyOf(sensors));
     }
 }

@@ -1,6 +1,5 @@
 package rsal.sim;
 
-import java.util.List;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.device.DeviceInfo;
@@ -21,14 +20,20 @@ final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
     private final Beams cones;
     private final int raysOfEach;
 
-    SimSonar(DeviceInfo info, Sonars sonars, Noise noise) {
+    /// @param cones made by [#cones]
+    SimSonar(DeviceInfo info, Sonars sonars, Beams cones, Noise noise) {
         super(info, info.robot() + "/base_link", sonars.period(), noise);
         this.sonars = sonars;
-        List<Fan> fans = sonars.baseFromSensors().stream()
-                .map(baseFromSensor -> cone(baseFromSensor, sonars.fieldOfView()))
-                .toList();
-        this.cones = new Beams(fans, 0);
-        this.raysOfEach = fans.getFirst().count();
+        this.cones = cones;
+        this.raysOfEach = cones.count() / sonars.baseFromSensors().size();
+    }
+
+    static Beams cones(Sonars sonars) {
+        return new Beams(
+                sonars.baseFromSensors().stream()
+                        .map(baseFromSensor -> cone(baseFromSensor, sonars.fieldOfView()))
+                        .toList(),
+                0);
     }
 
     private static Fan cone(Pose2d baseFromSensor, double width) {

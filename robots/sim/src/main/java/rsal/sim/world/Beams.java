@@ -1,10 +1,10 @@
 package rsal.sim.world;
 
-import java.util.Arrays;
 import java.util.List;
 import rsal.data.Pose2d;
 
-/// All rays of a sensor: those of a laser scanner, which leave one place, or those of a ring of sonars.
+/// All rays of a sensor: those of a laser scanner, which leave one place, or those of a ring of sonars. Robots of one
+/// kind share them.
 public final class Beams {
     private static final double TURN = 2 * Math.PI;
     private static final int FEW = 3; // rays of a fan that are not worth asking which of them meet a body
@@ -18,8 +18,6 @@ public final class Beams {
     private final double farthestOrigin;
     private final double[] cos; // of each ray, in the base frame
     private final double[] sin;
-    private final Rays rays;
-    private final PieceGrid.Found near = new PieceGrid.Found();
 
     /// Rays that leave one place at equal angles.
     ///
@@ -46,7 +44,6 @@ public final class Beams {
         int count = begin[fans.size()];
         cos = new double[count];
         sin = new double[count];
-        rays = new Rays(count);
         for (int fan = 0; fan < fans.size(); fan++) {
             for (int i = begin[fan]; i < begin[fan + 1]; i++) {
                 double angle = heading[fan] + (i - begin[fan]) * increment[fan];
@@ -57,27 +54,27 @@ public final class Beams {
     }
 
     public int count() {
-        return rays.count;
+        return cos.length;
     }
 
     /// How far each ray gets before it meets a wall or another robot as [World#look] saw it [m], fan by fan; +∞
     /// beyond reach.
     ///
     /// @param self whose sensor it is, where sensors see it; rays pass through it
-    /// @return overwritten by the next cast
+    /// @return the first [#count] of it; overwritten by this thread's next cast
     public double[] cast(World world, Body self, double reach) {
         Figure base = self.seen;
         double z = base.height() + height;
-        aim(base);
-        Arrays.fill(rays.range, Double.POSITIVE_INFINITY);
-        Arrays.fill(rays.met, Rays.NOTHING);
+        Rays rays = Rays.ofThisThread(cos.length);
+        aim(rays, base);
+        PieceGrid.Found near = rays.near;
         world.seenNear(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
         for (int i = 0; i < near.count; i++) {
             int slot = near.slots[i];
             Piece piece = world.seen(slot);
             if (piece.surface.seenByRangers() && piece.isAt(z) && world.owner(slot) != self) {
                 for (int fan = 0; fan < originX.length; fan++) {
-                    clip(slot, piece, base, fan, reach);
+                    clip(rays, slot, piece, base, fan, reach);
                 }
             }
         }
@@ -89,7 +86,7 @@ public final class Beams {
         return rays.range;
     }
 
-    private void aim(Figure base) {
+    private void aim(Rays rays, Figure base) {
         double baseCos = base.cos();
         double baseSin = base.sin();
         for (int fan = 0; fan < originX.length; fan++) {
@@ -99,19 +96,21 @@ public final class Beams {
                 rays.x[i] = x;
                 rays.y[i] = y;
                 rays.dx[i] = baseCos * cos[i] - baseSin * sin[i];
+                rays.range[i] = Double.POSITIVE_INFINITY;
+                rays.met[i] = Rays.NOTHING;
                 rays.dy[i] = baseSin * cos[i] + baseCos * sin[i];
             }
         }
     }
 
     /// Ends the rays of a fan at a piece, looking only at those that may meet the circle around it.
-    private void clip(int slot, Piece piece, Figure base, int fan, double reach) {
+    private void clip(Rays rays, int slot, Piece piece, Figure base, int fan, double reach) {
         int last = begin[fan + 1] - begin[fan] - 1;
         double toX = piece.x() - rays.x[begin[fan]];
         double toY = piece.y() - rays.y[begin[fan]];
         double square = toX * toX + toY * toY;
         if (last < FEW || square <= piece.radius() * piece.radius()) {
-            clip(slot, piece, reach, begin[fan], begin[fan] + last);
+            clip(rays, slot, piece, reach, begin[fan], begin[fan] + last);
             return;
         }
         double ahead = base.cos() * toX + base.sin() * toY; // in the base frame
@@ -123,11 +122,11 @@ public final class Beams {
         for (double turned = start; turned <= last * increment[fan]; turned += TURN) {
             int from = Math.max(0, (int) Math.ceil(turned * perRay));
             int to = Math.min(last, (int) Math.floor((turned + 2 * halfWidth) * perRay));
-            clip(slot, piece, reach, begin[fan] + from, begin[fan] + to);
+            clip(rays, slot, piece, reach, begin[fan] + from, begin[fan] + to);
         }
     }
 
-    private void clip(int slot, Piece piece, double reach, int from, int to) {
+    private void clip(Rays rays, int slot, Piece piece, double reach, int from, int to) {
         double square = piece.radius() * piece.radius();
         for (int i = from; i <= to; i++) {
             double aside = (piece.x() - rays.x[i]) * rays.dy[i] - (piece.y() - rays.y[i]) * rays.dx[i];

@@ -1,11 +1,14 @@
 package rsal.sim.world;
 
-/// Rays on their way, all of a sensor at once, as flat arrays. Kept by who casts them, as many cast at once.
+/// Rays on their way, all of a sensor at once, as flat arrays. Each thread has one of these and uses it again and
+/// again, so that it stays in the processor's cache.
 final class Rays {
+    private static final ThreadLocal<Rays> OF_THIS_THREAD = ThreadLocal.withInitial(() -> new Rays(64));
+
     static final int NOTHING = -1;
     static final int WALL = -2;
 
-    final int count;
+    int count; // of those in use
     final double[] x; // where each starts, in the map frame [m]
     final double[] y;
     final double[] dx; // direction of length 1
@@ -20,10 +23,12 @@ final class Rays {
     final double[] columnsPerMeter;
     final double[] rowsPerMeter;
     final double[] way; // [m]
+    final double[] limit; // of the way that is of interest [m]
     final int[] under; // those still under way
 
-    Rays(int count) {
-        this.count = count;
+    final PieceGrid.Found near = new PieceGrid.Found();
+
+    private Rays(int count) {
         x = new double[count];
         y = new double[count];
         dx = new double[count];
@@ -34,7 +39,19 @@ final class Rays {
         columnsPerMeter = new double[count];
         rowsPerMeter = new double[count];
         met = new int[count];
+        limit = new double[count];
         way = new double[count];
         under = new int[count];
+    }
+
+    /// Those of this thread, to be written anew.
+    static Rays ofThisThread(int count) {
+        Rays rays = OF_THIS_THREAD.get();
+        if (rays.x.length < count) {
+            rays = new Rays(Math.max(count, 2 * rays.x.length));
+            OF_THIS_THREAD.set(rays);
+        }
+        rays.count = count;
+        return rays;
     }
 }

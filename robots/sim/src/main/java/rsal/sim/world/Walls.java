@@ -12,6 +12,9 @@ public final class Walls {
     private static final byte SOLID = 0;
     private static final byte NEAR = 1; // touches a solid cell, if only with a corner
     private static final byte FAR = 2;
+    private static final int TILE_BITS = 3;
+    private static final int TILE = 1 << TILE_BITS; // cells across
+    private static final int WITHIN_TILE = TILE - 1;
     private static final double UNITS_PER_CELL = 2;
     private static final int MOST = 0xFF;
     private static final double GUARD = 1e-6; // [cells]; more than rounding, so that no stride ends in a wall
@@ -23,10 +26,12 @@ public final class Walls {
     private final double bottom;
     private final int width; // with the fence
     private final int height;
+    private final int tilesAcross;
     private final boolean fenced;
     private final double lowest;
     private final double highest;
     private final Surface surface;
+    private final double[] strides; // by room, what a ray may skip [m]
     private final byte[] room; // by cell: SOLID, NEAR, or NEAR + units from any point of it to anything solid, unsigned
 
     /// A grid of solid cells, row by row from the lower left one.
@@ -81,7 +86,12 @@ public final class Walls {
         lowest = plan.lowest;
         highest = plan.highest;
         surface = plan.surface;
-        room = new byte[Math.multiplyExact(width, height)];
+        tilesAcross = (width + TILE - 1) / TILE;
+        strides = new double[MOST + 1];
+        for (int i = 0; i < strides.length; i++) {
+            strides[i] = empty(i) - GUARD * least;
+        }
+        room = new byte[Math.multiplyExact(tilesAcross * TILE, (height + TILE - 1) / TILE * TILE)];
         markSolid(plan);
         markNear();
         measureFar();
@@ -91,7 +101,7 @@ public final class Walls {
         for (int row = 0; row < plan.height; row++) {
             for (int column = 0; column < plan.width; column++) {
                 if (!plan.solid.get(row * plan.width + column)) {
-                    room[(row + 1) * width + column + 1] = FAR;
+                    room[index(column + 1, row + 1)] = FAR;
                 }
             }
         }
@@ -100,17 +110,19 @@ public final class Walls {
     private void markNear() {
         for (int row = 1; row < height - 1; row++) {
             for (int column = 1; column < width - 1; column++) {
-                int cell = row * width + column;
-                if (room[cell] == FAR && touchesSolid(cell)) {
+                int cell = index(column, row);
+                if (room[cell] == FAR && touchesSolid(column, row)) {
                     room[cell] = NEAR;
                 }
             }
         }
     }
 
-    private boolean touchesSolid(int cell) {
-        for (int below = cell - width - 1; below <= cell + width - 1; below += width) {
-            if (room[below] == SOLID || room[below + 1] == SOLID || room[below + 2] == SOLID) {
+    private boolean touchesSolid(int column, int row) {
+        for (int y = row - 1; y <= row + 1; y++) {
+            if (room[index(column - 1, y)] == SOLID
+                    || room[index(column, y)] == SOLID
+                    || room[index(column + 1, y)] == SOLID) {
                 return true;
             }
         }
@@ -120,11 +132,11 @@ public final class Walls {
     /// Two cells are as far apart, from border to border, as the middle of one is from the middle of the nearest of
     /// those around the other.
     private void measureFar() {
-        DistanceTransform.measure(width, height, cell -> room[cell] != FAR, (row, squares) -> {
+        DistanceTransform.measure(width, height, cell -> roomIn(cell % width, cell / width) != FAR, (row, squares) -> {
             for (int column = 0; column < width; column++) {
                 double cells = Math.sqrt(squares[column]);
                 if (cells > 0) {
-                    room[row * width + column] = (byte) Math.min(MOST, NEAR + (int) (cells * UNITS_PER_CELL));
+                    room[index(column, row)] = (byte) Math.min(MOST, NEAR + (int) (cells * UNITS_PER_CELL));
                 }
             }
         });
@@ -168,7 +180,14 @@ public final class Walls {
     }
 
     private int roomIn(int column, int row) {
-        return room[row * width + column] & 0xFF;
+        return room[index(column, row)] & 0xFF;
+    }
+
+    /// Cells are kept in square tiles of 64, a cache line each, as rays of a fan that are side by side pass cells that
+    /// are near each other in any direction.
+    private int index(int column, int row) {
+        int tile = (row >> TILE_BITS) * tilesAcross + (column >> TILE_BITS);
+        return (((tile << TILE_BITS) + (row & WITHIN_TILE)) << TILE_BITS) + (column & WITHIN_TILE);
     }
 
     /// Ends rays at the border of the first solid cell, if that is within reach and they have met nothing before;
@@ -178,24 +197,29 @@ public final class Walls {
     /// then walks from cell to cell exactly (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987). All take
     /// their strides in turns, so that while one waits for memory others go on.
     void end(Rays rays, double reach) {
-        double guard = GUARD * least;
-        int under = begin(rays, reach);
-        while (under > 0) {
+        int[] under = rays.under; // in locals, as the compiler doesn't trust fields to stay
+        double[] ways = rays.way;
+        double[] limits = rays.limit;
+        double[] columns = rays.column;
+        double[] rows = rays.row;
+        double[] columnsPerMeter = rays.columnsPerMeter;
+        double[] rowsPerMeter = rays.rowsPerMeter;
+        int count = begin(rays, reach);
+        while (count > 0) {
             int still = 0;
-            for (int k = 0; k < under; k++) {
-                int i = rays.under[k];
-                double way = rays.way[i];
-                int column = (int) (rays.column[i] + way * rays.columnsPerMeter[i]);
-                int row = (int) (rays.row[i] + way * rays.rowsPerMeter[i]);
+            for (int k = 0; k < count; k++) {
+                int i = under[k];
+                double way = ways[i];
+                int column = (int) (columns[i] + way * columnsPerMeter[i]);
+                int row = (int) (rows[i] + way * rowsPerMeter[i]);
                 int here = roomIn(column, row);
-                double limit = Math.min(reach, rays.range[i]);
-                way = here > NEAR ? way + empty(here) - guard : walk(rays, i, way, column, row, limit);
-                if (way <= limit) {
-                    rays.way[i] = way;
-                    rays.under[still++] = i;
+                way = here > NEAR ? way + strides[here] : walk(rays, i, way, column, row);
+                if (way <= limits[i]) {
+                    ways[i] = way;
+                    under[still++] = i;
                 }
             }
-            under = still;
+            count = still;
         }
     }
 
@@ -212,7 +236,8 @@ public final class Walls {
             rays.rowsPerMeter[i] = rays.dy[i] * rowsPerMeter;
             boolean inside = column >= 1 && column < width - 1 && row >= 1 && row < height - 1; // false for NaN
             double way = inside ? 0 : toGrid(rays, i);
-            if (way <= Math.min(reach, rays.range[i])) {
+            rays.limit[i] = Math.min(reach, rays.range[i]);
+            if (way <= rays.limit[i]) {
                 rays.way[i] = way;
                 rays.under[under++] = i;
             }
@@ -242,7 +267,8 @@ public final class Walls {
     /// Goes from cell to cell while walls are near.
     ///
     /// @return how far it came [m]; +∞ when it has met a wall, noting its range, or the fence
-    private double walk(Rays rays, int ray, double from, int fromColumn, int fromRow, double limit) {
+    private double walk(Rays rays, int ray, double from, int fromColumn, int fromRow) {
+        double limit = rays.limit[ray];
         double columnSpeed = rays.columnsPerMeter[ray];
         double rowSpeed = rays.rowsPerMeter[ray];
         double perColumn = columnSpeed == 0 ? Double.POSITIVE_INFINITY : 1 / columnSpeed;

@@ -91,7 +91,7 @@ final class RandomWorld {
     }
 
     static double ray(Walls walls, double x, double y, double dx, double dy, double reach) {
-        var ray = new Rays(1);
+        var ray = Rays.ofThisThread(1);
         ray.x[0] = x;
         ray.y[0] = y;
         ray.dx[0] = dx;
