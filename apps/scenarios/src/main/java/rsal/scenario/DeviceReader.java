@@ -9,8 +9,6 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import rsal.device.Device;
 import rsal.device.DriveBase;
-import rsal.device.LaserScanner;
-import rsal.device.SonarArray;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModels;
@@ -55,7 +53,7 @@ final class DeviceReader {
         }
         Optional<RobotModel> model = model(robot, parts);
         var has = new ArrayList<Class<? extends Device>>(List.of(DriveBase.class));
-        model.ifPresent(m -> m.sensors().values().forEach(part -> has.add(type(part))));
+        model.ifPresent(m -> m.sensors().values().forEach(part -> has.add(part.makes())));
         var drivers = new ArrayList<Driver>();
         software.forEach((name, driver) -> {
             model.ifPresent(m -> {
@@ -143,12 +141,5 @@ final class DeviceReader {
     /// In messages: `a LaserScanner and a DriveBase`.
     static String words(Collection<Class<? extends Device>> types) {
         return types.stream().map(type -> "a " + type.getSimpleName()).collect(Collectors.joining(" and "));
-    }
-
-    private static Class<? extends Device> type(RobotModel.Part part) {
-        return switch (part) {
-            case RobotModel.Part.Laser _ -> LaserScanner.class;
-            case RobotModel.Part.Sonars _ -> SonarArray.class;
-        };
     }
 }

@@ -3,12 +3,18 @@ package rsal.robot;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import rsal.data.ActuatorState.Joint;
 import rsal.data.Footprint;
 import rsal.data.Interval;
+import rsal.data.LightState.Signal;
 import rsal.data.Pose2d;
+import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.data.Twist2d;
+import rsal.device.Device;
+import rsal.device.LaserScanner;
+import rsal.device.SonarArray;
 
 /// What a kind of robot is like: a file in `rsal/robot/models`, read by [RobotModels].
 ///
@@ -169,6 +175,9 @@ public record RobotModel(String name, String title, Solid body, Drive drive, Map
     public sealed interface Part {
         String name();
 
+        /// What it becomes on a robot.
+        Class<? extends Device> makes();
+
         /// A planar laser scanner, beams from `angleMin` counter-clockwise.
         ///
         /// @param samples beams of a sweep
@@ -183,7 +192,12 @@ public record RobotModel(String name, String title, Solid body, Drive drive, Map
                 double rangeMax,
                 double noise,
                 Duration period)
-                implements Part {}
+                implements Part {
+            @Override
+            public Class<LaserScanner> makes() {
+                return LaserScanner.class;
+            }
+        }
 
         /// Single-range sensors, each a cone of `fieldOfView` [rad].
         ///
@@ -199,6 +213,171 @@ public record RobotModel(String name, String title, Solid body, Drive drive, Map
                 implements Part {
             public Sonars {
                 baseFromSensors = List.copyOf(baseFromSensors);
+            }
+
+            @Override
+            public Class<SonarArray> makes() {
+                return SonarArray.class;
+            }
+        }
+
+        /// A camera that finds patches of color.
+        ///
+        /// @param width of its image [px]
+        /// @param height of its image [px]
+        /// @param fieldOfView from the left edge of the image to its right [rad]
+        /// @param rangeMax how far it sees [m]
+        /// @param colors that it looks for; every color when there are none
+        record BlobFinder(
+                String name,
+                Pose2d baseFromCamera,
+                int width,
+                int height,
+                double fieldOfView,
+                double rangeMax,
+                List<Rgb> colors,
+                Duration period)
+                implements Part {
+            public BlobFinder {
+                colors = List.copyOf(colors);
+            }
+
+            @Override
+            public Class<rsal.device.BlobFinder> makes() {
+                return rsal.device.BlobFinder.class;
+            }
+        }
+
+        /// Finds markers.
+        ///
+        /// @param fieldOfView [rad]
+        /// @param rangeMax how far away it sees that there is one [m]
+        /// @param idRange how far away it reads the id [m]
+        /// @param key it sees only markers of the same key
+        record FiducialFinder(
+                String name,
+                Pose2d baseFromFinder,
+                double fieldOfView,
+                double rangeMax,
+                double idRange,
+                int key,
+                Duration period)
+                implements Part {
+            @Override
+            public Class<rsal.device.FiducialFinder> makes() {
+                return rsal.device.FiducialFinder.class;
+            }
+        }
+
+        /// Two paddles in front of a body, which close towards its middle.
+        ///
+        /// @param baseFromGripper middle of body and paddles together, open along its x axis
+        /// @param length of body and paddles together [m]
+        /// @param width [m]
+        /// @param height [m]
+        /// @param paddleLength [m]
+        /// @param paddleWidth how thick a paddle is [m]
+        /// @param closingTime from open to closed
+        /// @param liftingTime from down to up; zero when it has no lift
+        record Gripper(
+                String name,
+                Pose2d baseFromGripper,
+                double length,
+                double width,
+                double height,
+                double paddleLength,
+                double paddleWidth,
+                Duration closingTime,
+                Duration liftingTime,
+                Duration period)
+                implements Part {
+            public boolean hasLift() {
+                return !liftingTime.isZero();
+            }
+
+            /// Between the open paddles [m].
+            public double opening() {
+                return width - 2 * paddleWidth;
+            }
+
+            @Override
+            public Class<rsal.device.Gripper> makes() {
+                return rsal.device.Gripper.class;
+            }
+        }
+
+        /// What feels touches around a robot.
+        record Bumper(String name, List<Pad> pads, Duration period) implements Part {
+            public Bumper {
+                pads = List.copyOf(pads);
+            }
+
+            /// A straight piece of it.
+            ///
+            /// @param baseFromPad its middle, the x axis pointing outwards
+            /// @param length along its y axis [m]
+            public record Pad(Pose2d baseFromPad, double length) {}
+
+            @Override
+            public Class<rsal.device.Bumper> makes() {
+                return rsal.device.Bumper.class;
+            }
+        }
+
+        /// A joint that is moved by a motor; lengths in m when it is linear, angles in rad when it is rotational.
+        ///
+        /// @param baseFromJoint a linear one moves along its x axis
+        /// @param limits of its position
+        /// @param maxSpeed both ways
+        /// @param home where it is at first, and at rest
+        record Actuator(
+                String name,
+                Pose2d baseFromJoint,
+                Joint joint,
+                Interval limits,
+                double maxSpeed,
+                double home,
+                Duration period)
+                implements Part {
+            @Override
+            public Class<rsal.device.Actuator> makes() {
+                return rsal.device.Actuator.class;
+            }
+        }
+
+        /// A store of energy, and what empties and fills it.
+        ///
+        /// @param capacity [J]
+        /// @param charge what is in it at first [J]
+        /// @param idlePower what the robot takes standing still [W]
+        /// @param energyPerMeter what it takes besides to drive [J/m]
+        /// @param energyPerRadian what it takes besides to turn [J/rad]
+        /// @param chargingPower what it can take in at most [W]
+        /// @param givingPower what it can give to others at most [W]
+        record Battery(
+                String name,
+                double capacity,
+                double charge,
+                double idlePower,
+                double energyPerMeter,
+                double energyPerRadian,
+                double chargingPower,
+                double givingPower,
+                Duration period)
+                implements Part {
+            @Override
+            public Class<rsal.device.Battery> makes() {
+                return rsal.device.Battery.class;
+            }
+        }
+
+        /// A light.
+        ///
+        /// @param signal what it does at first
+        record Light(String name, Pose2d baseFromLight, Rgb color, Signal signal, Duration period) implements Part {
+            @Override
+            public Class<rsal.device.Light> makes() {
+                return rsal.device.Light.class;
             }
         }
     }

@@ -1,10 +1,8 @@
 package rsal.robot;
 
-import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import rsal.data.Pose2d;
 import rsal.data.Solid;
 import rsal.robot.RobotModel.Drive;
@@ -23,8 +21,6 @@ public final class RobotModels {
     /// Chosen for a device, it takes the model's own part away.
     public static final String NO_PART = "none";
 
-    private static final int MAX_SAMPLES = 10_000;
-    private static final int MAX_SENSORS = 1_000;
     private static final FileSource MODELS = FileSource.resources(RobotModels.class, "/rsal/robot/models/");
     private static final FileSource PARTS = FileSource.resources(RobotModels.class, "/rsal/robot/parts/");
 
@@ -42,7 +38,19 @@ public final class RobotModels {
 
     /// Names of the parts that come with the program.
     public static List<String> builtInParts() {
-        return List.of("urg04lx", "utm30lx", "front8", "front8rear8", "front8rear8dx");
+        return List.of(
+                "urg04lx",
+                "utm30lx",
+                "front8",
+                "front8rear8",
+                "front8rear8dx",
+                "blob-camera",
+                "fiducials180",
+                "pioneer-gripper",
+                "pioneer2dx-bumpers",
+                "turntable",
+                "pioneer-battery",
+                "beacon");
     }
 
     /// A model with the parts that it has by itself.
@@ -126,65 +134,8 @@ public final class RobotModels {
     private Part part(String name, Pose2d mount, Location askedAt) {
         var problems = new Problems();
         var section = new Section("", find("part", name, builtInParts(), PARTS, askedAt), problems);
-        String type = section.text("type");
-        double fieldOfView = Numbers.positive(section, "fieldOfView");
-        double[] range = section.numbers("range", 2).orElse(new double[] {0, 1});
-        if (!(range[0] >= 0 && range[1] > range[0])) {
-            section.problem("range", "(range) must be [least, most], not [%s, %s].".formatted(range[0], range[1]), "");
-        }
-        double noise = Numbers.notNegative(section, "noise");
-        Duration period = Duration.ofNanos(Math.round(Numbers.positive(section, "period") * 1e9));
-        if (fieldOfView > 360) {
-            section.problem("fieldOfView", "(fieldOfView) must be at most 360, not (%s).".formatted(fieldOfView), "");
-        }
-        Optional<Part> part = switch (type) {
-            case "laser" -> {
-                int samples = samples(section);
-                double angle = Math.toRadians(fieldOfView);
-                yield Optional.of(new Part.Laser(
-                        name, mount, -angle / 2, angle / (samples - 1), samples, range[0], range[1], noise, period));
-            }
-            case "sonars" ->
-                Optional.of(new Part.Sonars(
-                        name, sensors(section, mount), Math.toRadians(fieldOfView), range[0], range[1], noise, period));
-            default -> {
-                section.problem(
-                        "type",
-                        "There is no type of part (%s).".formatted(type),
-                        Suggestion.among(type, List.of("laser", "sonars")));
-                yield Optional.empty();
-            }
-        };
-        if (part.isPresent()) {
-            section.done();
-        }
+        Part part = PartReader.read(name, mount, section);
         problems.throwIfAny();
-        return part.orElseThrow();
-    }
-
-    private static int samples(Section section) {
-        double samples = section.number("samples");
-        if (!(samples >= 2 && samples <= MAX_SAMPLES && samples == Math.rint(samples))) {
-            section.problem(
-                    "samples",
-                    "(samples) must be a whole number from 2 to %d, not (%s).".formatted(MAX_SAMPLES, samples),
-                    "");
-            return 2;
-        }
-        return (int) samples;
-    }
-
-    private static List<Pose2d> sensors(Section section, Pose2d baseFromRing) {
-        List<Value> items = section.list("sensors").orElse(List.of());
-        if (items.isEmpty() || items.size() > MAX_SENSORS) {
-            section.problem(
-                    "sensors",
-                    "(sensors) must list 1 to %d poses [x, y, heading], not %d.".formatted(MAX_SENSORS, items.size()),
-                    "");
-        }
-        return items.stream()
-                .flatMap(item -> section.numbers("sensors", item, 3).stream())
-                .map(n -> baseFromRing.compose(Pose2d.ofDegrees(n[0], n[1], n[2])))
-                .toList();
+        return part;
     }
 }

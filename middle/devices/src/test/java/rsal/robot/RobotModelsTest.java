@@ -56,14 +56,6 @@ class RobotModelsTest {
         assertThat(model.sensors()).containsKey("sonar");
     }
 
-    @ParameterizedTest
-    @MethodSource("rsal.robot.RobotModels#builtInParts")
-    void everyPartThatComesAlongFitsAPioneer(String part) {
-        String device = part.startsWith("u") ? "laser" : "sonar";
-        RobotModel model = models.read("pioneer3at", HERE, Map.of(device, new Choice(part, HERE)));
-        assertThat(model.sensors().get(device).name()).isEqualTo(part);
-    }
-
     @Test
     void aPioneer2dxIsAsLongAndWideAsTheRealOne() {
         RobotModel model = models.read("pioneer2dx", HERE);

@@ -43,6 +43,9 @@ final class Ability {
                             its + "number of sonars",
                             sonars.baseFromSensors().size());
                 }
+                default ->
+                    problems.add("Its (%s), a %s, is not simulated so far."
+                            .formatted(part.name(), part.makes().getSimpleName()));
             }
         }
         return problems;

@@ -58,6 +58,7 @@ final class Assembly {
                         sonars,
                         beams.computeIfAbsent(sonars, _ -> SimSonar.cones(sonars)),
                         noise(info, sonars.noise()));
+            default -> throw new IllegalStateException("(%s) should have been refused.".formatted(part));
         };
     }
 

@@ -1,7 +1,9 @@
 package rsal.sim;
 
+import java.util.Set;
 import org.junit.jupiter.api.Nested;
 import rsal.robot.RobotSystemProvider;
+import rsal.testkit.contract.Capability;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.LaserScannerContract;
 import rsal.testkit.contract.RobotSystemContract;
@@ -47,6 +49,12 @@ class SimContractTest {
         @Override
         protected RobotSystemProvider provider() {
             return new SimProvider();
+        }
+
+        /// Its world has walls and robots only.
+        @Override
+        protected Set<Capability> cannot() {
+            return Set.of(Capability.THINGS);
         }
     }
 }

@@ -29,9 +29,16 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.device.Actuator;
+import rsal.device.Battery;
+import rsal.device.BlobFinder;
+import rsal.device.Bumper;
 import rsal.device.Device;
 import rsal.device.DriveBase;
+import rsal.device.FiducialFinder;
+import rsal.device.Gripper;
 import rsal.device.LaserScanner;
+import rsal.device.Light;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.Planner;
@@ -58,6 +65,13 @@ final class Stage implements AutoCloseable {
             DriveBase.class,
             LaserScanner.class,
             SonarArray.class,
+            BlobFinder.class,
+            FiducialFinder.class,
+            Gripper.class,
+            Bumper.class,
+            Actuator.class,
+            Battery.class,
+            Light.class,
             Localizer.class,
             Navigator.class,
             Planner.class,

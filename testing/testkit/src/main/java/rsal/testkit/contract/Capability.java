@@ -4,6 +4,8 @@ package rsal.testkit.contract;
 public enum Capability {
     /// [rsal.robot.RobotSystem#simulation] tells and changes the truth.
     TRUTH,
+    /// Things can be put into the simulated world.
+    THINGS,
     /// Robots know walls and stop at them.
     WALLS,
     /// The motors can be switched off.

@@ -165,10 +165,15 @@ public abstract class RobotBench {
 
     /// A Pioneer 2-DX with laser, sonars and [#parts].
     protected RobotModel model() {
+        return model(parts());
+    }
+
+    /// A Pioneer 2-DX with laser, sonars and parts by device name.
+    protected static RobotModel model(Map<String, String> parts) {
         Location here = Location.of("contract");
         var choices = new LinkedHashMap<String, RobotModels.Choice>();
         choices.put("laser", new RobotModels.Choice("urg04lx", here));
-        parts().forEach((device, part) -> choices.put(device, new RobotModels.Choice(part, here)));
+        parts.forEach((device, part) -> choices.put(device, new RobotModels.Choice(part, here)));
         return new RobotModels(FileSource.resources(RobotBench.class, "/")).read("pioneer2dx", here, choices);
     }
 
@@ -188,6 +193,12 @@ public abstract class RobotBench {
     /// Where the robot really is.
     protected final Pose2d truth() {
         return simulation().truth("r1").orElseThrow();
+    }
+
+    /// Puts a thing into the world, where there is room.
+    protected final void put(SimulationControl.Thing thing) {
+        needs(Capability.THINGS);
+        assertThat(simulation().add(thing)).isEqualTo(new SimulationControl.Placement.Placed());
     }
 
     /// Skips the test when the system cannot do this.

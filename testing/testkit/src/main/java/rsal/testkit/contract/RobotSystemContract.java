@@ -6,11 +6,14 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.Device;
@@ -18,6 +21,9 @@ import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
 import rsal.device.SonarArray;
 import rsal.robot.Robot;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystem;
 import rsal.robot.RobotSystemProvider;
 import rsal.settings.Arguments;
@@ -70,6 +76,35 @@ public abstract class RobotSystemContract extends RobotBench {
         assertThat(robot().devices())
                 .extracting(Device::info)
                 .allSatisfy(info -> assertThat(info.robot()).isEqualTo("r1"));
+    }
+
+    /// Not every system has every part, but none drops one without a word.
+    @ParameterizedTest
+    @CsvSource({
+        "camera, blob-camera",
+        "fiducials, fiducials180",
+        "gripper, pioneer-gripper",
+        "bumper, pioneer2dx-bumpers",
+        "turntable, turntable",
+        "battery, pioneer-battery",
+        "light, beacon"
+    })
+    void aPartBecomesADeviceOrTheRobotIsRefused(String device, String part) {
+        RobotModel model = model(Map.of(device, part));
+        var asked = new RobotSpec("r1", "tested", model, Optional.of(START), "#3366cc");
+        try (RobotSystem one = create(List.of(asked), 1)) {
+            Part made = java.util.Objects.requireNonNull(model.sensors().get(device));
+            assertThat(await(one.discover())
+                            .getFirst()
+                            .require(made.makes())
+                            .info()
+                            .name())
+                    .isEqualTo(device);
+        } catch (RobotSystemProvider.InvalidRobots e) {
+            assertThat(e.problems()).hasSize(1);
+            assertThat(e.problems().getFirst().setting()).isEqualTo("model");
+            assertThat(e.problems().getFirst().message()).contains(part);
+        }
     }
 
     @Test

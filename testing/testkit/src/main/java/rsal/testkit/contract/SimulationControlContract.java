@@ -3,11 +3,16 @@ package rsal.testkit.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.data.Shape;
+import rsal.data.Solid;
 import rsal.data.Twist2d;
 import rsal.device.DriveBase;
 import rsal.device.SimulationControl.Contact;
 import rsal.device.SimulationControl.Placement;
+import rsal.device.SimulationControl.Thing;
 
 /// What every [rsal.device.SimulationControl] owes. A system without a simulated world does not extend this.
 public abstract class SimulationControlContract extends RobotBench {
@@ -68,6 +73,68 @@ public abstract class SimulationControlContract extends RobotBench {
         drive(Twist2d.drive(-0.4, 0), 3);
         drive(Twist2d.drive(0.4, 0), 6);
         assertThat(simulation().contacts()).hasSize(2);
+    }
+
+    @Test
+    void thingsComeMoveAndGo() {
+        Pose2d here = WORLD.pose('b', 30);
+        put(thing("box", here));
+        assertThat(simulation().entities()).contains("r1", "box");
+        assertThat(simulation().truth("box")).contains(here);
+        Pose2d there = WORLD.pose('c', -90);
+        assertThat(simulation().place("box", there)).isEqualTo(new Placement.Placed());
+        advance(1);
+        assertThat(simulation().truth("box")).contains(there);
+        assertThat(simulation().remove("box")).isTrue();
+        assertThat(simulation().remove("box")).isFalse();
+        assertThat(simulation().entities()).doesNotContain("box");
+        assertThat(simulation().truth("box")).isEmpty();
+        assertRefused("box", here);
+        put(thing("box", here));
+    }
+
+    @Test
+    void refusesThingsThatAreCalledLikeOthersOrHaveNoRoom() {
+        needs(Capability.THINGS);
+        put(thing("box", WORLD.pose('b', 0)));
+        assertRefused(thing("box", WORLD.pose('c', 0)));
+        assertRefused(thing("r1", WORLD.pose('c', 0)));
+        assertRefused(thing("far", new Pose2d(-3, 4, 0)));
+        assertRefused(thing("broken", new Pose2d(Double.NaN, 4, 0)));
+        assertThat(simulation().entities()).containsExactlyInAnyOrder("r1", "box");
+        assertThat(simulation().remove("r1")).as("robots stay").isFalse();
+    }
+
+    @Test
+    void robotsRunIntoObstaclesAndDriveThroughOtherThings() {
+        put(thing("paper", START.compose(new Pose2d(1, 0, 0))));
+        drive(Twist2d.drive(0.4, 0), 5);
+        assertThat(START.inverse().compose(truth()).x()).isGreaterThan(1.5);
+        simulation().place("r1", START);
+        put(thing("box", START.compose(new Pose2d(1, 0, 0))).asObstacle());
+        drive(Twist2d.drive(0.4, 0), 5);
+        assertThat(START.inverse().compose(truth()).x()).isLessThan(0.9);
+        assertThat(robot().require(DriveBase.class)
+                        .latest()
+                        .orElseThrow()
+                        .value()
+                        .stalled())
+                .isTrue();
+        simulation().remove("box");
+        drive(Twist2d.drive(0.4, 0), 5);
+        assertThat(START.inverse().compose(truth()).x()).isGreaterThan(1.5);
+    }
+
+    private static Thing thing(String name, Pose2d mapFromThing) {
+        return Thing.of(
+                name, mapFromThing, Solid.standing(new Shape.Disc(new Point2d(0, 0), 0.1), 0.5), new Rgb(200, 100, 0));
+    }
+
+    private void assertRefused(Thing thing) {
+        assertThat(simulation().add(thing))
+                .isInstanceOfSatisfying(
+                        Placement.Refused.class,
+                        refused -> assertThat(refused.why()).isNotBlank());
     }
 
     private void assertRefused(String entity, Pose2d place) {

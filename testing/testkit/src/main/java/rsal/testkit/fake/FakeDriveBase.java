@@ -1,6 +1,5 @@
 package rsal.testkit.fake;
 
-import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,14 +12,13 @@ import rsal.device.DriveBase;
 import rsal.device.Health;
 import rsal.device.SensorCore;
 import rsal.robot.RobotModel;
-import rsal.testkit.Rays;
 
 /// A base without inertia, drift or noise. It remembers every command.
 public final class FakeDriveBase extends SensorCore<Odometry> implements DriveBase {
     private static final int WATCHDOG_STEPS = 5;
 
     private final RobotModel model;
-    private final Rays rays;
+    private final FakeWorld world;
     private final InstantSource clock;
     private final List<Twist2d> commands = new ArrayList<>();
     private Pose2d mapFromBase;
@@ -31,18 +29,28 @@ public final class FakeDriveBase extends SensorCore<Odometry> implements DriveBa
     private boolean enabled = true;
     private boolean stalled;
 
-    FakeDriveBase(DeviceInfo info, RobotModel model, Pose2d mapFromBase, Rays rays, InstantSource clock) {
+    FakeDriveBase(DeviceInfo info, RobotModel model, Pose2d mapFromBase, FakeWorld world, InstantSource clock) {
         super(info);
         this.model = model;
         this.mapFromBase = mapFromBase;
         this.mapFromOdom = mapFromBase;
-        this.rays = rays;
+        this.world = world;
         this.clock = clock;
     }
 
     /// All commands so far, the oldest first, as they were given.
     public List<Twist2d> commands() {
         return List.copyOf(commands);
+    }
+
+    /// How the robot really moves.
+    Twist2d velocity() {
+        return velocity;
+    }
+
+    /// Of its body [m].
+    double radius() {
+        return model.footprint().inscribedRadius();
     }
 
     /// Where the robot really is.
@@ -99,12 +107,13 @@ public final class FakeDriveBase extends SensorCore<Odometry> implements DriveBa
             wanted = Twist2d.STOP;
         }
         velocity = wanted;
-        double dt = FakeSystem.STEP.toNanos() / (double) Duration.ofSeconds(1).toNanos();
+        double dt = FakeSystem.STEP_SECONDS;
         double middle = velocity.omega() * dt / 2;
         Pose2d next = mapFromBase
                 .compose(new Pose2d(0, 0, middle))
                 .compose(new Pose2d(velocity.vx() * dt, velocity.vy() * dt, middle));
-        boolean touches = rays.clearance(next.x(), next.y()) < model.footprint().inscribedRadius();
+        boolean touches =
+                world.clearance(next.x(), next.y()) < model.footprint().inscribedRadius();
         if (touches && velocity.speed() != 0) {
             if (!stalled) {
                 simulation.touched(clock.instant(), info().robot());

@@ -7,12 +7,11 @@ import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.LaserScanner;
-import rsal.device.SensorCore;
 import rsal.robot.RobotModel.Part;
 import rsal.testkit.Rays;
 
 /// A laser that sees walls exactly, or what a test shows it.
-public final class FakeLaserScanner extends SensorCore<LaserScan> implements LaserScanner {
+public final class FakeLaserScanner extends FakeSensor<LaserScan> implements LaserScanner {
     private final Part.Laser part;
     private final FakeDriveBase base;
     private final Rays rays;
@@ -32,6 +31,7 @@ public final class FakeLaserScanner extends SensorCore<LaserScan> implements Las
         shown = ranges.clone();
     }
 
+    @Override
     void sense() {
         float[] ranges = shown != null ? shown : look();
         deliver(new Stamped<>(

@@ -4,45 +4,70 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.SimulationControl;
 
-/// The truth about the fake robots.
+/// The truth about the fake robots, and about things.
 public final class FakeSimulationControl extends DeviceCore implements SimulationControl {
     private final List<FakeDriveBase> bases;
+    private final FakeWorld things;
     private final OccupancyGrid world;
     private final List<Contact> contacts = new ArrayList<>();
 
-    FakeSimulationControl(List<FakeDriveBase> bases, OccupancyGrid world) {
+    FakeSimulationControl(List<FakeDriveBase> bases, FakeWorld things, OccupancyGrid world) {
         super(new DeviceInfo("", "simulation", "fake"));
         this.bases = bases;
+        this.things = things;
         this.world = world;
     }
 
     @Override
     public List<String> entities() {
-        return bases.stream().map(base -> base.info().robot()).toList();
+        return Stream.concat(bases.stream().map(base -> base.info().robot()), things.names().stream())
+                .toList();
     }
 
     @Override
     public Optional<Pose2d> truth(String entity) {
-        return base(entity).map(FakeDriveBase::mapFromBase);
+        return base(entity)
+                .map(FakeDriveBase::mapFromBase)
+                .or(() -> things.find(entity).map(Thing::mapFromThing));
     }
 
     @Override
     public Placement place(String entity, Pose2d mapFromEntity) {
         Optional<FakeDriveBase> base = base(entity);
-        if (base.isEmpty()) {
+        Optional<Thing> thing = things.find(entity);
+        if (base.isEmpty() && thing.isEmpty()) {
             return new Placement.Refused("Nothing is called (%s).".formatted(entity));
         }
         if (!world.isFree(mapFromEntity.x(), mapFromEntity.y())) {
             return new Placement.Refused("A wall is there.");
         }
-        base.get().place(mapFromEntity);
+        base.ifPresent(robot -> robot.place(mapFromEntity));
+        thing.ifPresent(moved -> things.move(moved.name(), mapFromEntity));
         return new Placement.Placed();
+    }
+
+    @Override
+    public Placement add(Thing thing) {
+        if (entities().contains(thing.name())) {
+            return new Placement.Refused("Something is called (%s) already.".formatted(thing.name()));
+        }
+        if (!world.isFree(thing.mapFromThing().x(), thing.mapFromThing().y())) {
+            return new Placement.Refused("A wall is there.");
+        }
+        things.add(thing);
+        return new Placement.Placed();
+    }
+
+    @Override
+    public boolean remove(String thing) {
+        return things.remove(thing);
     }
 
     @Override

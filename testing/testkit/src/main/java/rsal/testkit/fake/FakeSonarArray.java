@@ -6,13 +6,12 @@ import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
-import rsal.device.SensorCore;
 import rsal.device.SonarArray;
 import rsal.robot.RobotModel.Part;
 import rsal.testkit.Rays;
 
 /// Sonars that see the nearest wall of five rays across their cone exactly, or what a test shows them.
-public final class FakeSonarArray extends SensorCore<RangeArray> implements SonarArray {
+public final class FakeSonarArray extends FakeSensor<RangeArray> implements SonarArray {
     private static final int RAYS = 5;
 
     private final Part.Sonars part;
@@ -34,6 +33,7 @@ public final class FakeSonarArray extends SensorCore<RangeArray> implements Sona
         shown = ranges.clone();
     }
 
+    @Override
     void sense() {
         float[] ranges = shown != null ? shown : look();
         deliver(new Stamped<>(

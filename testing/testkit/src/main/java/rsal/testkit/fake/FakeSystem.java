@@ -31,15 +31,17 @@ import rsal.time.Phase;
 import rsal.time.Scheduler;
 import rsal.time.Task;
 
-/// Robots that do exactly as told, every 0.1 s, in a world of walls. Bodies are discs of the footprint's inscribed
-/// radius; robots neither see nor touch each other.
+/// Robots that do exactly as told, every 0.1 s, in a world of walls and things. Bodies are discs of the
+/// footprint's inscribed radius; robots neither see nor touch each other, and range sensors see walls only.
 public final class FakeSystem implements RobotSystem {
     static final Duration STEP = Duration.ofMillis(100);
+    static final double STEP_SECONDS = 0.1;
 
     private final Scheduler scheduler;
     private final List<Robot> robots = new ArrayList<>();
     private final List<FakeDriveBase> bases = new ArrayList<>();
-    private final List<Runnable> sensing = new ArrayList<>();
+    private final List<FakeSensor<?>> sensors = new ArrayList<>();
+    private final FakeWorld world;
     private final FakeSimulationControl simulation;
     private final Listeners<Change> listeners = new Listeners<>(e -> {
         throw e;
@@ -49,7 +51,7 @@ public final class FakeSystem implements RobotSystem {
 
     FakeSystem(Config config, Scheduler scheduler) {
         this.scheduler = scheduler;
-        var rays = new Rays(config.world());
+        this.world = new FakeWorld(new Rays(config.world()));
         var problems = new ArrayList<InvalidRobots.Problem>();
         for (RobotSpec spec : config.robots()) {
             Pose2d start = spec.mapFromBase().orElse(Pose2d.ORIGIN);
@@ -57,12 +59,12 @@ public final class FakeSystem implements RobotSystem {
                 problems.add(new InvalidRobots.Problem(
                         spec.id(), "pose", "(%s, %s) is not free.".formatted(start.x(), start.y())));
             }
-            robots.add(build(spec, start, rays));
+            robots.add(build(spec, start));
         }
         if (!problems.isEmpty()) {
             throw new InvalidRobots(problems);
         }
-        simulation = new FakeSimulationControl(bases, config.world());
+        simulation = new FakeSimulationControl(bases, world, config.world());
     }
 
     /// A system with robots of the model Pioneer 2-DX with a laser, named `r1`, `r2`… at poses.
@@ -111,6 +113,7 @@ public final class FakeSystem implements RobotSystem {
     public void close() {
         closed = true;
         bases.forEach(FakeDriveBase::halt);
+        sensors.forEach(FakeSensor::shutDown);
         if (steps != null) {
             steps.cancel();
         }
@@ -123,28 +126,33 @@ public final class FakeSystem implements RobotSystem {
         for (FakeDriveBase base : bases) {
             base.sense();
         }
-        sensing.forEach(Runnable::run);
+        sensors.forEach(FakeSensor::sense);
     }
 
-    private Robot build(RobotSpec spec, Pose2d start, Rays rays) {
-        var base = new FakeDriveBase(info(spec, "base"), spec.model(), start, rays, scheduler);
+    private Robot build(RobotSpec spec, Pose2d start) {
+        var base = new FakeDriveBase(info(spec, "base"), spec.model(), start, world, scheduler);
         bases.add(base);
         var devices = new ArrayList<Device>(List.of(base));
         spec.model().sensors().forEach((name, part) -> {
-            switch (part) {
-                case Part.Laser laser -> {
-                    var device = new FakeLaserScanner(info(spec, name), laser, base, rays, scheduler);
-                    sensing.add(device::sense);
-                    devices.add(device);
-                }
-                case Part.Sonars sonars -> {
-                    var device = new FakeSonarArray(info(spec, name), sonars, base, rays, scheduler);
-                    sensing.add(device::sense);
-                    devices.add(device);
-                }
-            }
+            FakeSensor<?> sensor = sensor(info(spec, name), part, base);
+            sensors.add(sensor);
+            devices.add(sensor);
         });
         return new Robot(spec.id(), spec.role(), spec.model(), devices);
+    }
+
+    private FakeSensor<?> sensor(DeviceInfo info, Part part, FakeDriveBase base) {
+        return switch (part) {
+            case Part.Laser laser -> new FakeLaserScanner(info, laser, base, world.rays(), scheduler);
+            case Part.Sonars sonars -> new FakeSonarArray(info, sonars, base, world.rays(), scheduler);
+            case Part.BlobFinder camera -> new FakeBlobFinder(info, camera, base, world, scheduler);
+            case Part.FiducialFinder finder -> new FakeFiducialFinder(info, finder, base, world, scheduler);
+            case Part.Gripper gripper -> new FakeGripper(info, gripper, base, world, scheduler);
+            case Part.Bumper bumper -> new FakeBumper(info, bumper, base, world, scheduler);
+            case Part.Actuator actuator -> new FakeActuator(info, actuator, scheduler);
+            case Part.Battery battery -> new FakeBattery(info, battery, base, world, scheduler);
+            case Part.Light light -> new FakeLight(info, light, scheduler);
+        };
     }
 
     private static DeviceInfo info(RobotSpec spec, String name) {

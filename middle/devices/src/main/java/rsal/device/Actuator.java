@@ -1,0 +1,30 @@
+package rsal.device;
+
+import rsal.data.ActuatorState;
+
+/// A joint that is moved by a motor: a lift, a turntable, a joint of an arm. It does one thing at a time; what it
+/// is told next ends the goal under way as cancelled. Frame of its readings: `<robot>/<name>`.
+public interface Actuator extends Sensor<ActuatorState> {
+    /// Moves to a position [m or rad] and holds it. Positions beyond the limits are cut to them.
+    ///
+    /// @throws IllegalArgumentException when the position is not finite
+    GoalHandle<ActuatorState, Result> goTo(double position);
+
+    /// Moves to where it is at rest.
+    GoalHandle<ActuatorState, Result> home();
+
+    /// Moves at a speed [m/s or rad/s] until the next command, its limits, or until commands dry up (0.5 s by
+    /// default). Speeds beyond what it can do are cut.
+    ///
+    /// @throws IllegalArgumentException when the speed is not finite
+    void command(double speed);
+
+    sealed interface Result {
+        record Reached(double position) implements Result {}
+
+        record Cancelled() implements Result {}
+
+        /// It can't go on, or the device is lost.
+        record Stuck(double position, String why) implements Result {}
+    }
+}

@@ -1,0 +1,42 @@
+package rsal.device;
+
+import rsal.data.GripperState;
+
+/// Two paddles that close around things, and a lift where there is one. Frame of its readings: `<robot>/<name>`.
+///
+/// Paddles and lift do one thing at a time each: a new goal for the paddles ends the one that they had as
+/// cancelled, and so does one for the lift, but neither disturbs the other. A cancelled goal leaves them where
+/// they are.
+public interface Gripper extends Sensor<GripperState> {
+    /// Opens the paddles and lets go of what they hold.
+    GoalHandle<GripperState, Result> open();
+
+    /// Closes the paddles until they hold something or meet. Both are [Result.Reached]; [GripperState#holding]
+    /// tells which.
+    GoalHandle<GripperState, Result> close();
+
+    /// Moves the lift up. Without a lift it is stuck at once.
+    GoalHandle<GripperState, Result> lift();
+
+    /// Moves the lift down. Without a lift it is there already.
+    GoalHandle<GripperState, Result> lower();
+
+    /// Closes, then lifts.
+    default GoalHandle<GripperState, Result> closeAndLift() {
+        return close().then(Result.Reached.class::isInstance, this::lift);
+    }
+
+    /// Lowers, then opens.
+    default GoalHandle<GripperState, Result> lowerAndOpen() {
+        return lower().then(Result.Reached.class::isInstance, this::open);
+    }
+
+    sealed interface Result {
+        record Reached(GripperState state) implements Result {}
+
+        record Cancelled() implements Result {}
+
+        /// It can't go on, or the device is lost.
+        record Stuck(GripperState state, String why) implements Result {}
+    }
+}

@@ -1,0 +1,11 @@
+package rsal.testkit.fake;
+
+import rsal.robot.RobotSystemProvider;
+import rsal.testkit.contract.ActuatorContract;
+
+class FakeActuatorTest extends ActuatorContract {
+    @Override
+    protected RobotSystemProvider provider() {
+        return new FakeProvider();
+    }
+}

@@ -1,0 +1,11 @@
+package rsal.testkit.fake;
+
+import rsal.robot.RobotSystemProvider;
+import rsal.testkit.contract.GripperContract;
+
+class FakeGripperTest extends GripperContract {
+    @Override
+    protected RobotSystemProvider provider() {
+        return new FakeProvider();
+    }
+}
