@@ -16,7 +16,7 @@ import rsal.settings.Value;
 
 /// Reads part files. What is wrong is noted, and something harmless taken for it.
 final class PartReader {
-    private static final List<String> TYPES = List.of(
+    static final List<String> TYPES = List.of(
             "laser", "sonars", "blob-finder", "fiducial-finder", "gripper", "bumper", "actuator", "battery", "light");
     private static final int MAX_SAMPLES = 10_000;
     private static final int MAX_SENSORS = 1_000;

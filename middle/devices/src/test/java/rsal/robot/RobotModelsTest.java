@@ -8,8 +8,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -259,6 +261,22 @@ class RobotModelsTest {
         models.read("cart.yaml", HERE);
         write("cart.yaml", CART.replace(fromTo[0], fromTo[1]));
         assertThatExceptionOfType(InvalidSettings.class).isThrownBy(() -> models.read("cart.yaml", HERE));
+    }
+
+    @Test
+    void theFilesInTheReferenceCanBeRead() throws IOException {
+        String page = Files.readString(Path.of("../../docs/reference/robot-models.md"));
+        List<String> files = Pattern.compile("```yaml\n(.*?)```", Pattern.DOTALL)
+                .matcher(page)
+                .results()
+                .map(found -> found.group(1))
+                .toList();
+        assertThat(files).hasSize(2);
+        write("cart.yaml", files.getFirst());
+        write("camera.yaml", files.getLast());
+        RobotModel cart = models.read("cart.yaml", HERE, Map.of("camera", new Choice("camera.yaml", HERE)));
+        assertThat(cart.sensors()).containsOnlyKeys("laser", "battery", "camera");
+        assertThat(PartReader.TYPES).allSatisfy(type -> assertThat(page).contains("| `" + type + "` |"));
     }
 
     private static final String CART = """
