@@ -2,6 +2,7 @@ package rsal.testkit.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,6 +15,8 @@ import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import rsal.data.Interval;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.Device;
@@ -22,7 +25,11 @@ import rsal.device.LaserScanner;
 import rsal.device.SonarArray;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Axis;
+import rsal.robot.RobotModel.Drive;
+import rsal.robot.RobotModel.OdometryNoise;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.Steering;
 import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystem;
 import rsal.robot.RobotSystemProvider;
@@ -104,6 +111,34 @@ public abstract class RobotSystemContract extends RobotBench {
             assertThat(e.problems()).hasSize(1);
             assertThat(e.problems().getFirst().setting()).isEqualTo("model");
             assertThat(e.problems().getFirst().message()).contains(part);
+        }
+    }
+
+    static List<Drive> drives() {
+        Axis forward = new Axis(new Interval(-0.2, 1), Interval.around0(1));
+        Axis turn = Axis.symmetric(2, 4);
+        var noise = new OdometryNoise(0, 0, 0);
+        return List.of(
+                new Drive(new Steering.Differential(), forward, Axis.NONE, turn, noise),
+                new Drive(new Steering.Omnidirectional(), forward, Axis.symmetric(0.5, 1), turn, noise),
+                new Drive(new Steering.Car(0.3, 0.5), forward, Axis.NONE, turn, noise));
+    }
+
+    @ParameterizedTest
+    @MethodSource("drives")
+    void aDriveIsDrivenOrTheRobotIsRefused(Drive drive) {
+        var asked = new RobotSpec("r1", "tested", model().with(drive), Optional.of(START), "#3366cc");
+        try (RobotSystem one = create(List.of(asked), 1)) {
+            DriveBase base = await(one.discover()).getFirst().require(DriveBase.class);
+            for (int step = 0; step < 20; step++) {
+                base.command(Twist2d.drive(-1, 0));
+                run.advance(STEP);
+            }
+            assertThat(base.latest().orElseThrow().value().velocity().vx()).isCloseTo(-0.2, within(0.02));
+        } catch (RobotSystemProvider.InvalidRobots e) {
+            assertThat(e.problems()).hasSize(1);
+            assertThat(e.problems().getFirst().setting()).isEqualTo("model");
+            assertThat(e.problems().getFirst().message()).containsIgnoringCase("drive");
         }
     }
 

@@ -1,5 +1,10 @@
 package rsal.testkit.fake;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import rsal.data.BatteryState;
+import rsal.data.BatteryState.Charging;
 import rsal.robot.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
 
@@ -7,5 +12,13 @@ class FakeBatteryTest extends BatteryContract {
     @Override
     protected RobotSystemProvider provider() {
         return new FakeProvider();
+    }
+
+    @Test
+    void showsWhatATestWants() {
+        BatteryState dead = BatteryState.of(0, 100, 0, Charging.DISCHARGING);
+        robot().require(FakeBattery.class).show(dead);
+        assertThat(reading()).isEqualTo(dead);
+        assertThat(reading().empty()).isTrue();
     }
 }

@@ -1,5 +1,9 @@
 package rsal.testkit.fake;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import rsal.data.LightState.Signal;
 import rsal.robot.RobotSystemProvider;
 import rsal.testkit.contract.LightContract;
 
@@ -7,5 +11,12 @@ class FakeLightTest extends LightContract {
     @Override
     protected RobotSystemProvider provider() {
         return new FakeProvider();
+    }
+
+    @Test
+    void remembersEverySignal() {
+        robot().require(FakeLight.class).on();
+        robot().require(FakeLight.class).off();
+        assertThat(robot().require(FakeLight.class).signals()).containsExactly(Signal.ON, Signal.OFF);
     }
 }
