@@ -22,12 +22,20 @@ import rsal.device.SonarArray;
 /// @param title for people: `Pioneer 2-DX`
 /// @param body what is solid of it, in its base frame; pieces without a color have that of the robot
 /// @param sensors the parts it carries, by device name (`laser`, `sonar`), in the file's order
-public record RobotModel(String name, String title, Solid body, Drive drive, Map<String, Part> sensors) {
+/// @param heights above the floor [m] of those that do not sit on top of the body, by device name
+public record RobotModel(
+        String name, String title, Solid body, Drive drive, Map<String, Part> sensors, Map<String, Double> heights) {
     /// Of bodies for which none is told [m].
     static final double HEIGHT = 0.25;
 
     public RobotModel {
         sensors = java.util.Collections.unmodifiableMap(new java.util.LinkedHashMap<>(sensors));
+        heights = Map.copyOf(heights);
+    }
+
+    /// A model with all devices on top of its body.
+    public RobotModel(String name, String title, Solid body, Drive drive, Map<String, Part> sensors) {
+        this(name, title, body, drive, sensors, Map.of());
     }
 
     /// A model of a plain body.
@@ -40,9 +48,14 @@ public record RobotModel(String name, String title, Solid body, Drive drive, Map
         return body.hull();
     }
 
+    /// How high above the floor a device looks or works [m].
+    public double height(String device) {
+        return heights.getOrDefault(device, body.top());
+    }
+
     /// The same robot with another drive.
     public RobotModel with(Drive other) {
-        return new RobotModel(name, title, body, other, sensors);
+        return new RobotModel(name, title, body, other, sensors, heights);
     }
 
     /// How it moves.

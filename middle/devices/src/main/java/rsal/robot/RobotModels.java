@@ -3,6 +3,7 @@ package rsal.robot;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import rsal.data.Pose2d;
 import rsal.data.Solid;
 import rsal.robot.RobotModel.Drive;
@@ -73,14 +74,15 @@ public final class RobotModels {
         String title = section.text("title");
         Solid body = BodyReader.read(section.section("body"));
         Drive drive = DriveReader.read(section.section("drive"));
-        Map<String, Pose2d> mounts = mounts(section.section("mounts"));
+        Map<String, Mount> mounts = mounts(section.section("mounts"));
         Map<String, Choice> chosen = own(section.section("sensors"));
         section.done();
         problems.throwIfAny();
         chosen.putAll(choices);
         var sensors = new LinkedHashMap<String, Part>();
+        var heights = new LinkedHashMap<String, Double>();
         chosen.forEach((device, choice) -> {
-            Pose2d mount = mounts.get(device);
+            Mount mount = mounts.get(device);
             if (choice.part().equals(NO_PART)) {
                 return;
             }
@@ -92,13 +94,14 @@ public final class RobotModels {
                 return;
             }
             try {
-                sensors.put(device, part(choice.part(), mount, choice.writtenAt()));
+                sensors.put(device, part(choice.part(), mount.baseFromDevice(), choice.writtenAt()));
+                mount.height().ifPresent(height -> heights.put(device, height));
             } catch (InvalidSettings e) {
                 e.problems().forEach(problems::add);
             }
         });
         problems.throwIfAny();
-        return new RobotModel(name, title, body, drive, sensors);
+        return new RobotModel(name, title, body, drive, sensors, heights);
     }
 
     /// @param part name or file of a part
@@ -115,10 +118,30 @@ public final class RobotModels {
         throw new InvalidSettings(askedAt, "There is no %s (%s).".formatted(what, name), Suggestion.among(name, known));
     }
 
-    private static Map<String, Pose2d> mounts(Section section) {
-        var mounts = new LinkedHashMap<String, Pose2d>();
+    /// @param height above the floor [m]; empty on top of the body
+    private record Mount(Pose2d baseFromDevice, OptionalDouble height) {}
+
+    private static Map<String, Mount> mounts(Section section) {
+        var mounts = new LinkedHashMap<String, Mount>();
         for (String device : section.names()) {
-            section.pose(device).ifPresent(pose -> mounts.put(device, pose));
+            boolean high = section.find(device)
+                    .filter(v ->
+                            v instanceof Value.Sequence place && place.items().size() == 4)
+                    .isPresent();
+            section.numbers(device, high ? 4 : 3).ifPresent(place -> {
+                if (high && !(place[3] >= 0 && place[3] <= Numbers.MOST)) {
+                    section.problem(
+                            device,
+                            "(%s) must be from 0 to %s high, not (%s)."
+                                    .formatted(section.path(device), Numbers.MOST, place[3]),
+                            "");
+                }
+                mounts.put(
+                        device,
+                        new Mount(
+                                Pose2d.ofDegrees(place[0], place[1], place[2]),
+                                high ? OptionalDouble.of(place[3]) : OptionalDouble.empty()));
+            });
         }
         return mounts;
     }

@@ -146,6 +146,17 @@ class RobotModelsTest {
     }
 
     @Test
+    void devicesSitOnTopUnlessTheirMountSaysHowHigh() throws IOException {
+        write("eye.yaml", EYE);
+        write("cart.yaml", CART.replace("width: 0.2", "width: 0.2, height: 0.4"));
+        assertThat(models.read("cart.yaml", HERE).height("eye")).isEqualTo(0.4);
+        write("cart.yaml", CART.replace("eye: [0.1, 0, 0]", "eye: [0.1, 0, 0, 0.07]"));
+        RobotModel cart = models.read("cart.yaml", HERE);
+        assertThat(cart.height("eye")).isEqualTo(0.07);
+        assertThat(cart.with(cart.drive()).height("eye")).isEqualTo(0.07);
+    }
+
+    @Test
     void aBodyIsABoxADiscOrAnOutline() throws IOException {
         write("eye.yaml", EYE);
         assertThat(body("length: 0.3, width: 0.2, height: 0.5"))
@@ -249,6 +260,8 @@ class RobotModelsTest {
                 "maxSpeed: 1|maxSpeed: 1\n  wheelbase: 1",
                 "maxSpeed: 1|maxSpeed: .nan",
                 "eye: [0.1, 0, 0]|eye: [0.1, 0]",
+                "eye: [0.1, 0, 0]|eye: [0.1, 0, 0, -1]",
+                "eye: [0.1, 0, 0]|eye: [0.1, 0, 0, .inf]",
                 "eye: eye.yaml|eye: ../eye.yaml",
                 "eye: eye.yaml|eye: [1]",
                 "title: Cart|titel: Cart"
