@@ -10,11 +10,13 @@ module rsal.devices {
     exports rsal.device;
     exports rsal.map;
     exports rsal.robot;
+    exports rsal.scene;
     exports rsal.settings;
     exports rsal.time;
 
     uses rsal.robot.DeviceDriver;
     uses rsal.robot.RobotSystemProvider;
+    uses rsal.scene.SceneFormat;
 
     provides rsal.robot.DeviceDriver with
             rsal.behavior.PilotDriver;

@@ -22,11 +22,12 @@ import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystem;
 import rsal.robot.RobotSystemProvider;
+import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.time.LockstepScheduler;
 
-/// Simulated robots that wander about: forward where there is room, else turning towards where there is more. Their
-/// minds cost next to nothing, so that what is measured is the simulator.
+/// Simulated robots that wander about: forward where there is room, else turning towards where there is more.
+/// Their minds cost next to nothing, so that what is measured is the simulator.
 final class Swarm implements AutoCloseable {
     private static final Duration PERIOD = Duration.ofMillis(100); // of a step and of each sensor
 
@@ -75,7 +76,7 @@ final class Swarm implements AutoCloseable {
         }
         var simulator = simulator();
         var settings = Arguments.of(simulator.parameters(), Map.of("step", PERIOD.toMillis() * 1e-3));
-        system = simulator.create(new RobotSystemProvider.Config(settings, map, robots, seed), time);
+        system = simulator.create(new RobotSystemProvider.Config(settings, Scene.of(map), robots, seed), time);
         List<Robot> found = system.discover().toCompletableFuture().join();
         found.forEach(this::wander);
     }

@@ -14,6 +14,7 @@ import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystemProvider;
 import rsal.scenario.condition.Condition;
 import rsal.scenario.condition.Measure;
+import rsal.scene.Scene;
 import rsal.settings.Arguments;
 
 /// A run with everything decided and nothing started. Immutable; it can be run again and again, and each time is
@@ -60,7 +61,10 @@ public record RunPlan(
         /// What its provider asks for to make it.
         public RobotSystemProvider.Config config(OccupancyGrid map, List<PlannedRobot> robots) {
             return new RobotSystemProvider.Config(
-                    settings, map, robots.stream().map(PlannedRobot::spec).toList(), seed);
+                    settings,
+                    Scene.of(map),
+                    robots.stream().map(PlannedRobot::spec).toList(),
+                    seed);
         }
     }
 

@@ -1,7 +1,7 @@
 package rsal.robot;
 
 import java.util.List;
-import rsal.data.OccupancyGrid;
+import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.time.Scheduler;
@@ -23,9 +23,9 @@ public interface RobotSystemProvider {
     /// @throws InvalidRobots when it can't have these robots in this world
     RobotSystem create(Config config, Scheduler scheduler);
 
-    /// @param world walls, for those who simulate them
+    /// @param scene for those who simulate it
     /// @param seed all randomness of the system comes from it
-    record Config(Arguments settings, OccupancyGrid world, List<RobotSpec> robots, long seed) {
+    record Config(Arguments settings, Scene scene, List<RobotSpec> robots, long seed) {
         public Config {
             robots = List.copyOf(robots);
         }

@@ -7,45 +7,73 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.data.Rgb;
 import rsal.map.FreeSpace;
 import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystemProvider.InvalidRobots.Problem;
+import rsal.scene.Entity;
+import rsal.scene.Scene;
+import rsal.scene.Surface;
 import rsal.sim.world.Body;
-import rsal.sim.world.Solid;
+import rsal.sim.world.Chunk;
+import rsal.sim.world.Extent;
 import rsal.sim.world.Walls;
 import rsal.sim.world.World;
 
-/// Puts robots on the map: first those that have a start pose, then the others at random free places, each drawing
-/// from a stream of its own.
+/// Puts things and robots into the world: first those that have a place, then the others at random free places,
+/// each drawing from a stream of its own.
 final class Lineup {
     private static final double CLEARANCE = 0.4; // of random places from walls and from other robots [m]
     private static final double MARGIN = 0.05; // of a robot that may turn in place, from walls [m]
 
     private final OccupancyGrid map;
-    private final Walls walls;
     private final World world;
     private final Seeds seeds;
     private final Map<Double, FreeSpace> spaces = new HashMap<>(); // by clearance
     private final Map<String, Body> bodies = new LinkedHashMap<>(); // by robot
     private final List<Problem> problems = new ArrayList<>();
 
-    Lineup(OccupancyGrid map, List<RobotSpec> robots, Seeds seeds) {
-        this.map = map;
-        this.walls = Walls.of(map);
-        this.world = new World(walls);
+    Lineup(Scene scene, List<RobotSpec> robots, Seeds seeds) {
+        this.map = scene.map();
+        this.world = new World(scene.walls().stream().map(Walls::new).toList(), extent(map));
         this.seeds = seeds;
+        for (Entity thing : scene.things()) {
+            world.add(thing.name(), Chunk.of(thing.blocks()), thing.mapFromEntity(), thing.height());
+        }
         for (RobotSpec robot : robots) {
-            robot.mapFromBase().ifPresent(pose -> addAt(robot, pose));
+            Entity known = scene.robotBodies().get(robot.id());
+            if (known != null) {
+                Body body = world.add(
+                        robot.id(),
+                        Chunk.of(known.blocks()),
+                        robot.mapFromBase().orElse(known.mapFromEntity()),
+                        known.height());
+                bodies.put(robot.id(), body);
+            } else {
+                robot.mapFromBase().ifPresent(pose -> addAt(robot, pose));
+            }
         }
         boolean room = true;
         for (RobotSpec robot : robots) {
-            if (room && robot.mapFromBase().isEmpty()) {
+            if (room && robot.mapFromBase().isEmpty() && !bodies.containsKey(robot.id())) {
                 room = addSomewhere(robot); // where one finds no place, the next would not either
             }
         }
+    }
+
+    private static Extent extent(OccupancyGrid map) {
+        return new Extent(
+                map.originX(),
+                map.originY(),
+                map.originX() + map.width() * map.resolution(),
+                map.originY() + map.height() * map.resolution());
+    }
+
+    private static List<Chunk> chunks(RobotSpec robot) {
+        Rgb color = Rgb.parse(robot.color()).orElse(Surface.PLAIN.color());
+        return Chunk.of(Entity.blocks(robot.model().body(), color));
     }
 
     /// Which robots are not on the map, and why.
@@ -67,7 +95,6 @@ final class Lineup {
     }
 
     private void addAt(RobotSpec robot, Pose2d pose) {
-        Footprint footprint = robot.model().footprint();
         if (!pose.isFinite()) {
             refuse(robot, "The start pose (%s) must be finite.".formatted(pose));
         } else if (!map.contains(map.column(pose.x()), map.row(pose.y()))) {
@@ -77,27 +104,26 @@ final class Lineup {
                     robot,
                     "The start pose %s is outside the map, which reaches from %s to %s."
                             .formatted(at(pose.x(), pose.y()), at(map.originX(), map.originY()), at(right, top)));
-        } else if (!walls.isFree(pose.x(), pose.y())) {
+        } else if (map.at(map.column(pose.x()), map.row(pose.y())) == OccupancyGrid.OCCUPIED) {
             refuse(
                     robot,
-                    "The start pose %s is inside a wall.%s"
-                            .formatted(at(pose.x(), pose.y()), suggestion(footprint, pose)));
-        } else if (!world.hasRoom(Solid.of(footprint), pose, 0)) {
+                    "The start pose %s is inside a wall.%s".formatted(at(pose.x(), pose.y()), suggestion(robot, pose)));
+        } else if (!world.hasRoom(chunks(robot), pose, 0)) {
             refuse(
                     robot,
                     "At its start pose %s the robot would touch %s.%s"
-                            .formatted(at(pose.x(), pose.y()), obstacle(), suggestion(footprint, pose)));
+                            .formatted(at(pose.x(), pose.y()), obstacle(), suggestion(robot, pose)));
         } else {
-            bodies.put(robot.id(), world.add(robot.id(), Solid.of(footprint), pose, 0));
+            bodies.put(robot.id(), world.add(robot.id(), chunks(robot), pose, 0));
         }
     }
 
     private boolean addSomewhere(RobotSpec robot) {
-        Footprint footprint = robot.model().footprint();
-        Optional<Pose2d> pose = space(footprint)
-                .choose(seeds.stream(robot.id() + "/start"), p -> world.hasRoom(Solid.of(footprint), p, CLEARANCE));
+        List<Chunk> chunks = chunks(robot);
+        Optional<Pose2d> pose =
+                space(robot).choose(seeds.stream(robot.id() + "/start"), p -> world.hasRoom(chunks, p, CLEARANCE));
         pose.ifPresentOrElse(
-                place -> bodies.put(robot.id(), world.add(robot.id(), Solid.of(footprint), place, 0)),
+                place -> bodies.put(robot.id(), world.add(robot.id(), chunks(robot), place, 0)),
                 () -> refuse(robot, """
                         There is no free place left for it that is %s m from walls and from all other robots. \
                         Maybe take fewer robots or a larger map, or name a start pose.""".formatted(CLEARANCE)));
@@ -108,8 +134,9 @@ final class Lineup {
         problems.add(new Problem(robot.id(), "pose", message));
     }
 
-    private FreeSpace space(Footprint footprint) {
-        double clearance = Math.max(CLEARANCE, footprint.circumscribedRadius() + MARGIN);
+    private FreeSpace space(RobotSpec robot) {
+        double radius = robot.model().footprint().circumscribedRadius();
+        double clearance = Math.max(CLEARANCE, radius + MARGIN);
         return spaces.computeIfAbsent(clearance, c -> new FreeSpace(map, c));
     }
 
@@ -119,9 +146,10 @@ final class Lineup {
                 .orElse("a wall");
     }
 
-    private String suggestion(Footprint footprint, Pose2d pose) {
-        return space(footprint)
-                .nearest(pose, p -> world.hasRoom(Solid.of(footprint), p, CLEARANCE))
+    private String suggestion(RobotSpec robot, Pose2d pose) {
+        List<Chunk> chunks = chunks(robot);
+        return space(robot)
+                .nearest(pose, p -> world.hasRoom(chunks, p, CLEARANCE))
                 .map(place -> " Maybe %s, the nearest place with room?".formatted(at(place.x(), place.y())))
                 .orElse("");
     }

@@ -46,7 +46,7 @@ public final class SimProvider implements RobotSystemProvider {
         specs.sort(Comparator.comparing(RobotSpec::id));
         refuse(problems(specs));
         var seeds = new Seeds(config.seed());
-        var lineup = new Lineup(config.world(), specs, seeds);
+        var lineup = new Lineup(config.scene(), specs, seeds);
         refuse(lineup.problems());
         var assembly = new Assembly(config.settings(), scheduler, seeds);
         var robots = specs.stream()

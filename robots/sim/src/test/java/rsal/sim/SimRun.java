@@ -18,6 +18,7 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystem;
 import rsal.robot.RobotSystemProvider.Config;
+import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.testkit.DrawnMap;
 import rsal.time.LockstepScheduler;
@@ -33,7 +34,7 @@ final class SimRun {
         scheduler = new LockstepScheduler(Instant.EPOCH, workers);
         var provider = new SimProvider();
         var arguments = Arguments.of(provider.parameters(), settings);
-        system = provider.create(new Config(arguments, map, specs, seed), scheduler);
+        system = provider.create(new Config(arguments, Scene.of(map), specs, seed), scheduler);
         robots = ended(system.discover());
         simulation = system.simulation().orElseThrow();
     }

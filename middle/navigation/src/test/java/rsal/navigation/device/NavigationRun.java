@@ -21,6 +21,7 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystemProvider.Config;
+import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
@@ -42,8 +43,8 @@ final class NavigationRun {
         this.random = new SplittableRandom(seed);
         this.scheduler = new LockstepScheduler(Instant.EPOCH, workers);
         var provider = new SimProvider();
-        var system =
-                provider.create(new Config(Arguments.defaults(provider.parameters()), map, specs, seed), scheduler);
+        var system = provider.create(
+                new Config(Arguments.defaults(provider.parameters()), Scene.of(map), specs, seed), scheduler);
         robots.addAll(system.discover().toCompletableFuture().join());
         simulation = system.simulation().orElseThrow();
         specs.forEach(spec -> starts.put(spec.id(), spec.mapFromBase()));

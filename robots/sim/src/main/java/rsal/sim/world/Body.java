@@ -12,12 +12,12 @@ public final class Body {
     private final String name;
 
     /// @param slots one for each solid
-    Body(String name, List<Solid> solids, int[] slots) {
+    Body(String name, List<Chunk> chunks, int[] slots) {
         this.name = name;
         this.slots = slots;
-        figure = new Figure(solids);
-        trial = new Figure(solids);
-        seen = new Figure(solids);
+        figure = new Figure(chunks);
+        trial = new Figure(chunks);
+        seen = new Figure(chunks);
     }
 
     public String name() {

@@ -8,7 +8,7 @@ final class Disc extends Piece {
     private double x;
     private double y;
 
-    Disc(Solid.Cylinder cylinder) {
+    Disc(Chunk.Cylinder cylinder) {
         super(cylinder);
         middleX = cylinder.center().x();
         middleY = cylinder.center().y();

@@ -13,20 +13,24 @@ final class Figure {
     private double height;
 
     /// Placed at the origin.
-    Figure(List<Solid> solids) {
-        pieces = solids.stream()
-                .map(solid -> switch (solid) {
-                    case Solid.Prism prism -> new Polygon(prism);
-                    case Solid.Cylinder cylinder -> new Disc(cylinder);
+    Figure(List<Chunk> chunks) {
+        pieces = chunks.stream()
+                .map(chunk -> switch (chunk) {
+                    case Chunk.Prism prism -> new Polygon(prism);
+                    case Chunk.Cylinder cylinder -> new Disc(cylinder);
                 })
                 .toArray(Piece[]::new);
         double farthest = 0;
-        for (Solid solid : solids) {
+        for (Chunk chunk : chunks) {
             farthest = Math.max(
                     farthest,
-                    switch (solid) {
-                        case Solid.Prism prism -> prism.outline().circumscribedRadius();
-                        case Solid.Cylinder c ->
+                    switch (chunk) {
+                        case Chunk.Prism prism ->
+                            prism.corners().stream()
+                                    .mapToDouble(corner -> Math.hypot(corner.x(), corner.y()))
+                                    .max()
+                                    .orElseThrow();
+                        case Chunk.Cylinder c ->
                             Math.hypot(c.center().x(), c.center().y()) + c.radius();
                     });
         }

@@ -1,5 +1,7 @@
 package rsal.sim.world;
 
+import rsal.scene.Surface;
+
 /// A solid, placed somewhere. Rays and collision checks look at nothing else.
 abstract sealed class Piece permits Polygon, Disc {
     final Surface surface;
@@ -7,10 +9,10 @@ abstract sealed class Piece permits Polygon, Disc {
     private final double top;
     private double height; // of its body [m]
 
-    Piece(Solid solid) {
-        this.surface = solid.surface();
-        this.bottom = solid.bottom();
-        this.top = solid.top();
+    Piece(Chunk chunk) {
+        this.surface = chunk.surface();
+        this.bottom = chunk.bottom();
+        this.top = chunk.top();
     }
 
     /// Places it with its body.

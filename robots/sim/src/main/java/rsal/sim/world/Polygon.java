@@ -28,9 +28,9 @@ final class Polygon extends Piece {
     private double maxX;
     private double maxY;
 
-    Polygon(Solid.Prism prism) {
+    Polygon(Chunk.Prism prism) {
         super(prism);
-        List<Point2d> corners = prism.outline().corners();
+        List<Point2d> corners = prism.corners();
         count = corners.size();
         bodyX = new double[count];
         bodyY = new double[count];

@@ -1,8 +1,9 @@
 package rsal.sim.world;
 
-import java.util.BitSet;
 import rsal.data.DistanceTransform;
 import rsal.data.OccupancyGrid;
+import rsal.scene.Raster;
+import rsal.scene.Surface;
 
 /// Walls given as an upright grid of cells, some of which are solid: a map or a floor plan.
 ///
@@ -34,73 +35,38 @@ public final class Walls {
     private final double[] strides; // by room, what a ray may skip [m]
     private final byte[] room; // by cell: SOLID, NEAR, or NEAR + units from any point of it to anything solid, unsigned
 
-    /// A grid of solid cells, row by row from the lower left one.
-    ///
-    /// @param left of its lower left corner in the map frame [m]
-    /// @param cellX size of a cell [m]
-    /// @param lowest lower end above ground [m]
-    /// @param highest upper end above ground [m]
-    /// @param fenced whether no body leaves it
-    public record Plan(
-            int width,
-            int height,
-            BitSet solid,
-            double left,
-            double bottom,
-            double cellX,
-            double cellY,
-            double lowest,
-            double highest,
-            boolean fenced,
-            Surface surface) {}
-
-    /// The walls of a map, of all heights. Unknown cells are none. No body leaves it.
+    /// The walls of a map.
     public static Walls of(OccupancyGrid map) {
-        var solid = new BitSet(map.cells().length);
-        for (int i = 0; i < map.cells().length; i++) {
-            solid.set(i, map.cells()[i] == OccupancyGrid.OCCUPIED);
-        }
-        return new Walls(new Plan(
-                map.width(),
-                map.height(),
-                solid,
-                map.originX(),
-                map.originY(),
-                map.resolution(),
-                map.resolution(),
-                Double.NEGATIVE_INFINITY,
-                Double.POSITIVE_INFINITY,
-                true,
-                Surface.PLAIN));
+        return new Walls(Raster.of(map));
     }
 
-    public Walls(Plan plan) {
-        cellX = plan.cellX;
-        cellY = plan.cellY;
+    public Walls(Raster raster) {
+        cellX = raster.cellX();
+        cellY = raster.cellY();
         least = Math.min(cellX, cellY);
-        left = plan.left - cellX;
-        bottom = plan.bottom - cellY;
-        width = plan.width + 2;
-        height = plan.height + 2;
-        fenced = plan.fenced;
-        lowest = plan.lowest;
-        highest = plan.highest;
-        surface = plan.surface;
+        left = raster.left() - cellX;
+        bottom = raster.bottom() - cellY;
+        width = raster.width() + 2;
+        height = raster.height() + 2;
+        fenced = raster.fenced();
+        lowest = raster.lowest();
+        highest = raster.highest();
+        surface = raster.surface();
         tilesAcross = (width + TILE - 1) / TILE;
         strides = new double[MOST + 1];
         for (int i = 0; i < strides.length; i++) {
             strides[i] = empty(i) - GUARD * least;
         }
         room = new byte[Math.multiplyExact(tilesAcross * TILE, (height + TILE - 1) / TILE * TILE)];
-        markSolid(plan);
+        markSolid(raster);
         markNear();
         measureFar();
     }
 
-    private void markSolid(Plan plan) {
-        for (int row = 0; row < plan.height; row++) {
-            for (int column = 0; column < plan.width; column++) {
-                if (!plan.solid.get(row * plan.width + column)) {
+    private void markSolid(Raster raster) {
+        for (int row = 0; row < raster.height(); row++) {
+            for (int column = 0; column < raster.width(); column++) {
+                if (!raster.solid().get(row * raster.width() + column)) {
                     room[index(column + 1, row + 1)] = FAR;
                 }
             }
@@ -129,8 +95,8 @@ public final class Walls {
         return false;
     }
 
-    /// Two cells are as far apart, from border to border, as the middle of one is from the middle of the nearest of
-    /// those around the other.
+    /// Two cells are as far apart, from border to border, as the middle of one is from the middle of the nearest
+    /// of those around the other.
     private void measureFar() {
         DistanceTransform.measure(width, height, cell -> roomIn(cell % width, cell / width) != FAR, (row, squares) -> {
             for (int column = 0; column < width; column++) {
@@ -183,8 +149,8 @@ public final class Walls {
         return room[index(column, row)] & 0xFF;
     }
 
-    /// Cells are kept in square tiles of 64, a cache line each, as rays of a fan that are side by side pass cells that
-    /// are near each other in any direction.
+    /// Cells are kept in square tiles of 64, a cache line each, as rays of a fan that are side by side pass cells
+    /// that are near each other in any direction.
     private int index(int column, int row) {
         int tile = (row >> TILE_BITS) * tilesAcross + (column >> TILE_BITS);
         return (((tile << TILE_BITS) + (row & WITHIN_TILE)) << TILE_BITS) + (column & WITHIN_TILE);
@@ -194,8 +160,8 @@ public final class Walls {
     /// at once inside a wall.
     ///
     /// Each strides across the empty circle around where it is (Hart, Sphere Tracing, 1996) until walls are near,
-    /// then walks from cell to cell exactly (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987). All take
-    /// their strides in turns, so that while one waits for memory others go on.
+    /// then walks from cell to cell exactly (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987). All
+    /// take their strides in turns, so that while one waits for memory others go on.
     void end(Rays rays, double reach) {
         int[] under = rays.under; // in locals, as the compiler doesn't trust fields to stay
         double[] ways = rays.way;
@@ -304,8 +270,8 @@ public final class Walls {
         return Double.POSITIVE_INFINITY;
     }
 
-    /// How far a piece is from walls, and from the fence if there is one [m]: at most the true distance (exact to a
-    /// face, less to a corner), 0 or less when they overlap, `reach` when nothing is nearer than that.
+    /// How far a piece is from walls, and from the fence if there is one [m]: at most the true distance (exact to
+    /// a face, less to a corner), 0 or less when they overlap, `reach` when nothing is nearer than that.
     double separation(Piece piece, double reach) {
         if (!(surface.obstacle() && piece.isBetween(lowest, highest))) {
             return reach;

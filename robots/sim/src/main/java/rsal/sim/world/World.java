@@ -13,10 +13,10 @@ import rsal.data.Pose2d;
 
 /// Walls and the bodies between them. No body that moves by itself ever overlaps what is in its way.
 ///
-/// Bodies keep a hair of 1 mm between themselves and anything solid. That makes a way certain to check in finitely
-/// many poses: a body that is free by d at one pose and by a hair at the next, with no point of it moving farther
-/// than d plus a hair between them, is free all the way (conservative advancement: Mirtich, Impulse-based Dynamic
-/// Simulation of Rigid Body Systems, 1996).
+/// Bodies keep a hair of 1 mm between themselves and anything solid. That makes a way certain to check in
+/// finitely many poses: a body that is free by d at one pose and by a hair at the next, with no point of it
+/// moving farther than d plus a hair between them, is free all the way (conservative advancement: Mirtich,
+/// Impulse-based Dynamic Simulation of Rigid Body Systems, 1996).
 public final class World {
     /// What obstacles are called that are no bodies.
     public static final String WALL = "wall";
@@ -52,12 +52,12 @@ public final class World {
     /// Adds a body, whether it has room ([#hasRoom]) or not.
     ///
     /// @param height of its base above ground [m]
-    public Body add(String name, List<Solid> solids, Pose2d mapFromBase, double height) {
-        int[] slots = new int[solids.size()];
+    public Body add(String name, List<Chunk> chunks, Pose2d mapFromBase, double height) {
+        int[] slots = new int[chunks.size()];
         for (int i = 0; i < slots.length; i++) {
             slots[i] = freeSlot();
         }
-        var body = new Body(name, solids, slots);
+        var body = new Body(name, chunks, slots);
         body.figure.placeAt(mapFromBase, height);
         for (int i = 0; i < slots.length; i++) {
             owners.set(slots[i], body);
@@ -99,8 +99,8 @@ public final class World {
     /// Whether a body that is not there yet could stand somewhere on the ground. When not, [#obstacle] says why.
     ///
     /// @param apart how far from all other bodies [m]
-    public boolean hasRoom(List<Solid> solids, Pose2d mapFromBase, double apart) {
-        var figure = new Figure(solids);
+    public boolean hasRoom(List<Chunk> chunks, Pose2d mapFromBase, double apart) {
+        var figure = new Figure(chunks);
         figure.placeAt(mapFromBase, 0);
         double fromBodies = Math.max(apart, HAIR);
         return clearance(figure, null, HAIR) >= HAIR && clearanceOfBodies(figure, null, fromBodies) >= fromBodies;
@@ -137,7 +137,8 @@ public final class World {
         double made = way > 0 ? 0 : 1;
         double free = made < 1 ? clearance(body.figure, body, reach) : 0;
         while (made < 1) {
-            double step = Math.min(1 - made, (free + HAIR) / way);
+            double step =
+                    Math.min(1 - made, (Math.max(0, free) + HAIR) / way); // less than 0 if it was put into something
             body.trial.placeAt(arc.at(made + step), body.height());
             free = clearance(body.trial, body, reach);
             while (free < HAIR && step * way > HAIR / 4) {

@@ -24,8 +24,8 @@ class BeamsTest {
             var bodies = new ArrayList<Body>();
             for (int i = 0; i < 15; i++) {
                 Pose2d pose = random.anywhere();
-                if (world.hasRoom(Solid.of(BOX), pose, 0.1)) {
-                    bodies.add(world.add("r" + i, random.solids(), pose, 0));
+                if (world.hasRoom(Chunk.of(BOX), pose, 0.1)) {
+                    bodies.add(world.add("r" + i, random.chunks(), pose, 0));
                 }
             }
             if (bodies.isEmpty()) {
@@ -65,8 +65,8 @@ class BeamsTest {
     @Test
     void robotsAreSeenWhereTheyWereWhenTheWorldWasLookedAt() {
         var world = new World(Walls.of(DrawnMap.grid(10, ".").grid()));
-        Body self = world.add("self", Solid.of(BOX), new Pose2d(1, 5, 0), 0);
-        Body other = world.add("other", Solid.of(BOX), new Pose2d(3, 5, 0), 0);
+        Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body other = world.add("other", Chunk.of(BOX), new Pose2d(3, 5, 0), 0);
         world.place(other, new Pose2d(4, 5, 0));
         var ahead = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         assertThat(ahead.cast(world, self, 8)[0]).isCloseTo(2 - 0.29, within(1e-9));

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.scene.Surface;
 
 class PieceTest {
     private static final Footprint BOX = RandomWorld.box(0.5, 0.4, -0.04, 0);
@@ -21,11 +22,11 @@ class PieceTest {
     }
 
     private static Piece polygon(Footprint footprint, Pose2d pose) {
-        return placed(new Polygon((Solid.Prism) Solid.of(footprint).getFirst()), pose);
+        return placed(new Polygon((Chunk.Prism) Chunk.of(footprint).getFirst()), pose);
     }
 
     private static Piece disc(Point2d center, double radius, Pose2d pose) {
-        return placed(new Disc(new Solid.Cylinder(center, radius, 0, 1, Surface.PLAIN)), pose);
+        return placed(new Disc(new Chunk.Cylinder(center, radius, 0, 1, Surface.PLAIN)), pose);
     }
 
     private static Piece placed(Piece piece, Pose2d pose) {

@@ -8,6 +8,8 @@ import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.scene.Surface;
 
 /// Worlds made from a seed, and slow ways to look at them.
 final class RandomWorld {
@@ -34,23 +36,25 @@ final class RandomWorld {
                 random.nextDouble(-Math.PI, Math.PI));
     }
 
-    /// One to four solids, of which sensors and others see some.
-    List<Solid> solids() {
-        var solids = new ArrayList<Solid>();
+    /// One to four chunks, of which sensors and others see some.
+    List<Chunk> chunks() {
+        var chunks = new ArrayList<Chunk>();
         for (int i = random.nextInt(4); i >= 0; i--) {
             var center = new Point2d(random.nextDouble(-0.3, 0.3), random.nextDouble(-0.3, 0.3));
             double bottom = random.nextDouble(-0.5, 0.5);
-            var surface = new Surface(random.nextInt(1 << 24), random.nextBoolean(), random.nextInt(3) - 1);
-            solids.add(
+            var surface = new Surface(
+                    Rgb.of(random.nextInt()), random.nextBoolean(), random.nextInt(3) - 1, true, 0, 0, false);
+            chunks.add(
                     random.nextBoolean()
-                            ? new Solid.Cylinder(center, random.nextDouble(0.05, 0.3), bottom, bottom + 0.7, surface)
-                            : new Solid.Prism(
-                                    Footprint.box(random.nextDouble(0.05, 0.5), 0.2, center),
+                            ? new Chunk.Cylinder(center, random.nextDouble(0.05, 0.3), bottom, bottom + 0.7, surface)
+                            : new Chunk.Prism(
+                                    Footprint.box(random.nextDouble(0.05, 0.5), 0.2, center)
+                                            .corners(),
                                     bottom,
                                     bottom + 0.7,
                                     surface));
         }
-        return solids;
+        return chunks;
     }
 
     /// A box that is larger by a margin on each side.

@@ -11,6 +11,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.scene.Raster;
+import rsal.scene.Surface;
 import rsal.testkit.DrawnMap;
 import rsal.testkit.Rays;
 
@@ -68,7 +70,7 @@ class WallsTest {
             for (int i = 0; i < width * height; i++) {
                 solid.set(i, random.nextDouble() < density);
             }
-            var walls = new Walls(new Walls.Plan(width, height, solid, 1, 2, cellX, cellY, 0, 1, false, Surface.PLAIN));
+            var walls = new Walls(new Raster(width, height, solid, 1, 2, cellX, cellY, 0, 1, false, Surface.PLAIN));
             for (int i = 0; i < 50; i++) {
                 double x = random.nextDouble(-2, 10);
                 double y = random.nextDouble(-2, 10);
@@ -82,7 +84,7 @@ class WallsTest {
                     var middle = new Point2d(1 + (column + 0.5) * cellX, 2 + (row + 0.5) * cellY);
                     var box = Footprint.box(cellX, cellY, middle);
                     slow = Math.min(
-                            slow, new Polygon((Solid.Prism) Solid.of(box).getFirst()).ray(x, y, dx, dy));
+                            slow, new Polygon((Chunk.Prism) Chunk.of(box).getFirst()).ray(x, y, dx, dy));
                 }
                 double fast = RandomWorld.ray(walls, x, y, dx, dy, 100);
                 if (slow < Double.POSITIVE_INFINITY) {

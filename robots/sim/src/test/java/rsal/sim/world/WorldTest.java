@@ -28,10 +28,10 @@ class WorldTest {
             var random = new RandomWorld(seed, 0.05, 0.01);
             var world = new World(Walls.of(random.map));
             Pose2d start = random.anywhere();
-            if (!world.hasRoom(Solid.of(BOX), start, 0)) {
+            if (!world.hasRoom(Chunk.of(BOX), start, 0)) {
                 continue;
             }
-            Body body = world.add("r1", Solid.of(BOX), start, 0);
+            Body body = world.add("r1", Chunk.of(BOX), start, 0);
             var arc =
                     Arc.ahead(start, random.random.nextDouble(-speed, speed), random.random.nextDouble(-4, 4) * speed);
             double made = world.advance(body, arc);
@@ -62,10 +62,10 @@ class WorldTest {
             var random = new RandomWorld(seed, 0.05, 0.01);
             var world = new World(Walls.of(random.map));
             Pose2d start = random.anywhere();
-            if (!world.hasRoom(Solid.of(BOX), start, 0)) {
+            if (!world.hasRoom(Chunk.of(BOX), start, 0)) {
                 continue;
             }
-            Body body = world.add("r1", Solid.of(BOX), start, 0);
+            Body body = world.add("r1", Chunk.of(BOX), start, 0);
             double length = random.random.nextDouble(-1, 1);
             double turn = random.random.nextDouble(-4, 4);
             double made = world.advance(body, Arc.ahead(start, length, turn));
@@ -86,8 +86,8 @@ class WorldTest {
         var bodies = new ArrayList<Body>();
         while (bodies.size() < 12) {
             Pose2d pose = random.anywhere();
-            if (world.hasRoom(Solid.of(BOX), pose, 0)) {
-                bodies.add(world.add("r" + bodies.size(), Solid.of(BOX), pose, 0));
+            if (world.hasRoom(Chunk.of(BOX), pose, 0)) {
+                bodies.add(world.add("r" + bodies.size(), Chunk.of(BOX), pose, 0));
             }
         }
         int touches = 0;
@@ -120,7 +120,7 @@ class WorldTest {
     void nobodyLeavesTheMap() {
         var world = new World(
                 Walls.of(DrawnMap.grid(0.5, ".....\n.....\n.....\n.....").grid()));
-        Body body = world.add("r1", Solid.of(BOX), new Pose2d(1, 1, 0), 0);
+        Body body = world.add("r1", Chunk.of(BOX), new Pose2d(1, 1, 0), 0);
         assertThat(world.advance(body, Arc.ahead(body.pose(), 100, 0))).isLessThan(0.02);
         assertThat(body.pose().x()).isBetween(2.5 - 0.11 - 0.005, 2.5 - 0.11);
     }
@@ -134,7 +134,7 @@ class WorldTest {
         }
         var world = new World(Walls.of(new OccupancyGrid(size, size, 0.05, 0, 0, cells)));
         var small = Footprint.box(0.01, 0.01, new Point2d(0, 0));
-        Body body = world.add("r1", Solid.of(small), new Pose2d(0.8, 0.2, 0), 0);
+        Body body = world.add("r1", Chunk.of(small), new Pose2d(0.8, 0.2, 0), 0);
         for (int i = 0; i < 500; i++) {
             world.advance(body, Arc.ahead(body.pose(), 0.7, 0));
             assertThat(body.pose().x())
@@ -150,10 +150,10 @@ class WorldTest {
         var world = new World(Walls.of(random.map));
         var bodies = new ArrayList<Body>();
         for (int i = 0; i < 400; i++) {
-            List<Solid> solids = random.solids();
+            List<Chunk> chunks = random.chunks();
             Pose2d pose = random.anywhere();
-            if (world.hasRoom(solids, pose, 0)) {
-                bodies.add(world.add("r" + bodies.size(), solids, pose, 0));
+            if (world.hasRoom(chunks, pose, 0)) {
+                bodies.add(world.add("r" + bodies.size(), chunks, pose, 0));
             }
         }
         int touches = 0;
@@ -193,17 +193,17 @@ class WorldTest {
     @Test
     void whoIsGoneIsInNobodysWayAndNotSeen() {
         var world = new World(Walls.of(DrawnMap.grid(10, ".").grid()));
-        Body self = world.add("self", Solid.of(BOX), new Pose2d(1, 5, 0), 0);
-        Body other = world.add("other", Solid.of(BOX), new Pose2d(3, 5, 0), 0);
+        Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body other = world.add("other", Chunk.of(BOX), new Pose2d(3, 5, 0), 0);
         var beams = new Beams(List.of(new Beams.Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         assertThat(beams.cast(world, self, 8)[0]).isLessThan(2);
-        assertThat(world.hasRoom(Solid.of(BOX), other.pose(), 0)).isFalse();
+        assertThat(world.hasRoom(Chunk.of(BOX), other.pose(), 0)).isFalse();
         world.remove(other);
         world.remove(other);
         world.look();
         assertThat(beams.cast(world, self, 8)[0]).isEqualTo(Double.POSITIVE_INFINITY);
         assertThat(world.advance(self, Arc.ahead(self.pose(), 3, 0))).isEqualTo(1);
-        Body next = world.add("next", Solid.of(BOX), new Pose2d(6, 5, 0), 0);
+        Body next = world.add("next", Chunk.of(BOX), new Pose2d(6, 5, 0), 0);
         assertThat(beams.cast(world, self, 8)[0]).isLessThan(5);
         assertThat(world.advance(self, Arc.ahead(self.pose(), 3, 0))).isLessThan(1);
         assertThat(world.obstacle()).contains(next);

@@ -27,6 +27,7 @@ import rsal.robot.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystem;
 import rsal.robot.RobotSystemProvider;
+import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
@@ -154,7 +155,7 @@ public abstract class RobotBench {
     /// A system of its own.
     protected final RobotSystem create(List<RobotSpec> robots, long seed, LockstepScheduler scheduler) {
         var config = new RobotSystemProvider.Config(
-                Arguments.of(provider().parameters(), settings()), WORLD.grid(), robots, seed);
+                Arguments.of(provider().parameters(), settings()), Scene.of(WORLD.grid()), robots, seed);
         return provider().create(config, scheduler);
     }
 

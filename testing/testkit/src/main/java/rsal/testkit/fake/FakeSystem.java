@@ -22,6 +22,7 @@ import rsal.robot.RobotSpec;
 import rsal.robot.RobotSystem;
 import rsal.robot.RobotSystemProvider.Config;
 import rsal.robot.RobotSystemProvider.InvalidRobots;
+import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
@@ -51,11 +52,11 @@ public final class FakeSystem implements RobotSystem {
 
     FakeSystem(Config config, Scheduler scheduler) {
         this.scheduler = scheduler;
-        this.world = new FakeWorld(new Rays(config.world()));
+        this.world = new FakeWorld(new Rays(config.scene().map()));
         var problems = new ArrayList<InvalidRobots.Problem>();
         for (RobotSpec spec : config.robots()) {
             Pose2d start = spec.mapFromBase().orElse(Pose2d.ORIGIN);
-            if (!config.world().isFree(start.x(), start.y())) {
+            if (!config.scene().map().isFree(start.x(), start.y())) {
                 problems.add(new InvalidRobots.Problem(
                         spec.id(), "pose", "(%s, %s) is not free.".formatted(start.x(), start.y())));
             }
@@ -64,7 +65,7 @@ public final class FakeSystem implements RobotSystem {
         if (!problems.isEmpty()) {
             throw new InvalidRobots(problems);
         }
-        simulation = new FakeSimulationControl(bases, world, config.world());
+        simulation = new FakeSimulationControl(bases, world, config.scene().map());
     }
 
     /// A system with robots of the model Pioneer 2-DX with a laser, named `r1`, `r2`… at poses.
@@ -78,7 +79,7 @@ public final class FakeSystem implements RobotSystem {
         for (Pose2d mapFromBase : mapFromBases) {
             specs.add(new RobotSpec("r" + (specs.size() + 1), "robot", model, Optional.of(mapFromBase), "#808080"));
         }
-        return new FakeSystem(new Config(Arguments.defaults(List.of()), map.grid(), specs, 1), scheduler);
+        return new FakeSystem(new Config(Arguments.defaults(List.of()), Scene.of(map.grid()), specs, 1), scheduler);
     }
 
     /// The robots, known without discovering. They move and sense once [#discover] was called.

@@ -1,0 +1,27 @@
+package rsal.scene;
+
+import java.util.List;
+import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.data.Solid;
+
+/// A body that is somewhere.
+///
+/// @param name unique in its scene
+/// @param blocks in its own frame
+/// @param mapFromEntity where it is at first
+/// @param height of its underside above the floor [m]
+public record Entity(String name, List<Block> blocks, Pose2d mapFromEntity, double height) {
+    public Entity {
+        blocks = List.copyOf(blocks);
+    }
+
+    /// The blocks of a plain body on the floor.
+    ///
+    /// @param color of those pieces that have none of their own
+    public static List<Block> blocks(Solid body, Rgb color) {
+        return body.pieces().stream()
+                .map(piece -> new Block(piece, Surface.PLAIN.in(piece.color().orElse(color))))
+                .toList();
+    }
+}

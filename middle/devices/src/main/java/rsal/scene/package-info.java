@@ -1,0 +1,6 @@
+/// What a world is like before anything moves in it: walls, things and robots, as told by a map or a world file,
+/// whoever simulates it. Values only.
+@NullMarked
+package rsal.scene;
+
+import org.jspecify.annotations.NullMarked;

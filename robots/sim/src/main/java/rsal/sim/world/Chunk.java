@@ -1,0 +1,51 @@
+package rsal.sim.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import rsal.data.Footprint;
+import rsal.data.Point2d;
+import rsal.data.Shape;
+import rsal.scene.Block;
+import rsal.scene.Surface;
+
+/// Something solid of a body, in the body's base frame: upright, convex, between two heights, and not large, so
+/// that who looks for what is near finds little else.
+public sealed interface Chunk {
+    /// Lower end above the base [m]; −∞ where heights don't matter.
+    double bottom();
+
+    /// Upper end above the base [m]; +∞ where heights don't matter.
+    double top();
+
+    Surface surface();
+
+    /// @param corners of a convex outline, counter-clockwise; some may be in a line, none twice
+    record Prism(List<Point2d> corners, double bottom, double top, Surface surface) implements Chunk {}
+
+    /// @param radius [m]
+    record Cylinder(Point2d center, double radius, double bottom, double top, Surface surface) implements Chunk {}
+
+    /// A body of one outline that is of every height.
+    static List<Chunk> of(Footprint outline) {
+        return List.of(new Prism(outline.corners(), Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Surface.PLAIN));
+    }
+
+    /// What a body's blocks are made of.
+    static List<Chunk> of(List<Block> blocks) {
+        var chunks = new ArrayList<Chunk>();
+        for (Block block : blocks) {
+            double bottom = block.prism().bottom();
+            double top = block.prism().top();
+            switch (block.prism().shape()) {
+                case Shape.Disc disc ->
+                    chunks.add(new Cylinder(disc.center(), disc.radius(), bottom, top, block.surface()));
+                case Shape.Polygon polygon -> {
+                    for (List<Point2d> part : Convex.small(polygon.corners())) {
+                        chunks.add(new Prism(part, bottom, top, block.surface()));
+                    }
+                }
+            }
+        }
+        return List.copyOf(chunks);
+    }
+}
