@@ -6,7 +6,7 @@ import rsal.data.OccupancyGrid;
 /// A map of caves, the same each time: noise that a cellular automaton smooths, of which a cell is wall when most
 /// around it are (Johnson, Yannakakis and Togelius, Cellular automata for real-time generation of infinite cave
 /// levels, 2010), enlarged to fine cells.
-final class Cave {
+public final class Cave {
     private static final double COARSE = 0.8; // [m]; halls get some meters wide
     private static final double WALLS_AT_FIRST = 0.44;
     private static final int GENERATIONS = 5;
@@ -15,7 +15,7 @@ final class Cave {
 
     /// @param side length of the square [m], with the origin in its middle
     /// @param resolution side of a cell [m]
-    static OccupancyGrid draw(double side, double resolution, long seed) {
+    public static OccupancyGrid draw(double side, double resolution, long seed) {
         int coarse = (int) Math.round(side / COARSE);
         boolean[][] rock = grow(coarse, new SplittableRandom(seed));
         int fine = (int) Math.round(side / resolution);
