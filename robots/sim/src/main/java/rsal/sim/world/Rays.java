@@ -7,6 +7,7 @@ final class Rays {
 
     static final int NOTHING = -1;
     static final int WALL = -2;
+    static final int BUNCH = 8;
 
     int count; // of those in use
     final double[] x; // where each starts, in the map frame [m]
@@ -24,6 +25,8 @@ final class Rays {
     final double[] rowsPerMeter;
     final double[] way; // [m]
     final double[] limit; // of the way that is of interest [m]
+    final double[] bunchWay; // of rays next to each other [m]
+    final double[] bunchSpread; // how far they are beside their middle one, per meter of its way
     final int[] under; // those still under way
 
     final PieceGrid.Found near = new PieceGrid.Found();
@@ -40,8 +43,20 @@ final class Rays {
         rowsPerMeter = new double[count];
         met = new int[count];
         limit = new double[count];
+        bunchWay = new double[count / BUNCH + 1];
+        bunchSpread = new double[count / BUNCH + 1];
         way = new double[count];
         under = new int[count];
+    }
+
+    /// Index of a bunch's middle ray.
+    int middle(int bunch) {
+        return (bunch * BUNCH + end(bunch)) >>> 1;
+    }
+
+    /// Index behind a bunch's last ray.
+    int end(int bunch) {
+        return Math.min((bunch + 1) * BUNCH, count);
     }
 
     /// Those of this thread, to be written anew.

@@ -192,20 +192,67 @@ public final class Walls {
     private int begin(Rays rays, double reach) {
         double columnsPerMeter = 1 / cellX;
         double rowsPerMeter = 1 / cellY;
-        int under = 0;
         for (int i = 0; i < rays.count; i++) {
-            double column = (rays.x[i] - left) * columnsPerMeter;
-            double row = (rays.y[i] - bottom) * rowsPerMeter;
-            rays.column[i] = column;
-            rays.row[i] = row;
+            rays.column[i] = (rays.x[i] - left) * columnsPerMeter;
+            rays.row[i] = (rays.y[i] - bottom) * rowsPerMeter;
             rays.columnsPerMeter[i] = rays.dx[i] * columnsPerMeter;
             rays.rowsPerMeter[i] = rays.dy[i] * rowsPerMeter;
-            boolean inside = column >= 1 && column < width - 1 && row >= 1 && row < height - 1; // false for NaN
-            double way = inside ? 0 : toGrid(rays, i);
             rays.limit[i] = Math.min(reach, rays.range[i]);
+        }
+        strideTogether(rays, reach);
+        int under = 0;
+        for (int i = 0; i < rays.count; i++) {
+            double way = isInside(rays.column[i], rays.row[i]) ? rays.bunchWay[i / Rays.BUNCH] : toGrid(rays, i);
             if (way <= rays.limit[i]) {
                 rays.way[i] = way;
                 rays.under[under++] = i;
+            }
+        }
+        return under;
+    }
+
+    private boolean isInside(double column, double row) {
+        return column >= 1 && column < width - 1 && row >= 1 && row < height - 1; // false for NaN
+    }
+
+    /// Lets bunches of rays from one place go as far as the strides of their middle ones, each shorter by how far
+    /// the others are beside it: cones, each of which is marched as one.
+    private void strideTogether(Rays rays, double reach) {
+        double worth = 2 * least;
+        int under = beginTogether(rays);
+        while (under > 0) {
+            int still = 0;
+            for (int k = 0; k < under; k++) {
+                int bunch = rays.under[k];
+                int middle = rays.middle(bunch);
+                double way = rays.bunchWay[bunch];
+                int column = (int) (rays.column[middle] + way * rays.columnsPerMeter[middle]);
+                int row = (int) (rays.row[middle] + way * rays.rowsPerMeter[middle]);
+                double stride = strides[roomIn(column, row)] - way * rays.bunchSpread[bunch];
+                rays.bunchWay[bunch] = way + Math.max(0, stride);
+                if (stride >= worth && way <= reach) {
+                    rays.under[still++] = bunch;
+                }
+            }
+            under = still;
+        }
+    }
+
+    private int beginTogether(Rays rays) {
+        int under = 0;
+        for (int bunch = 0; bunch * Rays.BUNCH < rays.count; bunch++) {
+            int middle = rays.middle(bunch);
+            double widest = isInside(rays.column[middle], rays.row[middle]) ? 0 : Double.POSITIVE_INFINITY;
+            for (int i = bunch * Rays.BUNCH; i < rays.end(bunch); i++) {
+                double dx = rays.dx[i] - rays.dx[middle];
+                double dy = rays.dy[i] - rays.dy[middle];
+                boolean fromOnePlace = rays.x[i] == rays.x[middle] && rays.y[i] == rays.y[middle];
+                widest = fromOnePlace ? Math.max(widest, dx * dx + dy * dy) : Double.POSITIVE_INFINITY;
+            }
+            rays.bunchWay[bunch] = 0;
+            rays.bunchSpread[bunch] = Math.sqrt(widest);
+            if (widest < 1) {
+                rays.under[under++] = bunch;
             }
         }
         return under;
