@@ -7,5 +7,5 @@ module rsal.bench {
 
     exports rsal.bench;
 
-    uses rsal.robot.RobotSystemProvider;
+    uses rsal.system.RobotSystemProvider;
 }

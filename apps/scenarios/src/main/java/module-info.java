@@ -13,5 +13,5 @@ module rsal.scenarios {
     uses rsal.agent.AgentHostProvider;
     uses rsal.agent.AgentType;
     uses rsal.robot.DeviceDriver;
-    uses rsal.robot.RobotSystemProvider;
+    uses rsal.system.RobotSystemProvider;
 }

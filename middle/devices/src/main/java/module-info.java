@@ -12,10 +12,11 @@ module rsal.devices {
     exports rsal.robot;
     exports rsal.scene;
     exports rsal.settings;
+    exports rsal.system;
     exports rsal.time;
 
     uses rsal.robot.DeviceDriver;
-    uses rsal.robot.RobotSystemProvider;
+    uses rsal.system.RobotSystemProvider;
     uses rsal.scene.SceneFormat;
 
     provides rsal.robot.DeviceDriver with

@@ -5,6 +5,6 @@ module rsal.sim {
     requires rsal.devices;
     requires static org.jspecify;
 
-    provides rsal.robot.RobotSystemProvider with
+    provides rsal.system.RobotSystemProvider with
             rsal.sim.SimProvider;
 }

@@ -20,10 +20,10 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystem;
-import rsal.robot.RobotSystemProvider;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
 import rsal.time.LockstepScheduler;
 
 /// Simulated robots that wander about: forward where there is room, else turning towards where there is more.

@@ -10,9 +10,9 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.device.Device;
 import rsal.robot.DeviceDriver;
-import rsal.robot.RobotSystemProvider;
 import rsal.scenario.Providers;
 import rsal.settings.Parameter;
+import rsal.system.RobotSystemProvider;
 
 /// Something installed that scenarios name by its key and that has settings of its own.
 ///

@@ -8,10 +8,10 @@ import rsal.agent.AgentType;
 import rsal.map.Maps;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModels;
-import rsal.robot.RobotSystemProvider;
 import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Suggestion;
+import rsal.system.RobotSystemProvider;
 
 /// What scenarios can name in this installation, by key, in the order of the keys.
 record Catalog(

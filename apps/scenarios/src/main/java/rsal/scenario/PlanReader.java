@@ -14,8 +14,6 @@ import rsal.agent.AgentType;
 import rsal.agent.message.NewGoal;
 import rsal.data.OccupancyGrid;
 import rsal.map.Maps;
-import rsal.robot.RobotSystemProvider;
-import rsal.robot.RobotSystemProvider.InvalidRobots;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Clock;
 import rsal.scenario.RunPlan.Mas;
@@ -30,6 +28,8 @@ import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
+import rsal.system.RobotSystemProvider;
+import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.time.LockstepScheduler;
 
 /// Reads a scenario with one configuration and its arguments filled in. Goes on after a mistake as far as that

@@ -11,11 +11,11 @@ import rsal.agent.AgentType;
 import rsal.data.OccupancyGrid;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystemProvider;
 import rsal.scenario.condition.Condition;
 import rsal.scenario.condition.Measure;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
+import rsal.system.RobotSystemProvider;
 
 /// A run with everything decided and nothing started. Immutable; it can be run again and again, and each time is
 /// the same run.

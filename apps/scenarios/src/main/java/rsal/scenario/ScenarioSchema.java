@@ -9,8 +9,8 @@ import java.util.function.Function;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.robot.DeviceDriver;
-import rsal.robot.RobotSystemProvider;
 import rsal.settings.Parameter;
+import rsal.system.RobotSystemProvider;
 import tools.jackson.databind.SerializationFeature;
 import tools.jackson.databind.json.JsonMapper;
 

@@ -1,4 +1,4 @@
-/// Robots, their models, and the contracts of those who supply them: robot systems and device drivers.
+/// Robots, their models, and the contract of device drivers, which make devices of a robot's other devices.
 @NullMarked
 package rsal.robot;
 

@@ -12,7 +12,6 @@ import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.map.FreeSpace;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystemProvider.InvalidRobots.Problem;
 import rsal.scene.Entity;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
@@ -21,6 +20,7 @@ import rsal.sim.world.Chunk;
 import rsal.sim.world.Extent;
 import rsal.sim.world.Walls;
 import rsal.sim.world.World;
+import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
 
 /// Puts things and robots into the world: first those that have a place, then the others at random free places,
 /// each drawing from a stream of its own.

@@ -5,11 +5,11 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystem;
-import rsal.robot.RobotSystemProvider;
-import rsal.robot.RobotSystemProvider.InvalidRobots.Problem;
 import rsal.settings.Parameter;
 import rsal.sim.world.World;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
+import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
 import rsal.time.Scheduler;
 
 /// Makes simulated worlds. All that they do follows from their configuration and seed.

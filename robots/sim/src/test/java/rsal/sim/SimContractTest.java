@@ -2,7 +2,7 @@ package rsal.sim;
 
 import java.util.Set;
 import org.junit.jupiter.api.Nested;
-import rsal.robot.RobotSystemProvider;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.Capability;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.LaserScannerContract;

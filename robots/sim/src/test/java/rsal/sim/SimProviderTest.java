@@ -18,9 +18,9 @@ import rsal.data.Pose2d;
 import rsal.map.Maps;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystemProvider.InvalidRobots;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.testkit.DrawnMap;
 import rsal.testkit.Rays;
 

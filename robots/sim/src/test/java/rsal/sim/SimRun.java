@@ -16,10 +16,10 @@ import rsal.device.SimulationControl;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystem;
-import rsal.robot.RobotSystemProvider.Config;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider.Config;
 import rsal.testkit.DrawnMap;
 import rsal.time.LockstepScheduler;
 

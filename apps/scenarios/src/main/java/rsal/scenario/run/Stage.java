@@ -47,11 +47,11 @@ import rsal.device.SonarArray;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystem;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 
 /// Everything that takes part in a run, put together after the plan: the robots of the robot system, their

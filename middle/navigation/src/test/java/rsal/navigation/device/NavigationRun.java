@@ -20,12 +20,12 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModels;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystemProvider.Config;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.sim.SimProvider;
+import rsal.system.RobotSystemProvider.Config;
 import rsal.time.LockstepScheduler;
 
 /// Simulated robots with software devices, and the clock that drives them.

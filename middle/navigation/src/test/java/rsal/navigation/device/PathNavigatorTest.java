@@ -2,8 +2,8 @@ package rsal.navigation.device;
 
 import java.util.List;
 import rsal.robot.DeviceDriver;
-import rsal.robot.RobotSystemProvider;
 import rsal.sim.SimProvider;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.NavigatorContract;
 
 class PathNavigatorTest extends NavigatorContract {

@@ -56,7 +56,14 @@ public abstract class ArchitectureRules {
     private static final String CLI = "rsal.cli..";
     private static final String[] ROBOT_SYSTEMS = {"rsal.sim..", "rsal.player..", "rsal.ros2.."};
     private static final String[] MIDDLE = {
-        "rsal.device..", "rsal.robot..", "rsal.settings..", "rsal.time..", "rsal.map..", "rsal.behavior.."
+        "rsal.device..",
+        "rsal.robot..",
+        "rsal.settings..",
+        "rsal.time..",
+        "rsal.map..",
+        "rsal.behavior..",
+        "rsal.scene..",
+        "rsal.system.."
     };
     private static final String[] APPS = {SCENARIOS, SERVER, CLI};
 

@@ -18,7 +18,7 @@ import rsal.device.SimulationControl.Thing;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystem;
+import rsal.system.RobotSystem;
 
 /// What every [BlobFinder] owes.
 public abstract class BlobFinderContract extends SensorContract<Blobs, BlobFinder> {

@@ -2,7 +2,7 @@ package rsal.testkit.contract;
 
 /// What a robot system may be unable to do. Its contract tests skip what needs it; all else it owes.
 public enum Capability {
-    /// [rsal.robot.RobotSystem#simulation] tells and changes the truth.
+    /// [rsal.system.RobotSystem#simulation] tells and changes the truth.
     TRUTH,
     /// Things can be put into the simulated world.
     THINGS,

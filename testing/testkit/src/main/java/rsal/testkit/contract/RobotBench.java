@@ -25,12 +25,12 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModels;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystem;
-import rsal.robot.RobotSystemProvider;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.DrawnMap;
 import rsal.time.LockstepScheduler;
 

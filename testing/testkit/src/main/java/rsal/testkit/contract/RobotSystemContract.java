@@ -31,10 +31,10 @@ import rsal.robot.RobotModel.OdometryNoise;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.Steering;
 import rsal.robot.RobotSpec;
-import rsal.robot.RobotSystem;
-import rsal.robot.RobotSystemProvider;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
 import rsal.time.LockstepScheduler;
 
 /// What every robot system owes.

@@ -1,9 +1,9 @@
 package rsal.testkit.fake;
 
 import java.util.List;
-import rsal.robot.RobotSystem;
-import rsal.robot.RobotSystemProvider;
 import rsal.settings.Parameter;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
 import rsal.time.Scheduler;
 
 /// The robot system `fake`.

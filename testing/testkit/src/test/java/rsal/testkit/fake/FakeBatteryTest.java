@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import rsal.data.BatteryState;
 import rsal.data.BatteryState.Charging;
-import rsal.robot.RobotSystemProvider;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BatteryContract;
 
 class FakeBatteryTest extends BatteryContract {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import rsal.data.Blobs.Blob;
 import rsal.data.Rgb;
-import rsal.robot.RobotSystemProvider;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BlobFinderContract;
 
 class FakeBlobFinderTest extends BlobFinderContract {

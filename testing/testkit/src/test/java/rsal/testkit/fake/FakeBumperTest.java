@@ -3,7 +3,7 @@ package rsal.testkit.fake;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import rsal.robot.RobotSystemProvider;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.BumperContract;
 
 class FakeBumperTest extends BumperContract {

@@ -1,6 +1,6 @@
 package rsal.testkit.fake;
 
-import rsal.robot.RobotSystemProvider;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.DriveBaseContract;
 
 class FakeDriveBaseTest extends DriveBaseContract {

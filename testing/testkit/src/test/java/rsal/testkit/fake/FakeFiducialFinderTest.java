@@ -6,7 +6,7 @@ import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.Pose2d;
-import rsal.robot.RobotSystemProvider;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.FiducialFinderContract;
 
 class FakeFiducialFinderTest extends FiducialFinderContract {

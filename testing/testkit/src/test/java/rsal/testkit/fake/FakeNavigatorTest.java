@@ -2,7 +2,7 @@ package rsal.testkit.fake;
 
 import java.util.List;
 import rsal.robot.DeviceDriver;
-import rsal.robot.RobotSystemProvider;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.NavigatorContract;
 
 class FakeNavigatorTest extends NavigatorContract {

@@ -6,7 +6,7 @@ import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import rsal.data.Twist2d;
 import rsal.device.Health;
-import rsal.robot.RobotSystemProvider;
+import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.PilotContract;
 
 class FakePilotTest extends PilotContract {

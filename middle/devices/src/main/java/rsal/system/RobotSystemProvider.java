@@ -1,6 +1,7 @@
-package rsal.robot;
+package rsal.system;
 
 import java.util.List;
+import rsal.robot.RobotSpec;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;

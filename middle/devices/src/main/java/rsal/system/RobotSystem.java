@@ -1,4 +1,4 @@
-package rsal.robot;
+package rsal.system;
 
 import java.util.List;
 import java.util.Optional;
@@ -6,6 +6,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
+import rsal.robot.Robot;
 
 /// Where robots come from: a simulated world, a set of Player servers, a ROS 2 domain.
 public interface RobotSystem extends AutoCloseable {
