@@ -7,4 +7,6 @@ module rsal.sim {
 
     provides rsal.system.RobotSystemProvider with
             rsal.sim.SimProvider;
+    provides rsal.scene.SceneFormat with
+            rsal.sim.stage.StageFormat;
 }

@@ -1,10 +1,14 @@
 package rsal.scene;
 
 import java.time.Duration;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
 import rsal.robot.RobotSpec;
 import rsal.settings.Problem;
 
@@ -13,19 +17,27 @@ import rsal.settings.Problem;
 /// @param title for people; may be empty
 /// @param map what a robot would know of it that has been told: for localizers, planners and people
 /// @param step time between two states, when the world says so
+/// @param end how long a run of it takes, when the world says so
 /// @param walls what is solid for good, as cells
 /// @param things all else that is no robot; those that are moved don't count as walls
 /// @param robots that the world brings along
 /// @param robotBodies by id, of robots whose bodies are more than their models tell
+/// @param odomFromBase where their odometry says they are at first, by id; of those not named it is the origin
+/// @param programs what drives robots where the world comes from, by id: a word of its file, `wander`
+/// @param contents how many of which kind its file has, as the file calls them
 /// @param warnings about what of its file has no effect
 public record Scene(
         String title,
         OccupancyGrid map,
         Optional<Duration> step,
+        Optional<Duration> end,
         List<Raster> walls,
         List<Entity> things,
         List<RobotSpec> robots,
         Map<String, Entity> robotBodies,
+        Map<String, Pose2d> odomFromBase,
+        Map<String, String> programs,
+        SortedMap<String, Integer> contents,
         List<Problem> warnings) {
 
     public Scene {
@@ -33,11 +45,26 @@ public record Scene(
         things = List.copyOf(things);
         robots = List.copyOf(robots);
         robotBodies = Map.copyOf(robotBodies);
+        odomFromBase = Map.copyOf(odomFromBase);
+        programs = Map.copyOf(programs);
+        contents = Collections.unmodifiableSortedMap(new TreeMap<>(contents));
         warnings = List.copyOf(warnings);
     }
 
     /// The world of a map: its walls, as high as you like, and nothing else.
     public static Scene of(OccupancyGrid map) {
-        return new Scene("", map, Optional.empty(), List.of(Raster.of(map)), List.of(), List.of(), Map.of(), List.of());
+        return new Scene(
+                "",
+                map,
+                Optional.empty(),
+                Optional.empty(),
+                List.of(Raster.of(map)),
+                List.of(),
+                List.of(),
+                Map.of(),
+                Map.of(),
+                Map.of(),
+                Collections.emptySortedMap(),
+                List.of());
     }
 }

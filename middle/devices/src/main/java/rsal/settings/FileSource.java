@@ -10,13 +10,18 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 
 /// Where files that settings name are looked for: a person's folder, or what comes with the program. Nothing
-/// outside is ever read, and nothing without bound.
+/// outside is ever read, unless the person who asks could read it anyway ([#disk]), and nothing without bound.
 public interface FileSource {
     /// @param path relative to the source, `/` between names
     /// @param most bytes to read; more is refused
     /// @param askedAt where the path was written, for messages
     /// @throws InvalidSettings when there is no such file, it lies outside, is too large or can't be read
     byte[] read(String path, int most, Location askedAt);
+
+    /// Whether it reads all files of the machine, not only those of one folder.
+    default boolean everywhere() {
+        return false;
+    }
 
     /// A text in UTF-8.
     default String text(String path, int most, Location askedAt) {
@@ -59,6 +64,34 @@ public interface FileSource {
                 return bounded(in, path, most, askedAt);
             } catch (IOException e) {
                 throw new InvalidSettings(askedAt, "File (%s) can't be read: %s.".formatted(path, e.getMessage()), "");
+            }
+        };
+    }
+
+    /// All files that this process may read, for those that a person names on the command line. Paths are relative
+    /// to where the process was started.
+    static FileSource disk() {
+        return new FileSource() {
+            @Override
+            public byte[] read(String path, int most, Location askedAt) {
+                Path file;
+                try {
+                    file = Path.of(path).toAbsolutePath();
+                } catch (InvalidPathException _) {
+                    throw missing(path, "", askedAt);
+                }
+                Path root = file.getRoot();
+                try {
+                    return folder(root == null ? file : root).read(file.toString(), most, askedAt);
+                } catch (InvalidSettings e) {
+                    String message = e.problems().getFirst().message();
+                    throw new InvalidSettings(askedAt, message.replace(file.toString(), path), "");
+                }
+            }
+
+            @Override
+            public boolean everywhere() {
+                return true;
             }
         };
     }

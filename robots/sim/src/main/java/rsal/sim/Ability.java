@@ -7,13 +7,13 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 
 /// What the simulation can do, and what it would need to be different in a model that it cannot.
-final class Ability {
+public final class Ability {
     private static final int MOST_RAYS = 100_000; // of a sensor
 
     private Ability() {}
 
     /// One sentence for each thing that is out of its range; none when the model can be simulated.
-    static List<String> problems(RobotModel model) {
+    public static List<String> problems(RobotModel model) {
         var problems = new ArrayList<String>();
         RobotModel.Drive drive = model.drive();
         if (!(drive.steering() instanceof RobotModel.Steering.Differential)) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import rsal.robot.RobotSpec;
 import rsal.settings.Parameter;
 import rsal.sim.world.World;
@@ -52,6 +53,9 @@ public final class SimProvider implements RobotSystemProvider {
         var robots = specs.stream()
                 .map(spec -> assembly.robot(spec, lineup.body(spec.id())))
                 .toList();
+        robots.forEach(
+                robot -> Optional.ofNullable(config.scene().odomFromBase().get(robot.id()))
+                        .ifPresent(robot.drive()::resetOdometry));
         return new SimSystem(scheduler, config.settings().seconds(STEP.name()), lineup.world(), robots);
     }
 

@@ -41,7 +41,7 @@ public final class WorldFiles {
     ///
     /// @param searchPath folders, as in `STAGEPATH`
     public static WorldFiles onDisk(List<String> searchPath) {
-        return new WorldFiles(WorldFiles::readFromDisk, searchPath, WorldFiles::namesOnDisk);
+        return new WorldFiles(FileSource.disk(), searchPath, WorldFiles::namesOnDisk);
     }
 
     /// A file that was found.
@@ -124,24 +124,6 @@ public final class WorldFiles {
             }
         }
         return (path.startsWith("/") ? "/" : "") + String.join("/", parts);
-    }
-
-    private static byte[] readFromDisk(String path, int most, Location askedAt) {
-        try {
-            Path file = Path.of(path).toAbsolutePath();
-            Path root = file.getRoot();
-            return FileSource.folder(root == null ? file : root).read(file.toString(), most, askedAt);
-        } catch (InvalidSettings e) {
-            throw new InvalidSettings(
-                    askedAt,
-                    e.problems()
-                            .getFirst()
-                            .message()
-                            .replace(Path.of(path).toAbsolutePath().toString(), path),
-                    "");
-        } catch (InvalidPathException _) {
-            throw new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), "");
-        }
     }
 
     private static List<String> namesOnDisk(String folder) {
