@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Axis;
 import rsal.robot.RobotModel.Part;
 
 /// What the simulation can do, and what it would need to be different in a model that it cannot.
@@ -16,15 +17,11 @@ public final class Ability {
     public static List<String> problems(RobotModel model) {
         var problems = new ArrayList<String>();
         RobotModel.Drive drive = model.drive();
-        if (!(drive.steering() instanceof RobotModel.Steering.Differential)) {
-            problems.add("Only differential drives are simulated so far, not (%s).".formatted(drive.steering()));
-        } else if (!drive.symmetric()) {
-            problems.add("Drives that are faster one way than the other are not simulated so far.");
+        axis(problems, "forward", "m", drive.forward());
+        axis(problems, "turn", "rad", drive.turn());
+        if (drive.steering() instanceof RobotModel.Steering.Omnidirectional) {
+            axis(problems, "sideways", "m", drive.sideways());
         }
-        positive(problems, "Its drive's top speed [m/s]", drive.maxSpeed());
-        positive(problems, "Its drive's top turn rate [rad/s]", drive.maxTurnRate());
-        positive(problems, "Its drive's acceleration [m/s²]", drive.maxAcceleration());
-        positive(problems, "Its drive's turn acceleration [rad/s²]", drive.maxTurnAcceleration());
         for (Part part : model.sensors().values()) {
             String its = "Its (%s)'s ".formatted(part.name());
             switch (part) {
@@ -49,6 +46,22 @@ public final class Ability {
             }
         }
         return problems;
+    }
+
+    private static void axis(List<String> problems, String name, String unit, Axis axis) {
+        String its = "Its drive's " + name + " ";
+        positive(
+                problems,
+                its + "speed [" + unit + "/s]",
+                axis.speed().most() - axis.speed().least());
+        positive(
+                problems,
+                its + "acceleration [" + unit + "/s²]",
+                axis.acceleration().most());
+        positive(
+                problems,
+                its + "deceleration [" + unit + "/s²]",
+                -axis.acceleration().least());
     }
 
     private static double seconds(Duration duration) {

@@ -20,16 +20,17 @@ final class Odometer {
         this.random = random;
     }
 
-    /// @param distance forward [m]
+    /// @param forward [m]
+    /// @param left [m]; errors are along the way made
     /// @param turn counter-clockwise [rad]
-    void moved(double distance, double turn) {
-        double way = Math.abs(distance);
+    void moved(double forward, double left, double turn) {
+        double way = left == 0 ? Math.abs(forward) : Math.sqrt(forward * forward + left * left);
         double headingVariance =
                 square(noise.headingPerMeter()) * way + square(noise.headingPerRadian()) * Math.abs(turn);
         double distanceError = scale * noise.distancePerMeter() * Math.sqrt(way) * random.nextGaussian();
         double headingError = scale * Math.sqrt(headingVariance) * random.nextGaussian();
-        odomFromBase = Arc.ahead(odomFromBase, distance + distanceError, turn + headingError)
-                .at(1);
+        double longer = way == 0 ? 1 : 1 + distanceError / way;
+        odomFromBase = new Arc(odomFromBase, forward * longer, left * longer, turn + headingError).at(1);
     }
 
     void reset(Pose2d now) {

@@ -12,7 +12,7 @@ import rsal.device.DriveBase;
 import rsal.device.Health;
 import rsal.device.SensorCore;
 
-/// A simulated differential drive. When the robot runs into something, its wheels stop with it: odometry counts
+/// A simulated drive. When the robot runs into something, its wheels stop with it: odometry counts
 /// only the way made, the speeds are zero, and it says that it is stalled until a step in which the robot moves as
 /// it should or is not asked to move.
 final class SimDrive extends SensorCore<Odometry> implements DriveBase {
@@ -80,7 +80,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
     ///
     /// @param part of the way that the robot made before it touched something; 1 for all
     void moved(double part) {
-        odometer.moved(wheels.distance() * part, wheels.turn() * part);
+        odometer.moved(wheels.forward() * part, wheels.left() * part, wheels.turn() * part);
         stalled = part < 1;
         if (stalled) {
             wheels.block();

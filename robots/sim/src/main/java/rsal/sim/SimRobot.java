@@ -32,7 +32,7 @@ record SimRobot(RobotSpec spec, Body body, SimDrive drive, List<RangeSensor<?>> 
     /// @return whether it made all its way; when not, [World#obstacle] says why
     boolean move(World world, double dt) {
         Wheels wheels = drive.turnWheels(dt);
-        double part = world.advance(body, Arc.ahead(body.pose(), wheels.distance(), wheels.turn()));
+        double part = world.advance(body, new Arc(body.pose(), wheels.forward(), wheels.left(), wheels.turn()));
         drive.moved(part);
         return part == 1;
     }

@@ -1,63 +1,94 @@
 package rsal.sim;
 
 import rsal.data.Twist2d;
-import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Axis;
+import rsal.robot.RobotModel.Drive;
+import rsal.robot.RobotModel.Steering;
 
-/// The speeds of a differential drive: how they follow what is wanted, within what its motors can do.
+/// The speeds of a drive: how they follow what is wanted, within what its motors can do.
 final class Wheels {
-    private final RobotModel.Drive limits;
-    private double speed;
-    private double turnRate;
-    private double distance;
-    private double turn;
+    private final Drive drive;
+    private final Motor forward;
+    private final Motor left;
+    private final Motor turn;
+    private final double turningRadius; // [m]
 
-    Wheels(RobotModel.Drive limits) {
-        this.limits = limits;
+    Wheels(Drive drive) {
+        this.drive = drive;
+        forward = new Motor(drive.forward());
+        left = new Motor(drive.sideways());
+        turn = new Motor(drive.turn());
+        turningRadius = drive.steering() instanceof Steering.Car car ? car.turningRadius() : 0;
     }
 
-    /// One step on: speeds up or slows down towards what is wanted, each speed at its own constant acceleration, then
-    /// holds it. Speeds beyond the limits are cut by the same factor, which keeps the curvature.
+    /// One step on: speeds up or slows down towards what is wanted, as far as that is [Drive#feasible], each speed at
+    /// its own constant acceleration, then holds it. A car bends its way no more than its wheels let it at any
+    /// speed, so that it turns less while it is still slow.
     ///
     /// @param dt [s]
     void spin(Twist2d wanted, double dt) {
-        double cut = Math.min(
-                1,
-                Math.min(limits.maxSpeed() / Math.abs(wanted.vx()), limits.maxTurnRate() / Math.abs(wanted.omega())));
-        double oldSpeed = speed;
-        double oldTurnRate = turnRate;
-        speed = towards(oldSpeed, wanted.vx() * cut, limits.maxAcceleration() * dt);
-        turnRate = towards(oldTurnRate, wanted.omega() * cut, limits.maxTurnAcceleration() * dt);
-        distance = made(oldSpeed, speed, limits.maxAcceleration(), dt);
-        turn = made(oldTurnRate, turnRate, limits.maxTurnAcceleration(), dt);
-    }
-
-    private static double towards(double now, double wanted, double most) {
-        return Math.clamp(wanted, now - most, now + most);
-    }
-
-    /// The way made while a speed changes at a constant rate and then stays.
-    private static double made(double from, double to, double acceleration, double dt) {
-        double change = to - from;
-        return to * dt - change * Math.abs(change) / acceleration / 2;
+        Twist2d feasible = drive.feasible(wanted);
+        forward.spin(feasible.vx(), dt);
+        left.spin(feasible.vy(), dt);
+        turn.spin(feasible.omega(), dt);
+        if (turningRadius > 0) {
+            turn.cut(Math.abs(forward.speed) / turningRadius, Math.abs(forward.way) / turningRadius);
+        }
     }
 
     /// They stand still at once.
     void block() {
-        speed = 0;
-        turnRate = 0;
+        forward.speed = 0;
+        left.speed = 0;
+        turn.speed = 0;
     }
 
     /// Forward in the last step, if nothing was in the way [m].
-    double distance() {
-        return distance;
+    double forward() {
+        return forward.way;
+    }
+
+    /// To the left in the last step, if nothing was in the way [m].
+    double left() {
+        return left.way;
     }
 
     /// Counter-clockwise in the last step, if nothing was in the way [rad].
     double turn() {
-        return turn;
+        return turn.way;
     }
 
     Twist2d velocity() {
-        return Twist2d.drive(speed, turnRate);
+        return new Twist2d(forward.speed, left.speed, turn.speed);
+    }
+
+    /// What makes one of the speeds.
+    private static final class Motor {
+        private final double least; // acceleration
+        private final double most;
+        private double speed;
+        private double way; // in the last step
+
+        Motor(Axis axis) {
+            least = axis.acceleration().least();
+            most = axis.acceleration().most();
+        }
+
+        void spin(double wanted, double dt) {
+            double before = speed;
+            speed = Math.clamp(wanted, before + least * dt, before + most * dt);
+            way = made(before, dt);
+        }
+
+        /// The way made while a speed changes at a constant rate and then stays.
+        private double made(double before, double dt) {
+            double change = speed - before;
+            return change == 0 ? speed * dt : speed * dt - change * Math.abs(change) / (change > 0 ? most : -least) / 2;
+        }
+
+        void cut(double mostSpeed, double mostWay) {
+            speed = Math.clamp(speed, -mostSpeed, mostSpeed);
+            way = Math.clamp(way, -mostWay, mostWay);
+        }
     }
 }

@@ -29,7 +29,7 @@ class OdometerTest {
         for (int run = 0; run < runs; run++) {
             var odometer = new Odometer(NOISE, 1, random);
             for (int step = 0; step < steps; step++) {
-                odometer.moved(distance / steps, turn / steps);
+                odometer.moved(distance / steps, 0, turn / steps);
             }
             double e = error.applyAsDouble(odometer.odomFromBase());
             sum += e * e;
@@ -40,17 +40,32 @@ class OdometerTest {
     @Test
     void standingStillDoesNotDrift() {
         var odometer = new Odometer(NOISE, 1, new SplittableRandom(1));
-        odometer.moved(0, 0);
+        odometer.moved(0, 0, 0);
         assertThat(odometer.odomFromBase()).isEqualTo(Pose2d.ORIGIN);
     }
 
     @Test
     void withoutNoiseItIsPerfect() {
         var odometer = new Odometer(NOISE, 0, new SplittableRandom(1));
-        odometer.moved(1, 0);
-        odometer.moved(0, Math.PI / 2);
-        odometer.moved(2, 0);
+        odometer.moved(1, 0, 0);
+        odometer.moved(0, 0, Math.PI / 2);
+        odometer.moved(2, 0, 0);
         assertThat(odometer.odomFromBase().isNear(new Pose2d(1, 2, Math.PI / 2), 1e-12, 1e-12))
                 .isTrue();
+    }
+
+    @Test
+    void sidewaysWaysDriftAlongThemselves() {
+        var random = new SplittableRandom(3);
+        double sum = 0;
+        int runs = 2000;
+        for (int run = 0; run < runs; run++) {
+            var odometer = new Odometer(new OdometryNoise(0.03, 0, 0), 1, random);
+            odometer.moved(-3, 4, 0);
+            Pose2d there = odometer.odomFromBase();
+            assertThat(there.y()).isCloseTo(there.x() * 4 / -3, within(1e-9));
+            sum += Math.pow(Math.hypot(there.x(), there.y()) - 5, 2);
+        }
+        assertThat(Math.sqrt(sum / runs)).isCloseTo(0.03 * Math.sqrt(5), within(0.003));
     }
 }

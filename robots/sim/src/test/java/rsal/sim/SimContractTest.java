@@ -4,8 +4,10 @@ import java.util.Set;
 import org.junit.jupiter.api.Nested;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.Capability;
+import rsal.testkit.contract.CarDriveContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.LaserScannerContract;
+import rsal.testkit.contract.OmnidirectionalDriveContract;
 import rsal.testkit.contract.RobotSystemContract;
 import rsal.testkit.contract.SimulationControlContract;
 import rsal.testkit.contract.SonarArrayContract;
@@ -22,6 +24,22 @@ class SimContractTest {
 
     @Nested
     class Drive extends DriveBaseContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class Omnidirectional extends OmnidirectionalDriveContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class Car extends CarDriveContract {
         @Override
         protected RobotSystemProvider provider() {
             return new SimProvider();

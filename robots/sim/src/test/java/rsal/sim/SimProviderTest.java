@@ -13,6 +13,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Interval;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.map.Maps;
@@ -91,13 +92,14 @@ class SimProviderTest {
     @Test
     void refusesDrivesThatItCannotSimulate() {
         RobotModel.Drive drive = Models.DRIVE;
-        var car = new RobotModel.Drive(
-                new RobotModel.Steering.Car(0.3, 0.5),
-                drive.forward(),
+        var unbraked = new RobotModel.Drive(
+                drive.steering(),
+                new RobotModel.Axis(drive.forward().speed(), new Interval(0, 1)),
                 drive.sideways(),
                 drive.turn(),
                 drive.odometryNoise());
-        assertRefused("model", "Only differential drives", robot("r1", Models.box(car), new Pose2d(2, 2, 0)));
+        assertRefused(
+                "model", "forward deceleration [m/s²] must be", robot("r1", Models.box(unbraked), new Pose2d(2, 2, 0)));
     }
 
     @Test
