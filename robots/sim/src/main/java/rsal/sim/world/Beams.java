@@ -72,7 +72,7 @@ public final class Beams {
         for (int i = 0; i < near.count; i++) {
             int slot = near.slots[i];
             Piece piece = world.seen(slot);
-            if (piece.surface.seenByRangers() && piece.isAt(z) && world.owner(slot) != self) {
+            if (piece.surface.seenByRangers() && piece.isAt(z) && world.seenOwner(slot) != self) {
                 for (int fan = 0; fan < originX.length; fan++) {
                     clip(rays, slot, piece, base, fan, reach);
                 }

@@ -1,6 +1,7 @@
 package rsal.sim.world;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 
 /// A robot or a thing as the world knows it: a figure with a name.
@@ -9,6 +10,10 @@ public final class Body {
     final Figure trial; // where it might go
     final Figure seen; // where it was when sensors last looked
     final int[] slots; // of its pieces, in the world's lists
+
+    @Nullable
+    Body carrier; // who took it along
+
     private final String name;
 
     /// @param slots one for each solid

@@ -80,6 +80,11 @@ final class Disc extends Piece {
     }
 
     @Override
+    double least(double nx, double ny) {
+        return nx * x + ny * y - radius;
+    }
+
+    @Override
     double ray(double fromX, double fromY, double dx, double dy) {
         double toX = x - fromX;
         double toY = y - fromY;

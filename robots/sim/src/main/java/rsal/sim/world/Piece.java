@@ -67,6 +67,20 @@ abstract sealed class Piece permits Polygon, Disc {
     /// As [#separation(Piece)], from an upright box.
     abstract double separation(double left, double bottom, double right, double top);
 
+    /// How far it reaches against a direction: the least of (nx, ny) · (x, y) over all its points [m];
+    /// (nx, ny) has length 1.
+    abstract double least(double nx, double ny);
+
+    /// Lower end above ground [m].
+    final double low() {
+        return bottom + height;
+    }
+
+    /// Upper end above ground [m].
+    final double high() {
+        return top + height;
+    }
+
     /// Whether it is at a height above ground.
     final boolean isAt(double z) {
         return bottom + height <= z && z < top + height;

@@ -151,6 +151,15 @@ final class Polygon extends Piece {
         return gap;
     }
 
+    @Override
+    double least(double nx, double ny) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < count; i++) {
+            least = Math.min(least, nx * cornerX[i] + ny * cornerY[i]);
+        }
+        return least;
+    }
+
     /// How far a point is from it [m], exactly; 0 or less inside.
     double distance(double pointX, double pointY) {
         double outside = Double.NEGATIVE_INFINITY;

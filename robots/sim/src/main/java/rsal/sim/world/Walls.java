@@ -112,6 +112,16 @@ public final class Walls {
         return surface;
     }
 
+    /// Underside above ground [m].
+    double lowest() {
+        return lowest;
+    }
+
+    /// Top above ground [m].
+    double highest() {
+        return highest;
+    }
+
     boolean isAt(double z) {
         return lowest <= z && z < highest;
     }

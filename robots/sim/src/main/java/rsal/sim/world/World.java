@@ -23,23 +23,30 @@ public final class World {
 
     private static final double HAIR = 0.001; // [m]
     private static final double LOOK_AHEAD = 0.3; // [m]; farther away nothing needs to be measured
-    private static final double STILL_TOUCHING = 0.01; // [m]
+    private static final double TOUCH = 0.01; // [m]; bodies that are so near touch, as far as others can tell
 
     private final List<Walls> walls;
+    private final Extent extent;
     private final Set<Body> bodies = new LinkedHashSet<>();
     private final List<@Nullable Body> owners = new ArrayList<>(); // by slot
     private final List<@Nullable Piece> now = new ArrayList<>(); // by slot
-    private final List<@Nullable Piece> seen = new ArrayList<>(); // by slot
+    private final List<@Nullable Piece> seen = new ArrayList<>(); // by slot; sensors read only what is called so
+    private final List<@Nullable Body> seenBodies = new ArrayList<>(); // by slot
+    private final List<@Nullable Body> seenOwners = new ArrayList<>(); // by slot; of what is carried, who carries it
     private final List<Body> moved = new ArrayList<>(); // since sensors looked
+    private final List<Body> changed = new ArrayList<>(); // since sensors looked: came, was picked up or put down
+    private final List<Body> gone = new ArrayList<>(); // since sensors looked
     private final Deque<Integer> freeSlots = new ArrayDeque<>();
     private final PieceGrid nowGrid;
     private final PieceGrid seenGrid;
     private final PieceGrid.Found near = new PieceGrid.Found();
     private @Nullable Body obstacle; // null: a wall
+    private boolean watched;
 
     /// @param extent where most bodies are; elsewhere they may be, too, but are found more slowly
     public World(List<Walls> walls, Extent extent) {
         this.walls = List.copyOf(walls);
+        this.extent = extent;
         this.nowGrid = new PieceGrid(extent);
         this.seenGrid = new PieceGrid(extent);
     }
@@ -47,6 +54,11 @@ public final class World {
     /// The world of a map.
     public World(Walls walls) {
         this(List.of(walls), walls.extent());
+    }
+
+    /// Whether a place is where bodies are expected.
+    public boolean contains(double x, double y) {
+        return x >= extent.left() && x <= extent.right() && y >= extent.bottom() && y <= extent.top();
     }
 
     /// Adds a body, whether it has room ([#hasRoom]) or not.
@@ -62,11 +74,13 @@ public final class World {
         for (int i = 0; i < slots.length; i++) {
             owners.set(slots[i], body);
             now.set(slots[i], body.figure.pieces[i]);
-            seen.set(slots[i], body.seen.pieces[i]);
         }
         bodies.add(body);
+        changed.add(body);
         arrive(body);
-        see(body); // at once: who comes while sensors don't look is seen by the first that does
+        if (!watched) {
+            show(); // at once: who comes while sensors don't look is seen by the first that does
+        }
         return body;
     }
 
@@ -77,23 +91,60 @@ public final class World {
         }
         owners.add(null);
         now.add(null);
-        seen.add(null);
         return owners.size() - 1;
     }
 
-    /// Takes a body out of the world. Not while sensors look.
+    /// Takes a body out of the world.
     public void remove(Body body) {
         if (bodies.remove(body)) {
             moved.removeIf(body::equals);
+            changed.removeIf(body::equals);
             for (int slot : body.slots) {
                 nowGrid.remove(slot);
-                seenGrid.remove(slot);
                 owners.set(slot, null);
                 now.set(slot, null);
-                seen.set(slot, null);
-                freeSlots.add(slot);
+            }
+            gone.add(body);
+            if (!watched) {
+                show();
             }
         }
+    }
+
+    /// Whether sensors look, maybe on other threads. What they see stays as it is meanwhile.
+    public void watched(boolean now) {
+        watched = now;
+    }
+
+    /// A body takes another along: it is in nobody's way any more, and who carries it looks through it.
+    public void pickUp(Body thing, Body carrier) {
+        thing.carrier = carrier;
+        changed.add(thing);
+        for (int slot : thing.slots) {
+            nowGrid.remove(slot);
+        }
+    }
+
+    /// Moves what was picked up, through whatever is there.
+    public void carry(Body thing, Pose2d mapFromThing, double height) {
+        thing.figure.placeAt(mapFromThing, height);
+        moved.add(thing);
+    }
+
+    /// Puts down what was picked up.
+    ///
+    /// @param height of its base above ground [m]
+    /// @return false when it stays where it was, as something is in the way: [#obstacle]
+    public boolean putDown(Body thing, Pose2d mapFromThing, double height) {
+        thing.trial.placeAt(mapFromThing, height);
+        boolean free = clearance(thing.trial, thing, HAIR) >= HAIR;
+        if (free) {
+            thing.figure.placeAt(thing.trial);
+            thing.carrier = null;
+            changed.add(thing);
+            arrive(thing);
+        }
+        return free;
     }
 
     /// Whether a body that is not there yet could stand somewhere on the ground. When not, [#obstacle] says why.
@@ -164,7 +215,7 @@ public final class World {
     public boolean touching(Body one, Body other) {
         for (Piece piece : one.figure.pieces) {
             for (Piece second : other.figure.pieces) {
-                if (inTheWay(piece, second) && piece.separation(second) < STILL_TOUCHING) {
+                if (inTheWay(piece, second) && piece.separation(second) < TOUCH) {
                     return true;
                 }
             }
@@ -174,15 +225,65 @@ public final class World {
 
     /// Whether a body is within 1 cm of a wall.
     public boolean touchingWall(Body body) {
-        return clearanceOfWalls(body.figure, STILL_TOUCHING) < STILL_TOUCHING;
+        return clearanceOfWalls(body.figure, TOUCH) < TOUCH;
     }
 
-    /// From now on sensors see bodies where they are now, whatever moves while they look.
+    /// Whether a body is within 1 cm of another, seen from above: beside it, on it, under it.
+    public boolean meets(Body one, Body other) {
+        for (Piece piece : one.figure.pieces) {
+            for (Piece second : other.figure.pieces) {
+                if (piece.separation(second) < TOUCH) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /// From now on sensors see bodies where they are now, whatever moves while they look. Not while they are
+    /// [#watched].
     public void look() {
+        show();
         for (Body body : moved) {
             see(body);
         }
         moved.clear();
+    }
+
+    /// Lets sensors know who came, who is gone, and who belongs to whom.
+    private void show() {
+        for (Body body : gone) {
+            for (int slot : body.slots) {
+                if (slot < seen.size() && seen.get(slot) != null) {
+                    seenGrid.remove(slot);
+                    seen.set(slot, null);
+                    seenBodies.set(slot, null);
+                    seenOwners.set(slot, null);
+                }
+                freeSlots.add(slot);
+            }
+        }
+        gone.clear();
+        for (Body body : changed) {
+            Body owner = body.carrier == null ? body : body.carrier;
+            for (int i = 0; i < body.slots.length; i++) {
+                while (seen.size() <= body.slots[i]) {
+                    seen.add(null);
+                    seenBodies.add(null);
+                    seenOwners.add(null);
+                }
+                seen.set(body.slots[i], body.seen.pieces[i]);
+                seenBodies.set(body.slots[i], body);
+                seenOwners.set(body.slots[i], owner);
+            }
+            see(body);
+        }
+        changed.clear();
+    }
+
+    /// Whether a figure that is no body overlaps what is in a body's way.
+    boolean isBlocked(Figure figure, Body itself) {
+        return clearance(figure, itself, HAIR) <= 0;
     }
 
     private void arrive(Body body) {
@@ -206,6 +307,21 @@ public final class World {
         return walls;
     }
 
+    /// Finds the pieces that reach into a circle, where they are now. Overwritten by whatever moves or asks next.
+    PieceGrid.Found nowNear(double x, double y, double radius) {
+        nowGrid.near(x, y, radius, near);
+        return near;
+    }
+
+    Piece now(int slot) {
+        return Objects.requireNonNull(now.get(slot));
+    }
+
+    /// Whose piece is there now.
+    Body owner(int slot) {
+        return Objects.requireNonNull(owners.get(slot));
+    }
+
     /// Finds the pieces that reach into a circle, where sensors see them.
     void seenNear(double x, double y, double radius, PieceGrid.Found found) {
         seenGrid.near(x, y, radius, found);
@@ -215,8 +331,14 @@ public final class World {
         return Objects.requireNonNull(seen.get(slot));
     }
 
-    Body owner(int slot) {
-        return Objects.requireNonNull(owners.get(slot));
+    /// Whose piece sensors see there.
+    Body seenBody(int slot) {
+        return Objects.requireNonNull(seenBodies.get(slot));
+    }
+
+    /// Whose piece sensors see there; of what is carried, who carries it.
+    Body seenOwner(int slot) {
+        return Objects.requireNonNull(seenOwners.get(slot));
     }
 
     /// How much room a figure has [m], no more than `reach`.

@@ -208,4 +208,45 @@ class WorldTest {
         assertThat(world.advance(self, Arc.ahead(self.pose(), 3, 0))).isLessThan(1);
         assertThat(world.obstacle()).contains(next);
     }
+
+    @Test
+    void whileSensorsLookTheySeeWhatWasThere() {
+        var world = new World(List.of(), new Extent(0, 0, 10, 10));
+        Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body far = world.add("far", Chunk.of(BOX), new Pose2d(6, 5, 0), 0);
+        var ahead = new Beams(List.of(new Beams.Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
+        double before = ahead.cast(world, self, 9)[0];
+        world.watched(true);
+        Body near = world.add("near", Chunk.of(BOX), new Pose2d(3, 5, 0), 0);
+        Body brief = world.add("brief", Chunk.of(BOX), new Pose2d(3, 7, 0), 0);
+        world.remove(brief);
+        world.remove(far);
+        world.pickUp(near, self);
+        world.carry(near, new Pose2d(4, 5, 0), 0);
+        assertThat(ahead.cast(world, self, 9)[0]).isEqualTo(before);
+        world.watched(false);
+        world.look();
+        assertThat(ahead.cast(world, self, 9)[0]).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(world.putDown(near, near.pose(), 0)).isTrue();
+        world.look();
+        assertThat(ahead.cast(world, self, 9)[0]).isBetween(2.0, 3.0);
+        world.add("next", Chunk.of(BOX), new Pose2d(2, 5, 0), 0);
+        assertThat(ahead.cast(world, self, 9)[0]).isLessThan(1);
+    }
+
+    @Test
+    void whatIsCarriedIsInNobodysWayAndIsPutDownOnlyWhereItFits() {
+        var world = new World(List.of(), new Extent(0, 0, 10, 10));
+        Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
+        Body held = world.add("held", Chunk.of(BOX), new Pose2d(2, 5, 0), 0);
+        Body other = world.add("other", Chunk.of(BOX), new Pose2d(6, 5, 0), 0);
+        world.pickUp(held, self);
+        assertThat(world.advance(other, Arc.ahead(other.pose(), -4, 0))).isEqualTo(1);
+        assertThat(world.putDown(held, new Pose2d(2, 5, 0), 0)).isFalse();
+        assertThat(world.obstacle()).contains(other);
+        assertThat(held.pose()).isEqualTo(new Pose2d(2, 5, 0));
+        assertThat(world.putDown(held, new Pose2d(4, 5, 0), 0)).isTrue();
+        assertThat(world.advance(other, Arc.ahead(other.pose(), 4, 0))).isLessThan(1);
+        assertThat(world.obstacle()).contains(held);
+    }
 }

@@ -1,0 +1,30 @@
+package rsal.sim.world;
+
+import java.util.List;
+import rsal.data.Footprint;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.scene.Surface;
+
+/// Feels what is in the way of a robot in a box of 1 cm depth outside of a straight line on it.
+public final class Feeler {
+    private static final double DEPTH = 0.01; // [m]
+
+    private final Figure figure;
+
+    /// @param baseFromLine its middle, the x axis pointing outwards
+    /// @param length along the y axis [m]
+    /// @param height above the base [m]
+    public Feeler(Pose2d baseFromLine, double length, double height) {
+        List<Point2d> corners = Footprint.box(DEPTH, length, new Point2d(DEPTH / 2, 0)).corners().stream()
+                .map(baseFromLine::transform)
+                .toList();
+        figure = new Figure(List.of(new Chunk.Prism(corners, height - DEPTH / 2, height + DEPTH / 2, Surface.PLAIN)));
+    }
+
+    /// Whether it feels something where all are now.
+    public boolean isPressed(World world, Body robot) {
+        figure.placeAt(robot.figure);
+        return world.isBlocked(figure, robot);
+    }
+}
