@@ -28,7 +28,8 @@ public record Raster(
         boolean fenced,
         Surface surface) {
 
-    /// The occupied cells of a map, of all heights. Unknown cells are not solid. No robot leaves it.
+    /// The occupied cells of a map, of all heights. Unknown cells are not solid. No robot leaves it. Blob finders
+    /// don't tell of it, as a map knows no colors.
     public static Raster of(OccupancyGrid map) {
         var solid = new BitSet(map.cells().length);
         for (int i = 0; i < map.cells().length; i++) {
@@ -45,6 +46,6 @@ public record Raster(
                 Double.NEGATIVE_INFINITY,
                 Double.POSITIVE_INFINITY,
                 true,
-                Surface.PLAIN);
+                Surface.PLAIN.withoutBlobs());
     }
 }

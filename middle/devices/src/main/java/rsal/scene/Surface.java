@@ -7,7 +7,7 @@ import rsal.data.Rgb;
 /// @param obstacle whether robots run into it
 /// @param reflectance how strongly it sends back what range sensors send, 1 is usual; they look through what has
 /// a negative one
-/// @param blob whether blob finders see it
+/// @param blob whether blob finders tell of it; it hides what is behind it all the same
 /// @param fiducial its id as a marker; 0 when it is none
 /// @param fiducialKey only finders of the same key see the marker
 /// @param grippable whether grippers can hold it
@@ -25,6 +25,11 @@ public record Surface(
 
     public Surface in(Rgb other) {
         return new Surface(other, obstacle, reflectance, blob, fiducial, fiducialKey, grippable);
+    }
+
+    /// The same, of which blob finders don't tell.
+    public Surface withoutBlobs() {
+        return new Surface(color, obstacle, reflectance, false, fiducial, fiducialKey, grippable);
     }
 
     public boolean seenByRangers() {

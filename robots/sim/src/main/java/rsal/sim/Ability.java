@@ -40,9 +40,37 @@ public final class Ability {
                             its + "number of sonars",
                             sonars.baseFromSensors().size());
                 }
-                default ->
-                    problems.add("Its (%s), a %s, is not simulated so far."
-                            .formatted(part.name(), part.makes().getSimpleName()));
+                case Part.BlobFinder finder -> {
+                    positive(problems, its + "period [s]", seconds(finder.period()));
+                    positive(problems, its + "range [m]", finder.rangeMax());
+                    positive(problems, its + "field of view [rad]", finder.fieldOfView());
+                    count(problems, its + "number of columns", finder.width());
+                    count(problems, its + "number of rows", finder.height());
+                }
+                case Part.FiducialFinder finder -> {
+                    positive(problems, its + "period [s]", seconds(finder.period()));
+                    positive(problems, its + "range [m]", finder.rangeMax());
+                }
+                case Part.Gripper gripper -> {
+                    positive(problems, its + "period [s]", seconds(gripper.period()));
+                    positive(problems, its + "time to close [s]", seconds(gripper.closingTime()));
+                    positive(problems, its + "paddles' length [m]", gripper.paddleLength());
+                    positive(problems, its + "opening [m]", gripper.opening());
+                    positive(problems, its + "height [m]", gripper.height());
+                }
+                case Part.Bumper bumper -> {
+                    positive(problems, its + "period [s]", seconds(bumper.period()));
+                    bumper.pads().forEach(pad -> positive(problems, its + "pads' length [m]", pad.length()));
+                }
+                case Part.Actuator actuator -> {
+                    positive(problems, its + "period [s]", seconds(actuator.period()));
+                    positive(problems, its + "speed [m/s or rad/s]", actuator.maxSpeed());
+                }
+                case Part.Battery battery -> {
+                    positive(problems, its + "period [s]", seconds(battery.period()));
+                    positive(problems, its + "capacity [J]", battery.capacity());
+                }
+                case Part.Light light -> positive(problems, its + "period [s]", seconds(light.period()));
             }
         }
         return problems;

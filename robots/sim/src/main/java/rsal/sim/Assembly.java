@@ -1,15 +1,18 @@
 package rsal.sim;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import rsal.device.DeviceInfo;
+import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.settings.Arguments;
 import rsal.sim.world.Beams;
 import rsal.sim.world.Body;
+import rsal.sim.world.View;
+import rsal.sim.world.World;
 import rsal.time.Scheduler;
 
 /// Makes robots of their parts. Robots of one kind share what does not change.
@@ -17,18 +20,36 @@ final class Assembly {
     private final Arguments settings;
     private final Scheduler scheduler;
     private final Seeds seeds;
-    private final Map<Part, Beams> beams = new HashMap<>();
+    private final World world;
+    private final Things things;
+    private final Map<Kind, Beams> beams = new HashMap<>();
+    private final Map<Kind, View> views = new HashMap<>();
 
-    Assembly(Arguments settings, Scheduler scheduler, Seeds seeds) {
+    /// @param height above the base [m]
+    private record Kind(Part part, double height) {}
+
+    Assembly(Arguments settings, Scheduler scheduler, Seeds seeds, World world, Things things) {
         this.settings = settings;
         this.scheduler = scheduler;
         this.seeds = seeds;
+        this.world = world;
+        this.things = things;
     }
 
     SimRobot robot(RobotSpec spec, Body body) {
-        var sensors = new ArrayList<RangeSensor<?>>();
-        spec.model().sensors().forEach((name, part) -> sensors.add(sensor(deviceOf(spec, name), part)));
-        return new SimRobot(spec, body, drive(spec), List.copyOf(sensors));
+        SimDrive drive = drive(spec);
+        var devices = new ArrayList<SimSensor<?>>();
+        spec.model()
+                .sensors()
+                .forEach((name, part) ->
+                        devices.add(device(deviceOf(spec, name), part, height(spec.model(), name), body, drive)));
+        return SimRobot.of(spec, body, drive, devices);
+    }
+
+    /// Where a device is that the model does not tell the height of: half as high as the body, so that it meets what
+    /// stands on the floor [m].
+    private static double height(RobotModel model, String device) {
+        return model.heights().getOrDefault(device, model.body().top() / 2);
     }
 
     private SimDrive drive(RobotSpec spec) {
@@ -36,7 +57,7 @@ final class Assembly {
         return new SimDrive(
                 deviceOf(spec, "base"),
                 scheduler,
-                settings.seconds(SimProvider.WATCHDOG.name()),
+                watchdog(),
                 new Wheels(drive),
                 new Odometer(
                         drive.odometryNoise(),
@@ -44,22 +65,34 @@ final class Assembly {
                         seeds.stream(spec.id() + "/base")));
     }
 
-    private RangeSensor<?> sensor(DeviceInfo info, Part part) {
+    private SimSensor<?> device(DeviceInfo info, Part part, double height, Body body, SimDrive drive) {
+        var kind = new Kind(part, height);
         return switch (part) {
             case Part.Laser laser ->
                 new SimLaser(
                         info,
                         laser,
-                        beams.computeIfAbsent(laser, _ -> SimLaser.beams(laser)),
+                        beams.computeIfAbsent(kind, _ -> SimLaser.beams(laser, height)),
                         noise(info, laser.noise()));
             case Part.Sonars sonars ->
                 new SimSonar(
                         info,
                         sonars,
-                        beams.computeIfAbsent(sonars, _ -> SimSonar.cones(sonars)),
+                        beams.computeIfAbsent(kind, _ -> SimSonar.cones(sonars, height)),
                         noise(info, sonars.noise()));
-            default -> throw new IllegalStateException("(%s) should have been refused.".formatted(part));
+            case Part.BlobFinder finder ->
+                new SimBlobFinder(info, finder, views.computeIfAbsent(kind, _ -> SimBlobFinder.view(finder, height)));
+            case Part.FiducialFinder finder -> new SimFiducialFinder(info, finder, height);
+            case Part.Gripper gripper -> new SimGripper(info, gripper, world, things, body, height);
+            case Part.Bumper bumper -> new SimBumper(info, bumper, world, body, height);
+            case Part.Actuator actuator -> new SimActuator(info, actuator, scheduler, watchdog());
+            case Part.Battery battery -> new SimBattery(info, battery, body, drive);
+            case Part.Light light -> new SimLight(info, light, scheduler);
         };
+    }
+
+    private Duration watchdog() {
+        return settings.seconds(SimProvider.WATCHDOG.name());
     }
 
     private RangeSensor.Noise noise(DeviceInfo info, double deviation) {

@@ -30,6 +30,7 @@ final class Lineup {
 
     private final OccupancyGrid map;
     private final World world;
+    private final Things things = new Things();
     private final Seeds seeds;
     private final Map<Double, FreeSpace> spaces = new HashMap<>(); // by clearance
     private final Map<String, Body> bodies = new LinkedHashMap<>(); // by robot
@@ -40,7 +41,7 @@ final class Lineup {
         this.world = new World(scene.walls().stream().map(Walls::new).toList(), extent(map));
         this.seeds = seeds;
         for (Entity thing : scene.things()) {
-            world.add(thing.name(), Chunk.of(thing.blocks()), thing.mapFromEntity(), thing.height());
+            things.add(world.add(thing.name(), Chunk.of(thing.blocks()), thing.mapFromEntity(), thing.height()), 0);
         }
         for (RobotSpec robot : robots) {
             Entity known = scene.robotBodies().get(robot.id());
@@ -79,6 +80,10 @@ final class Lineup {
     /// Which robots are not on the map, and why.
     List<Problem> problems() {
         return List.copyOf(problems);
+    }
+
+    Things things() {
+        return things;
     }
 
     World world() {

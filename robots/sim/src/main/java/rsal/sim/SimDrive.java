@@ -24,6 +24,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
     private Instant commanded = Instant.MIN;
     private boolean enabled = true;
     private boolean stalled;
+    private double part; // of the way of the last step that the robot made
 
     SimDrive(DeviceInfo info, InstantSource clock, Duration watchdog, Wheels wheels, Odometer odometer) {
         super(info);
@@ -78,13 +79,24 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
 
     /// What came of it.
     ///
-    /// @param part of the way that the robot made before it touched something; 1 for all
-    void moved(double part) {
+    /// @param made part of the way that the robot made before it touched something; 1 for all
+    void moved(double made) {
+        part = made;
         odometer.moved(wheels.forward() * part, wheels.left() * part, wheels.turn() * part);
         stalled = part < 1;
         if (stalled) {
             wheels.block();
         }
+    }
+
+    /// Made in the last step [m].
+    double way() {
+        return part * Math.hypot(wheels.forward(), wheels.left());
+    }
+
+    /// Turned in the last step, to either side [rad].
+    double turned() {
+        return part * Math.abs(wheels.turn());
     }
 
     /// Somebody put the robot elsewhere.

@@ -10,7 +10,7 @@ import rsal.sim.world.Beams.Fan;
 import rsal.sim.world.Body;
 import rsal.sim.world.World;
 
-/// A simulated laser scanner. All beams of a sweep are taken at once, at the height of everything.
+/// A simulated laser scanner. All beams of a sweep are taken at once, level at the height of the scanner.
 final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
     private final Laser laser;
     private final Beams beams;
@@ -22,9 +22,11 @@ final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
         this.beams = beams;
     }
 
-    static Beams beams(Laser laser) {
+    /// @param height above the base [m]
+    static Beams beams(Laser laser, double height) {
         return new Beams(
-                List.of(new Fan(laser.baseFromLaser(), laser.angleMin(), laser.angleIncrement(), laser.samples())), 0);
+                List.of(new Fan(laser.baseFromLaser(), laser.angleMin(), laser.angleIncrement(), laser.samples())),
+                height);
     }
 
     @Override

@@ -49,14 +49,15 @@ public final class SimProvider implements RobotSystemProvider {
         var seeds = new Seeds(config.seed());
         var lineup = new Lineup(config.scene(), specs, seeds);
         refuse(lineup.problems());
-        var assembly = new Assembly(config.settings(), scheduler, seeds);
+        var assembly = new Assembly(config.settings(), scheduler, seeds, lineup.world(), lineup.things());
         var robots = specs.stream()
                 .map(spec -> assembly.robot(spec, lineup.body(spec.id())))
                 .toList();
         robots.forEach(
                 robot -> Optional.ofNullable(config.scene().odomFromBase().get(robot.id()))
                         .ifPresent(robot.drive()::resetOdometry));
-        return new SimSystem(scheduler, config.settings().seconds(STEP.name()), lineup.world(), robots);
+        return new SimSystem(
+                scheduler, config.settings().seconds(STEP.name()), lineup.world(), lineup.things(), robots);
     }
 
     private static void refuse(List<Problem> problems) {

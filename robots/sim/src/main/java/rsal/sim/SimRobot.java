@@ -12,7 +12,30 @@ import rsal.sim.world.Body;
 import rsal.sim.world.World;
 
 /// A robot of the simulated world: its body there, and its devices.
-record SimRobot(RobotSpec spec, Body body, SimDrive drive, List<RangeSensor<?>> sensors) {
+///
+/// @param devices all but the drive, in the order of its model
+/// @param eyes those devices that look into the distance
+/// @param parts those devices that feel or move
+record SimRobot(
+        RobotSpec spec,
+        Body body,
+        SimDrive drive,
+        List<SimSensor<?>> devices,
+        List<SimEye<?>> eyes,
+        List<SimPart<?>> parts) {
+
+    static SimRobot of(RobotSpec spec, Body body, SimDrive drive, List<SimSensor<?>> devices) {
+        var eyes = new ArrayList<SimEye<?>>();
+        var parts = new ArrayList<SimPart<?>>();
+        for (SimSensor<?> device : devices) {
+            if (device instanceof SimEye<?> eye) {
+                eyes.add(eye);
+            } else if (device instanceof SimPart<?> part) {
+                parts.add(part);
+            }
+        }
+        return new SimRobot(spec, body, drive, List.copyOf(devices), List.copyOf(eyes), List.copyOf(parts));
+    }
 
     String id() {
         return spec.id();
@@ -20,10 +43,10 @@ record SimRobot(RobotSpec spec, Body body, SimDrive drive, List<RangeSensor<?>> 
 
     /// What others get to see of it.
     Robot robot() {
-        var devices = new ArrayList<Device>();
-        devices.add(drive);
-        devices.addAll(sensors);
-        return new Robot(spec.id(), spec.role(), spec.model(), devices);
+        var all = new ArrayList<Device>();
+        all.add(drive);
+        all.addAll(devices);
+        return new Robot(spec.id(), spec.role(), spec.model(), all);
     }
 
     /// Drives for a step, or until it would touch something.
@@ -32,36 +55,45 @@ record SimRobot(RobotSpec spec, Body body, SimDrive drive, List<RangeSensor<?>> 
     /// @return whether it made all its way; when not, [World#obstacle] says why
     boolean move(World world, double dt) {
         Wheels wheels = drive.turnWheels(dt);
-        double part = world.advance(body, new Arc(body.pose(), wheels.forward(), wheels.left(), wheels.turn()));
-        drive.moved(part);
-        return part == 1;
+        double made = world.advance(body, new Arc(body.pose(), wheels.forward(), wheels.left(), wheels.turn()));
+        drive.moved(made);
+        return made == 1;
+    }
+
+    /// Lets those devices work that feel or move.
+    ///
+    /// @param dt [s]
+    void work(Instant now, double dt) {
+        for (SimPart<?> part : parts) {
+            part.work(now, dt);
+        }
     }
 
     /// How many rays its sensors cast when they look now.
     int raysDue(Instant now) {
         int rays = 0;
-        for (RangeSensor<?> sensor : sensors) {
-            rays += sensor.isDue(now) ? sensor.rays() : 0;
+        for (SimEye<?> eye : eyes) {
+            rays += eye.isDue(now) ? eye.rays() : 0;
         }
         return rays;
     }
 
     /// Takes those readings that are due.
     void look(World world, Instant now) {
-        for (RangeSensor<?> sensor : sensors) {
-            if (sensor.isDue(now)) {
-                sensor.look(world, body, now);
+        for (SimEye<?> eye : eyes) {
+            if (eye.isDue(now)) {
+                eye.look(world, body, now);
             }
         }
     }
 
     void report(Instant now) {
         drive.report(now);
-        sensors.forEach(RangeSensor::report);
+        devices.forEach(SimSensor::report);
     }
 
     void close(Health.Lost why) {
         drive.close(why);
-        sensors.forEach(sensor -> sensor.close(why));
+        devices.forEach(device -> device.close(why));
     }
 }

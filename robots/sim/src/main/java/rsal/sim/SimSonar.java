@@ -11,7 +11,7 @@ import rsal.sim.world.Body;
 import rsal.sim.world.World;
 
 /// A simulated ring of sonars. Each cone is a fan of rays at most 5° apart, and its range that of the shortest; one
-/// that is no wider than 1° is a ray.
+/// that is no wider than 1° is a ray. Level, all of them.
 final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
     private static final double RAYS_APART = Math.toRadians(5);
     private static final double NARROW = Math.toRadians(1);
@@ -28,12 +28,13 @@ final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
         this.raysOfEach = cones.count() / sonars.baseFromSensors().size();
     }
 
-    static Beams cones(Sonars sonars) {
+    /// @param height above the base [m]
+    static Beams cones(Sonars sonars, double height) {
         return new Beams(
                 sonars.baseFromSensors().stream()
                         .map(baseFromSensor -> cone(baseFromSensor, sonars.fieldOfView()))
                         .toList(),
-                0);
+                height);
     }
 
     private static Fan cone(Pose2d baseFromSensor, double width) {

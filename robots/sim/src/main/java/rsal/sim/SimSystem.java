@@ -23,7 +23,8 @@ import rsal.time.Task;
 /// The simulated world, step by step, each in a fixed order: the newest commands take effect and the robots move,
 /// one after the other by id; then their sensors look at where all are now; then their devices tell, again by id.
 ///
-/// Sensors look in parallel where that pays. They see a still picture of the world and draw from random streams of
+/// What feels or moves on a robot works in between, when all have moved. Sensors look in parallel where that pays. They
+/// see a still picture of the world and draw from random streams of
 /// their own, so that the readings do not depend on it.
 final class SimSystem implements RobotSystem {
     private static final int WORTH_A_TASK = 1000; // rays
@@ -33,20 +34,30 @@ final class SimSystem implements RobotSystem {
     private final World world;
     private final List<SimRobot> robots;
     private final Touches touches = new Touches();
+    private final Charging charging;
     private final SimControl control;
     private @Nullable Task stepping;
     private int looking;
     private boolean closed;
 
     /// @param robots in id order
-    SimSystem(Scheduler scheduler, Duration step, World world, List<SimRobot> robots) {
+    SimSystem(Scheduler scheduler, Duration step, World world, Things things, List<SimRobot> robots) {
         this.scheduler = scheduler;
         this.step = step;
         this.world = world;
         this.robots = List.copyOf(robots);
         var byId = new LinkedHashMap<String, SimRobot>();
         robots.forEach(robot -> byId.put(robot.id(), robot));
-        this.control = new SimControl(world, byId, touches);
+        this.charging = new Charging(devices(SimBattery.class), things);
+        this.control = new SimControl(world, things, byId, devices(SimGripper.class), touches);
+    }
+
+    private <D> List<D> devices(Class<D> type) {
+        return robots.stream()
+                .flatMap(robot -> robot.parts().stream())
+                .filter(type::isInstance)
+                .map(type::cast)
+                .toList();
     }
 
     @Override
@@ -81,6 +92,10 @@ final class SimSystem implements RobotSystem {
             }
         }
         touches.update(world);
+        charging.step(world, dt);
+        for (SimRobot robot : robots) {
+            robot.work(now, dt);
+        }
         if (looking == 0) { // real time may be too fast for them
             world.look();
             look(now);
@@ -106,6 +121,7 @@ final class SimSystem implements RobotSystem {
 
     private void look(List<SimRobot> some, Instant now) {
         looking++;
+        world.watched(true);
         scheduler
                 .compute(() -> {
                     some.forEach(robot -> robot.look(world, now));
@@ -114,6 +130,7 @@ final class SimSystem implements RobotSystem {
                 .thenAccept(_ -> some.forEach(robot -> report(robot, now)))
                 .whenComplete((_, error) -> {
                     looking--;
+                    world.watched(looking > 0);
                     if (error != null) {
                         scheduler.execute(() -> {
                             throw new IllegalStateException("Simulated sensors failed.", error);

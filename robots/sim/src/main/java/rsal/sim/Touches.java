@@ -42,6 +42,11 @@ final class Touches {
         }
     }
 
+    /// A body is gone, and touches nothing any more.
+    void forget(Body gone) {
+        lasting.removeIf(touch -> touch.other.filter(gone::equals).isPresent());
+    }
+
     List<Contact> contacts() {
         if (shown.size() < contacts.size()) {
             shown = List.copyOf(contacts);

@@ -1,12 +1,17 @@
 package rsal.sim;
 
-import java.util.Set;
 import org.junit.jupiter.api.Nested;
 import rsal.system.RobotSystemProvider;
-import rsal.testkit.contract.Capability;
+import rsal.testkit.contract.ActuatorContract;
+import rsal.testkit.contract.BatteryContract;
+import rsal.testkit.contract.BlobFinderContract;
+import rsal.testkit.contract.BumperContract;
 import rsal.testkit.contract.CarDriveContract;
 import rsal.testkit.contract.DriveBaseContract;
+import rsal.testkit.contract.FiducialFinderContract;
+import rsal.testkit.contract.GripperContract;
 import rsal.testkit.contract.LaserScannerContract;
+import rsal.testkit.contract.LightContract;
 import rsal.testkit.contract.OmnidirectionalDriveContract;
 import rsal.testkit.contract.RobotSystemContract;
 import rsal.testkit.contract.SimulationControlContract;
@@ -68,11 +73,61 @@ class SimContractTest {
         protected RobotSystemProvider provider() {
             return new SimProvider();
         }
+    }
 
-        /// Its world has walls and robots only.
+    @Nested
+    class BlobFinder extends BlobFinderContract {
         @Override
-        protected Set<Capability> cannot() {
-            return Set.of(Capability.THINGS);
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class FiducialFinder extends FiducialFinderContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class Bumper extends BumperContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class Battery extends BatteryContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class Light extends LightContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class Gripper extends GripperContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
+        }
+    }
+
+    @Nested
+    class Actuator extends ActuatorContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new SimProvider();
         }
     }
 }

@@ -16,6 +16,7 @@ import rsal.device.SimulationControl;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
+import rsal.scene.Entity;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.system.RobotSystem;
@@ -30,17 +31,36 @@ final class SimRun {
     final List<Robot> robots;
     final SimulationControl simulation;
 
-    private SimRun(OccupancyGrid map, Map<String, ?> settings, long seed, Executor workers, List<RobotSpec> specs) {
+    private SimRun(Scene scene, Map<String, ?> settings, long seed, Executor workers, List<RobotSpec> specs) {
         scheduler = new LockstepScheduler(Instant.EPOCH, workers);
         var provider = new SimProvider();
         var arguments = Arguments.of(provider.parameters(), settings);
-        system = provider.create(new Config(arguments, Scene.of(map), specs, seed), scheduler);
+        system = provider.create(new Config(arguments, scene, specs, seed), scheduler);
         robots = ended(system.discover());
         simulation = system.simulation().orElseThrow();
     }
 
     static SimRun of(OccupancyGrid map, Map<String, ?> settings, RobotSpec... robots) {
-        return new SimRun(map, settings, 1, Runnable::run, List.of(robots));
+        return new SimRun(Scene.of(map), settings, 1, Runnable::run, List.of(robots));
+    }
+
+    /// In a world with things.
+    static SimRun of(OccupancyGrid map, List<Entity> things, RobotSpec... robots) {
+        Scene bare = Scene.of(map);
+        var scene = new Scene(
+                "",
+                map,
+                Optional.empty(),
+                Optional.empty(),
+                bare.walls(),
+                things,
+                List.of(),
+                Map.of(),
+                Map.of(),
+                Map.of(),
+                bare.contents(),
+                List.of());
+        return new SimRun(scene, Map.of(), 1, Runnable::run, List.of(robots));
     }
 
     static SimRun of(OccupancyGrid map, RobotSpec... robots) {
@@ -48,7 +68,7 @@ final class SimRun {
     }
 
     static SimRun seeded(OccupancyGrid map, long seed, Executor workers, List<RobotSpec> robots) {
-        return new SimRun(map, Map.of(), seed, workers, robots);
+        return new SimRun(Scene.of(map), Map.of(), seed, workers, robots);
     }
 
     /// An empty room with walls of 0.1 m; its outer lower left corner is the origin.

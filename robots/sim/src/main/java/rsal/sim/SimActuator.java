@@ -1,0 +1,122 @@
+package rsal.sim;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import org.jspecify.annotations.Nullable;
+import rsal.data.ActuatorState;
+import rsal.data.ActuatorState.Motion;
+import rsal.data.Interval;
+import rsal.data.Stamped;
+import rsal.device.Actuator;
+import rsal.device.DeviceInfo;
+import rsal.device.GoalHandle;
+import rsal.device.GoalSource;
+import rsal.device.Health;
+import rsal.robot.RobotModel.Part;
+
+/// A simulated joint, at its speed at once. (In Stage 4.3 joints don't move.) What is mounted on it does not move with
+/// it.
+final class SimActuator extends SimPart<ActuatorState> implements Actuator {
+    private final Part.Actuator part;
+    private final InstantSource clock;
+    private final Duration watchdog;
+    private double position;
+    private double target;
+    private double wanted; // speed
+    private double speed;
+    private Instant commanded = Instant.MIN;
+    private boolean arrived; // and not told yet
+    private @Nullable GoalSource<ActuatorState, Result> goal;
+    private @Nullable GoalSource<ActuatorState, Result> underWay; // in the last step
+
+    SimActuator(DeviceInfo info, Part.Actuator part, InstantSource clock, Duration watchdog) {
+        super(info, info.id(), part.period());
+        this.part = part;
+        this.clock = clock;
+        this.watchdog = watchdog;
+        this.position = part.home();
+    }
+
+    @Override
+    public GoalHandle<ActuatorState, Result> goTo(double wantedPosition) {
+        requireFinite(wantedPosition);
+        stop(new Result.Cancelled());
+        target = part.limits().clamp(wantedPosition);
+        GoalSource<ActuatorState, Result> next = new GoalSource<>(() -> stop(new Result.Cancelled()));
+        goal = next;
+        return next;
+    }
+
+    @Override
+    public GoalHandle<ActuatorState, Result> home() {
+        return goTo(part.home());
+    }
+
+    @Override
+    public void command(double newSpeed) {
+        requireFinite(newSpeed);
+        stop(new Result.Cancelled());
+        wanted = Interval.around0(part.maxSpeed()).clamp(newSpeed);
+        commanded = clock.instant();
+    }
+
+    private void requireFinite(double value) {
+        if (!Double.isFinite(value)) {
+            throw new IllegalArgumentException(
+                    "What (%s) is told must be finite, not (%s).".formatted(info().id(), value));
+        }
+    }
+
+    private void stop(Result ending) {
+        GoalSource<ActuatorState, Result> ended = goal;
+        goal = null;
+        arrived = false;
+        wanted = 0;
+        if (ended != null) {
+            ended.end(ending);
+        }
+    }
+
+    @Override
+    void work(Instant now, double dt) {
+        double before = position;
+        double most = part.maxSpeed() * dt;
+        underWay = goal;
+        if (goal != null) {
+            position = Math.clamp(target, before - most, before + most);
+            arrived = position == target;
+        } else {
+            wanted = now.isBefore(commanded.plus(watchdog)) ? wanted : 0;
+            position = part.limits().clamp(before + wanted * dt);
+        }
+        speed = (position - before) / dt;
+        if (isDue(now)) {
+            take(state(), now);
+        } else if (arrived) {
+            takeNow(state(), now);
+        }
+    }
+
+    private ActuatorState state() {
+        Motion standing = wanted == 0 ? Motion.IDLE : Motion.STALLED;
+        return new ActuatorState(part.joint(), position, speed, part.limits(), speed == 0 ? standing : Motion.MOVING);
+    }
+
+    @Override
+    void told(Stamped<ActuatorState> reading) {
+        GoalSource<ActuatorState, Result> now = goal;
+        if (now != null && now == underWay) { // a listener may have begun another
+            now.tell(reading);
+            if (arrived && now == goal) {
+                stop(new Result.Reached(position));
+            }
+        }
+    }
+
+    @Override
+    void close(Health.Lost why) {
+        super.close(why);
+        stop(new Result.Stuck(position, why.reason()));
+    }
+}

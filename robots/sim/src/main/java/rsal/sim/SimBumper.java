@@ -1,0 +1,42 @@
+package rsal.sim;
+
+import java.time.Instant;
+import java.util.List;
+import rsal.data.BumperState;
+import rsal.data.Pose2d;
+import rsal.device.Bumper;
+import rsal.device.DeviceInfo;
+import rsal.robot.RobotModel.Part;
+import rsal.sim.world.Body;
+import rsal.sim.world.Feeler;
+import rsal.sim.world.World;
+
+/// Simulated bumpers. Each feels what is in the robot's way up to 1 cm outside of it, at its own height.
+final class SimBumper extends SimPart<BumperState> implements Bumper {
+    private final World world;
+    private final Body robot;
+    private final List<Pose2d> baseFromPads;
+    private final List<Feeler> feelers;
+
+    /// @param height above the base [m]
+    SimBumper(DeviceInfo info, Part.Bumper part, World world, Body robot, double height) {
+        super(info, info.robot() + "/base_link", part.period());
+        this.world = world;
+        this.robot = robot;
+        this.baseFromPads =
+                part.pads().stream().map(Part.Bumper.Pad::baseFromPad).toList();
+        this.feelers = part.pads().stream()
+                .map(pad -> new Feeler(pad.baseFromPad(), pad.length(), height))
+                .toList();
+    }
+
+    @Override
+    void work(Instant now, double dt) {
+        if (isDue(now)) {
+            List<Boolean> pressed = feelers.stream()
+                    .map(feeler -> feeler.isPressed(world, robot))
+                    .toList();
+            take(new BumperState(baseFromPads, pressed), now);
+        }
+    }
+}

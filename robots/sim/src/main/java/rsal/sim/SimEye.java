@@ -1,0 +1,24 @@
+package rsal.sim;
+
+import java.time.Duration;
+import java.time.Instant;
+import rsal.device.DeviceInfo;
+import rsal.sim.world.Body;
+import rsal.sim.world.World;
+
+/// A sensor that looks into the distance, maybe on another thread than the run's.
+abstract class SimEye<T> extends SimSensor<T> {
+    SimEye(DeviceInfo info, String frame, Duration period) {
+        super(info, frame, period);
+    }
+
+    /// How many rays a reading takes.
+    abstract int rays();
+
+    /// A reading of the world as it was last looked at. Touches nothing that others write meanwhile.
+    abstract T measure(World world, Body robot);
+
+    final void look(World world, Body robot, Instant now) {
+        take(measure(world, robot), now);
+    }
+}

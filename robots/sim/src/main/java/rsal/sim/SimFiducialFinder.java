@@ -1,0 +1,54 @@
+package rsal.sim;
+
+import java.util.List;
+import java.util.OptionalInt;
+import rsal.data.Fiducials;
+import rsal.data.Fiducials.Fiducial;
+import rsal.data.Pose2d;
+import rsal.device.DeviceInfo;
+import rsal.device.FiducialFinder;
+import rsal.robot.RobotModel.Part;
+import rsal.sim.world.Body;
+import rsal.sim.world.Search;
+import rsal.sim.world.World;
+
+/// A simulated finder of markers, exact. It sees a marker when the level ray towards the origin of its body meets that
+/// body first, as in Stage: those that are higher or lower than it, and those behind others, it does not see.
+final class SimFiducialFinder extends SimEye<Fiducials> implements FiducialFinder {
+    private static final int RAYS = 10; // as many as a reading is worth, roughly
+
+    private final Part.FiducialFinder part;
+    private final double height;
+
+    /// @param height above the base [m]
+    SimFiducialFinder(DeviceInfo info, Part.FiducialFinder part, double height) {
+        super(info, info.robot() + "/base_link", part.period());
+        this.part = part;
+        this.height = height;
+    }
+
+    @Override
+    int rays() {
+        return RAYS;
+    }
+
+    @Override
+    Fiducials measure(World world, Body robot) {
+        Pose2d mapFromBase = robot.seenPose();
+        Pose2d baseFromMap = mapFromBase.inverse();
+        List<Fiducial> fiducials = Search.markers(
+                        world,
+                        robot,
+                        mapFromBase.compose(part.baseFromFinder()),
+                        robot.height() + height,
+                        part.fieldOfView(),
+                        part.rangeMax(),
+                        part.key())
+                .stream()
+                .map(found -> new Fiducial(
+                        found.distance() <= part.idRange() ? OptionalInt.of(found.id()) : OptionalInt.empty(),
+                        baseFromMap.compose(found.mapFromMarker())))
+                .toList();
+        return new Fiducials(part.baseFromFinder(), part.fieldOfView(), part.rangeMax(), fiducials);
+    }
+}
