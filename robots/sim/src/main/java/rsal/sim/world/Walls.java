@@ -13,9 +13,6 @@ public final class Walls {
     private static final byte SOLID = 0;
     private static final byte NEAR = 1; // touches a solid cell, if only with a corner
     private static final byte FAR = 2;
-    private static final int TILE_BITS = 3;
-    private static final int TILE = 1 << TILE_BITS; // cells across
-    private static final int WITHIN_TILE = TILE - 1;
     private static final double UNITS_PER_CELL = 2;
     private static final int MOST = 0xFF;
     private static final double GUARD = 1e-6; // [cells]; more than rounding, so that no stride ends in a wall
@@ -27,7 +24,6 @@ public final class Walls {
     private final double bottom;
     private final int width; // with the fence
     private final int height;
-    private final int tilesAcross;
     private final boolean fenced;
     private final double lowest;
     private final double highest;
@@ -52,12 +48,11 @@ public final class Walls {
         lowest = raster.lowest();
         highest = raster.highest();
         surface = raster.surface();
-        tilesAcross = (width + TILE - 1) / TILE;
         strides = new double[MOST + 1];
         for (int i = 0; i < strides.length; i++) {
             strides[i] = empty(i) - GUARD * least;
         }
-        room = new byte[Math.multiplyExact(tilesAcross * TILE, (height + TILE - 1) / TILE * TILE)];
+        room = new byte[Math.multiplyExact(width, height)];
         markSolid(raster);
         markNear();
         measureFar();
@@ -67,7 +62,7 @@ public final class Walls {
         for (int row = 0; row < raster.height(); row++) {
             for (int column = 0; column < raster.width(); column++) {
                 if (!raster.solid().get(row * raster.width() + column)) {
-                    room[index(column + 1, row + 1)] = FAR;
+                    room[(row + 1) * width + column + 1] = FAR;
                 }
             }
         }
@@ -76,7 +71,7 @@ public final class Walls {
     private void markNear() {
         for (int row = 1; row < height - 1; row++) {
             for (int column = 1; column < width - 1; column++) {
-                int cell = index(column, row);
+                int cell = row * width + column;
                 if (room[cell] == FAR && touchesSolid(column, row)) {
                     room[cell] = NEAR;
                 }
@@ -86,9 +81,9 @@ public final class Walls {
 
     private boolean touchesSolid(int column, int row) {
         for (int y = row - 1; y <= row + 1; y++) {
-            if (room[index(column - 1, y)] == SOLID
-                    || room[index(column, y)] == SOLID
-                    || room[index(column + 1, y)] == SOLID) {
+            if (room[y * width + column - 1] == SOLID
+                    || room[y * width + column] == SOLID
+                    || room[y * width + column + 1] == SOLID) {
                 return true;
             }
         }
@@ -98,11 +93,11 @@ public final class Walls {
     /// Two cells are as far apart, from border to border, as the middle of one is from the middle of the nearest
     /// of those around the other.
     private void measureFar() {
-        DistanceTransform.measure(width, height, cell -> roomIn(cell % width, cell / width) != FAR, (row, squares) -> {
+        DistanceTransform.measure(width, height, cell -> room[cell] != FAR, (row, squares) -> {
             for (int column = 0; column < width; column++) {
                 double cells = Math.sqrt(squares[column]);
                 if (cells > 0) {
-                    room[index(column, row)] = (byte) Math.min(MOST, NEAR + (int) (cells * UNITS_PER_CELL));
+                    room[row * width + column] = (byte) Math.min(MOST, NEAR + (int) (cells * UNITS_PER_CELL));
                 }
             }
         });
@@ -156,14 +151,7 @@ public final class Walls {
     }
 
     private int roomIn(int column, int row) {
-        return room[index(column, row)] & 0xFF;
-    }
-
-    /// Cells are kept in square tiles of 64, a cache line each, as rays of a fan that are side by side pass cells
-    /// that are near each other in any direction.
-    private int index(int column, int row) {
-        int tile = (row >> TILE_BITS) * tilesAcross + (column >> TILE_BITS);
-        return (((tile << TILE_BITS) + (row & WITHIN_TILE)) << TILE_BITS) + (column & WITHIN_TILE);
+        return room[row * width + column] & 0xFF;
     }
 
     /// Ends rays at the border of the first solid cell, if that is within reach and they have met nothing before;
