@@ -13,5 +13,6 @@ module rsal.scenarios {
     uses rsal.agent.AgentHostProvider;
     uses rsal.agent.AgentType;
     uses rsal.robot.DeviceDriver;
+    uses rsal.scene.SceneFormat;
     uses rsal.system.RobotSystemProvider;
 }

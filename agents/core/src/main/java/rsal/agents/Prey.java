@@ -23,7 +23,7 @@ final class Prey {
     private final AgentContext self;
     private final Robot robot;
     private final Pilot pilot;
-    private final WallFollowing wallFollowing;
+    private final Roaming wallFollowing;
     private final Reporter reporter;
     private final Sightings hunters;
     private final String hunterName;
@@ -34,7 +34,7 @@ final class Prey {
         this.self = self;
         this.robot = robot;
         this.pilot = robot.require(Pilot.class);
-        this.wallFollowing = new WallFollowing(self, robot);
+        this.wallFollowing = Roaming.alongWalls(self, robot);
         this.reporter = new Reporter(self, robot, arguments, _ -> lookAround());
         this.hunters = new Sightings(self.blackboard());
         this.hunterName = arguments.text(Escape.HUNTER.name());

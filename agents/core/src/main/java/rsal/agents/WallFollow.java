@@ -21,7 +21,7 @@ public final class WallFollow implements Agent {
     @Override
     public void start(AgentContext self) {
         Robot robot = Body.of(self);
-        new WallFollowing(self, robot).begin();
+        Roaming.alongWalls(self, robot).begin();
         new Reporter(self, robot, arguments, _ -> {}).begin();
         Presence.begin(self);
     }

@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
 import rsal.scenario.RunOptions;
@@ -42,7 +43,9 @@ final class RunCommand extends Subcommand {
             paramLabel = "SCENARIO[:CONFIGURATION]",
             arity = "0..1",
             defaultValue = ScenarioReference.DEFAULT,
-            description = "A built-in scenario ('rsal list') or a file; ${DEFAULT-VALUE} when left out.")
+            description =
+                    "A built-in scenario ('rsal list'), a file, or a Stage world (FILE.world); ${DEFAULT-VALUE} when"
+                            + " left out.")
     private String scenario = "";
 
     @Option(
@@ -97,6 +100,11 @@ final class RunCommand extends Subcommand {
     int run() throws Exception {
         ScenarioReference reference = ScenarioReference.parse(scenario);
         RunPlan plan = reference.load().plan(options(reference.configuration()));
+        plan.scene().warnings().forEach(warning -> err().println(warning));
+        if (headless && plan.scenario().isWorld() && plan.stops().isEmpty() && limit == null) {
+            throw new ParameterException(
+                    spec.commandLine(), "A world has no end of its own: without a page, say --for SECONDS.");
+        }
         RunResult result = headless ? runHeadless(plan) : runWithPage(plan);
         return EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS);
     }

@@ -8,17 +8,21 @@ import rsal.agent.AgentType;
 import rsal.map.Maps;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModels;
+import rsal.scene.SceneFormat;
 import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Suggestion;
 import rsal.system.RobotSystemProvider;
 
 /// What scenarios can name in this installation, by key, in the order of the keys.
+///
+/// @param formats of world files, by suffix
 record Catalog(
         Map<String, RobotSystemProvider> systems,
         Map<String, AgentHostProvider> hosts,
         Map<String, DeviceDriver> drivers,
         Map<String, AgentType> agents,
+        Map<String, SceneFormat> formats,
         List<String> models,
         List<String> parts,
         List<String> maps) {
@@ -29,9 +33,18 @@ record Catalog(
                 Providers.byKey(AgentHostProvider.class, AgentHostProvider::key),
                 Providers.byKey(DeviceDriver.class, DeviceDriver::key),
                 Providers.byKey(AgentType.class, AgentType::key),
+                Providers.byKey(SceneFormat.class, SceneFormat::suffix),
                 RobotModels.builtIn(),
                 RobotModels.builtInParts(),
                 Maps.builtIn());
+    }
+
+    /// The format of a world's file.
+    Optional<SceneFormat> formatOf(String path) {
+        return formats.entrySet().stream()
+                .filter(format -> path.endsWith(format.getKey()))
+                .map(Map.Entry::getValue)
+                .findFirst();
     }
 
     /// One of those by key, or a problem that says which there are.

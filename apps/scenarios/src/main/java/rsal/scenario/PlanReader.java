@@ -1,5 +1,6 @@
 package rsal.scenario;
 
+import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -13,13 +14,16 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.agent.message.NewGoal;
 import rsal.data.OccupancyGrid;
-import rsal.map.Maps;
+import rsal.robot.RobotSpec;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Clock;
 import rsal.scenario.RunPlan.Mas;
 import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scenario.WorldReader.World;
+import rsal.scenario.condition.Grammar;
+import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -35,6 +39,8 @@ import rsal.time.LockstepScheduler;
 /// Reads a scenario with one configuration and its arguments filled in. Goes on after a mistake as far as that
 /// makes sense, so that all of them are reported together.
 final class PlanReader {
+    private static final String STEP = "step"; // of robot systems that have one
+    private static final String INSTEAD = "wander";
     private static final Duration DEFAULT_STEP = Duration.ofMillis(100);
 
     private final Scenario scenario;
@@ -74,30 +80,37 @@ final class PlanReader {
         double speed = options.speed().orElse(written);
         clockSection.done();
 
-        Section mrsSection = root.section("mrs");
-        Optional<Mrs> mrs = mrs(mrsSection, clock, seeds);
+        World world = new WorldReader(catalog, scenario.files(), seeds, problems).read(root.section("world"));
+        Optional<Duration> worldStep = world.scene().flatMap(Scene::step);
+        Optional<Mrs> mrs = mrs(root.section("mrs"), clock, seeds, worldStep);
         Optional<Mas> mas = mas(root.section("mas"), clock);
 
-        Section world = root.section("world");
-        String mapName = world.text("map");
-        Optional<OccupancyGrid> map = mapName.isEmpty() ? Optional.empty() : map(mapName, world.locationOf("map"));
-        world.done();
-
+        Optional<OccupancyGrid> map = world.scene().map(Scene::map);
         var robotReader = new RobotReader(catalog, scenario.files(), map, seeds, problems);
-        Section robotsSection = root.section("robots");
-        List<Role> roles = robotReader.read(robotsSection);
+        List<RobotSpec> brought = world.scene().map(Scene::robots).orElse(List.of());
+        List<Role> roles = new ArrayList<>(world.roles());
+        boolean mayHaveRobots = root.section("world").mapping().find("file").isPresent();
+        if (world.scene().isPresent() || root.has("robots") || !mayHaveRobots) {
+            roles.addAll(robotReader.read(root.section("robots"), brought));
+        }
         List<PlannedRobot> robots =
                 roles.stream().flatMap(role -> role.robots().stream()).toList();
-        List<PlannedAgent> agents = agents(root.section("agents"), roles, seeds);
+        List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), roles, seeds));
+        if (scenario.isWorld()) {
+            agents.addAll(instead(robots, world, seeds));
+        }
 
         var goals = new GoalReader(roles.stream().map(Role::name).toList(), problems);
-        List<RunPlan.Stop> stops = goals.stops(run);
+        List<RunPlan.Stop> stops = new ArrayList<>(goals.stops(run));
+        if (scenario.isWorld()) {
+            world.scene().flatMap(Scene::end).map(PlanReader::after).ifPresent(stops::add);
+        }
         run.done();
         List<RunPlan.Measured> measures = goals.measures(root);
         root.done();
 
-        if (map.isPresent() && mrs.isPresent() && roles.stream().allMatch(Role::complete)) {
-            checkRobots(mrs.get().provider(), mrs.get().config(map.get(), robots), roles);
+        if (world.scene().isPresent() && mrs.isPresent() && roles.stream().allMatch(Role::complete)) {
+            checkRobots(mrs.get().provider(), mrs.get().config(world.scene().get(), robots), roles);
         }
         problems.throwIfAny();
         return new RunPlan(
@@ -106,8 +119,8 @@ final class PlanReader {
                 options,
                 arguments,
                 seed,
-                mapName,
-                map.orElseThrow(),
+                world.name(),
+                world.scene().orElseThrow(),
                 mrs.orElseThrow(),
                 mas.orElseThrow(),
                 clock,
@@ -205,7 +218,7 @@ final class PlanReader {
         return (Double) clock.value(Format.SPEED).orElse(1.0);
     }
 
-    private Optional<Mrs> mrs(Section section, Clock clock, Seeds seeds) {
+    private Optional<Mrs> mrs(Section section, Clock clock, Seeds seeds, Optional<Duration> worldStep) {
         return backEnd(
                         "robot system",
                         section,
@@ -214,7 +227,21 @@ final class PlanReader {
                         clock,
                         RobotSystemProvider::followsSchedulerTime,
                         RobotSystemProvider::parameters)
-                .map(chosen -> new Mrs(chosen.provider, chosen.settings, seeds.of("mrs")));
+                .map(chosen -> new Mrs(
+                        chosen.provider,
+                        section.has(STEP) ? chosen.settings : inSteps(chosen, worldStep),
+                        seeds.of("mrs")));
+    }
+
+    /// The settings with the world's own step, if there are such.
+    private static Arguments inSteps(BackEnd<RobotSystemProvider> chosen, Optional<Duration> worldStep) {
+        List<Parameter> parameters = chosen.provider.parameters();
+        if (worldStep.isEmpty() || parameters.stream().noneMatch(p -> p.name().equals(STEP))) {
+            return chosen.settings;
+        }
+        var values = new LinkedHashMap<>(chosen.settings.asMap());
+        values.put(STEP, worldStep.get().toNanos() / 1e9);
+        return Arguments.of(parameters, values);
     }
 
     private Optional<Mas> mas(Section section, Clock clock) {
@@ -264,16 +291,37 @@ final class PlanReader {
     }
 
     private static Duration step(Arguments mrs) {
-        return mrs.asMap().containsKey("step") ? mrs.seconds("step") : DEFAULT_STEP;
+        return mrs.asMap().containsKey(STEP) ? mrs.seconds(STEP) : DEFAULT_STEP;
     }
 
-    private Optional<OccupancyGrid> map(String name, Location askedAt) {
-        try {
-            return Optional.of(new Maps(scenario.files()).read(name, askedAt));
-        } catch (InvalidSettings e) {
-            e.problems().forEach(problems::add);
-            return Optional.empty();
-        }
+    /// Agents that drive robots instead of the programs that the world names.
+    private List<PlannedAgent> instead(List<PlannedRobot> robots, World world, Seeds seeds) {
+        Optional<AgentType> type = Optional.ofNullable(catalog.agents().get(INSTEAD));
+        Map<String, String> programs = world.scene().map(Scene::programs).orElse(Map.of());
+        return robots.stream()
+                .filter(robot -> type.isPresent() && WorldReader.hasPilot(robot))
+                .filter(robot -> programs.containsKey(robot.spec().id()))
+                .map(robot -> robot.spec().id())
+                .map(id -> new PlannedAgent(
+                        id,
+                        INSTEAD,
+                        type.orElseThrow(),
+                        Arguments.defaults(type.orElseThrow().parameters()),
+                        Optional.of(id),
+                        seeds.of("agent/" + id)))
+                .toList();
+    }
+
+    private static RunPlan.Stop after(Duration time) {
+        return new RunPlan.Stop(
+                Grammar.condition(
+                        "time >= "
+                                + BigDecimal.valueOf(time.toNanos(), 9)
+                                        .stripTrailingZeros()
+                                        .toPlainString(),
+                        List.of()),
+                RunPlan.Outcome.SUCCESS,
+                Duration.ZERO);
     }
 
     private List<PlannedAgent> agents(Section section, List<Role> roles, Seeds seeds) {
@@ -328,7 +376,9 @@ final class PlanReader {
         return role.get().robots().stream()
                 .map(robot -> robot.spec().id())
                 .map(id -> {
-                    String own = name + id.substring(role.get().name().length()); // hunter-2 → follow-2
+                    String own = id.startsWith(role.get().name())
+                            ? name + id.substring(role.get().name().length()) // hunter-2 → follow-2
+                            : name + "-" + id;
                     return new PlannedAgent(
                             own, name, type.get(), arguments.get(), Optional.of(id), seeds.of("agent/" + own));
                 })

@@ -1,6 +1,7 @@
 package rsal.scenario;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -56,13 +57,15 @@ final class RobotReader {
         }
     }
 
-    List<Role> read(Section robots) {
+    /// @param others that the world brings along
+    List<Role> read(Section robots, List<RobotSpec> others) {
         var drafts = new ArrayList<Draft>();
         for (String name : robots.names()) {
             drafts.add(draft(name, robots.section(name), drafts.size()));
         }
         robots.done();
-        boolean tooMany = checkNumber(robots, drafts);
+        boolean tooMany = checkNumber(robots, drafts, others);
+        others.forEach(other -> other.mapFromBase().ifPresent(taken::add));
         for (Draft draft : drafts) {
             taken.addAll(draft.fixed); // before any free place is chosen
         }
@@ -72,9 +75,9 @@ final class RobotReader {
     }
 
     /// @return whether there are too many to go on with
-    private static boolean checkNumber(Section robots, List<Draft> drafts) {
+    private static boolean checkNumber(Section robots, List<Draft> drafts, List<RobotSpec> others) {
         var ids = drafts.stream().flatMap(draft -> draft.ids.stream()).toList();
-        if (ids.isEmpty()) {
+        if (ids.isEmpty() && others.isEmpty()) {
             robots.problem(robots.location(), "There are no robots.", "Add a group (robots) with at least one role.");
         }
         if (ids.size() > Format.MAX_ROBOTS) {
@@ -87,7 +90,22 @@ final class RobotReader {
             robots.problem(
                     robots.location(), "Two robots have the same name among %s.".formatted(ids), "Rename a role.");
         }
+        checkOthers(robots, drafts, others);
         return ids.size() > Format.MAX_ROBOTS;
+    }
+
+    /// Robots of the world keep their names.
+    private static void checkOthers(Section robots, List<Draft> drafts, List<RobotSpec> others) {
+        var names = new HashSet<String>();
+        others.forEach(other -> names.addAll(List.of(other.id(), other.role())));
+        for (Draft draft : drafts) {
+            if (names.contains(draft.name) || draft.ids.stream().anyMatch(names::contains)) {
+                robots.problem(
+                        draft.section.location(),
+                        "The world has robots called (%s), too.".formatted(draft.name),
+                        "Rename the role.");
+            }
+        }
     }
 
     /// A role as far as it can be read by itself.

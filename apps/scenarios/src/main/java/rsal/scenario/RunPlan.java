@@ -24,7 +24,8 @@ import rsal.system.RobotSystemProvider;
 /// @param options what it was made with
 /// @param arguments of the scenario, by name: Double, Long, String or Boolean
 /// @param seed all randomness of the run comes from it
-/// @param mapName as the scenario calls it
+/// @param mapName what the scenario calls its map or world
+/// @param scene where it takes place
 /// @param agents in the order in which they start
 /// @param speed simulated over real time to begin with; +∞ for as fast as it can
 /// @param step of simulated time; between two steps a run can be looked at, paused and told things
@@ -36,7 +37,7 @@ public record RunPlan(
         Map<String, Object> arguments,
         long seed,
         String mapName,
-        OccupancyGrid map,
+        Scene scene,
         Mrs mrs,
         Mas mas,
         Clock clock,
@@ -54,17 +55,19 @@ public record RunPlan(
         measures = List.copyOf(measures);
     }
 
+    /// What robots that have been told, planners and people know of the world.
+    public OccupancyGrid map() {
+        return scene.map();
+    }
+
     /// The multi-robot system: where robots come from.
     ///
     /// @param seed of its own randomness
     public record Mrs(RobotSystemProvider provider, Arguments settings, long seed) {
         /// What its provider asks for to make it.
-        public RobotSystemProvider.Config config(OccupancyGrid map, List<PlannedRobot> robots) {
+        public RobotSystemProvider.Config config(Scene scene, List<PlannedRobot> robots) {
             return new RobotSystemProvider.Config(
-                    settings,
-                    Scene.of(map),
-                    robots.stream().map(PlannedRobot::spec).toList(),
-                    seed);
+                    settings, scene, robots.stream().map(PlannedRobot::spec).toList(), seed);
         }
     }
 

@@ -5,8 +5,10 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -52,13 +54,17 @@ public final class Scenario {
 
     /// Reads a scenario that comes with the program, or a person's own.
     ///
-    /// @param nameOrFile `hunt-and-prey`, the path of a YAML file, or of the folder of a `scenario.yaml`
+    /// @param nameOrFile `hunt-and-prey`, the path of a YAML file, of the folder of a `scenario.yaml`, or of a
+    /// world
     /// @throws InvalidSettings when there is none, or with all of its mistakes
     public static Scenario load(String nameOrFile) {
         if (BUILT_IN.contains(nameOrFile)) {
             var files = FileSource.resources(Scenario.class, "/rsal/scenarios/" + nameOrFile + "/");
             var at = Location.of(nameOrFile + "/" + FILE);
             return read(at.file(), files.text(FILE, Yaml.MAX_CHARACTERS, at), files);
+        }
+        if (isWorld(nameOrFile)) {
+            return ofWorld(nameOrFile);
         }
         if (!looksLikeFile(nameOrFile)) {
             throw new InvalidSettings(
@@ -67,6 +73,23 @@ public final class Scenario {
                     Suggestion.among(nameOrFile, BUILT_IN) + " A scenario of your own goes by its file's name.");
         }
         return loadFile(nameOrFile);
+    }
+
+    /// Whether files of this name are worlds, which can be run as they are: [#load] makes a scenario of them.
+    public static boolean isWorld(String name) {
+        return Catalog.installed().formatOf(name).isPresent();
+    }
+
+    /// A world with nothing but what is in it.
+    private static Scenario ofWorld(String path) {
+        Location at = Location.of(path);
+        String file = path.substring(path.lastIndexOf('/') + 1);
+        var world = Map.<String, Value>of("file", new Value.Scalar(at, path));
+        var settings = new LinkedHashMap<String, Value>();
+        settings.put("rsal", new Value.Scalar(at, (long) Format.VERSION));
+        settings.put("scenario", new Value.Scalar(at, file));
+        settings.put("world", new Value.Mapping(at, world, Map.of()));
+        return new Scenario(new Value.Mapping(at, settings, Map.of()), FileSource.disk(), new Problems());
     }
 
     private static boolean looksLikeFile(String name) {
@@ -155,6 +178,11 @@ public final class Scenario {
         if (!mistakes.isEmpty()) {
             throw new InvalidSettings(mistakes);
         }
+    }
+
+    /// Whether it is but a world with all that is in it.
+    public boolean isWorld() {
+        return files.everywhere();
     }
 
     Value.Mapping settings() {

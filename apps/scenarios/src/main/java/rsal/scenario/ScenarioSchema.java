@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.robot.DeviceDriver;
@@ -51,7 +52,12 @@ public final class ScenarioSchema {
                                 "description", described(text(), "Some sentences for people."),
                                 "arguments", named(argument())),
                         with(body(false), fields("configurations", named(configuration())))),
-                List.of("rsal", "scenario", "world", "robots")));
+                List.of("rsal", "scenario", "world")));
+        schema.put(
+                "anyOf",
+                List.of(
+                        fields("required", List.of("robots")),
+                        fields("properties", fields("world", fields("required", List.of("file"))))));
         schema.put("$defs", definitions());
         return schema;
     }
@@ -110,7 +116,7 @@ public final class ScenarioSchema {
     /// @param partial whether it lies over something and may leave out anything
     private Map<String, Object> body(boolean partial) {
         return fields(
-                "world", group(fields("map", map()), partial ? List.of() : List.of("map")),
+                "world", world(partial),
                 "robots", named(robot(partial)),
                 "agents", named(agent(partial)),
                 "mas", backEnd(partial, Format.DEFAULT_MAS, parameters(catalog.hosts(), AgentHostProvider::parameters)),
@@ -121,6 +127,24 @@ public final class ScenarioSchema {
                                 parameters(catalog.systems(), RobotSystemProvider::parameters)),
                 "run", run(),
                 "measure", list(measure()));
+    }
+
+    private Map<String, Object> world(boolean partial) {
+        var either = fields("map", map(), "file", file());
+        if (partial) {
+            return group(either, List.of());
+        }
+        return oneOf(
+                List.of(group(fields("map", map()), List.of("map")), group(fields("file", file()), List.of("file"))));
+    }
+
+    private Map<String, Object> file() {
+        String suffixes = catalog.formats().keySet().stream()
+                .map(suffix -> suffix.replace(".", "\\."))
+                .collect(Collectors.joining("|"));
+        return described(
+                anyOf(List.of(fields("type", "string", "pattern", "(" + suffixes + ")$"), reference())),
+                "The file of a world, with all that is in it.");
     }
 
     private Map<String, Object> map() {

@@ -235,8 +235,8 @@ class ScenarioTest {
                 List.of("\"#123456\"", "red", "must be like #1f77b4"),
                 List.of(
                         "type: wanderer, robot: prey",
-                        "type: wandrer, robot: prey",
-                        "no type of agent (wandrer)",
+                        "type: wanderrer, robot: prey",
+                        "no type of agent (wanderrer)",
                         "Maybe (wanderer)"),
                 List.of("robot: hunter", "robot: huntr", "No robots have the role (huntr)", "Maybe (hunter)"),
                 List.of(

@@ -1,5 +1,6 @@
 package rsal.behavior;
 
+import rsal.data.Twist2d;
 import rsal.robot.RobotModel;
 
 /// The behaviors of the thesis's Pioneers (ch. 3.6.2), with its numbers.
@@ -14,6 +15,11 @@ public final class PioneerStack {
     /// Follows the wall on its left: `follow-wall`, under the layers of [#safe].
     public static Subsumption followLeftWall(RobotModel model) {
         return safe(model, "follow-wall", new FollowLeftWall(model.footprint(), MAX_SPEED, WALL_DISTANCE));
+    }
+
+    /// Drives ahead as long as it can and turns away from what is in its way: `wander`, under the layers of [#safe].
+    public static Subsumption wander(RobotModel model) {
+        return safe(model, "wander", new SetSpeed(Twist2d.drive(MAX_SPEED, 0)));
     }
 
     /// Any behavior made safe: `avoid-collision`, `escape`, `limit-turn-rate`, `limit-speed` above it.

@@ -105,7 +105,7 @@ final class Stage implements AutoCloseable {
                 () -> plan.mrs()
                         .provider()
                         .create(
-                                plan.mrs().config(plan.map(), plan.robots()),
+                                plan.mrs().config(plan.scene(), plan.robots()),
                                 new GuardedScheduler(systemName(), scheduler)));
     }
 

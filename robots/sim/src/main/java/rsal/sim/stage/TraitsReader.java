@@ -151,20 +151,19 @@ final class TraitsReader implements KindReader.Paint {
             String[] parts = text.strip().split("\\s+", 2);
             if (!parts[0].isEmpty()) {
                 controllers.add(new Controller(parts[0], parts.length > 1 ? parts[1] : ""));
+                if (kind instanceof Kind.Position && parts[0].equals("wander")) {
+                    continue; // there is a behavior that does the same
+                }
                 findings.warn(
                         fields.locationOf("ctrl"),
                         "Controller (%s) is a program for Stage and can't be loaded here."
                                 .formatted(Lexer.shortened(parts[0])),
-                        kind instanceof Kind.Position ? replacement(parts[0]) : "");
+                        kind instanceof Kind.Position
+                                ? "The robot wanders instead. Give it a behavior or an agent in a scenario."
+                                : "");
             }
         }
         return controllers;
-    }
-
-    private static String replacement(String controller) {
-        return controller.equals("wander")
-                ? "Give the robot the behavior (wander)."
-                : "Give the robot a behavior, wander or wall following, or an agent.";
     }
 
     private Body body(Fields fields, Kind kind, Size size, Placement origin) {

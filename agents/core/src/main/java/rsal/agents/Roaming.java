@@ -1,0 +1,57 @@
+package rsal.agents;
+
+import java.util.Optional;
+import java.util.function.Function;
+import rsal.agent.AgentContext;
+import rsal.behavior.Pilot;
+import rsal.behavior.PioneerStack;
+import rsal.behavior.Subsumption;
+import rsal.device.Navigator;
+import rsal.robot.Robot;
+import rsal.robot.RobotModel;
+
+/// Has a robot follow the wall on its left, or wander. Where it has a navigator, errands come first.
+final class Roaming {
+    private final AgentContext self;
+    private final Robot robot;
+    private final String state;
+    private final Function<RobotModel, Subsumption> behavior;
+    private final Pilot pilot;
+    private final Optional<Errands> errands;
+
+    static Roaming alongWalls(AgentContext self, Robot robot) {
+        return new Roaming(self, robot, "following the wall", PioneerStack::followLeftWall);
+    }
+
+    static Roaming anywhere(AgentContext self, Robot robot) {
+        return new Roaming(self, robot, "wandering", PioneerStack::wander);
+    }
+
+    private Roaming(AgentContext self, Robot robot, String state, Function<RobotModel, Subsumption> behavior) {
+        this.self = self;
+        this.robot = robot;
+        this.state = state;
+        this.behavior = behavior;
+        this.pilot = robot.require(Pilot.class);
+        this.errands = robot.find(Navigator.class)
+                .map(navigator -> new Driver(self, navigator))
+                .map(driver -> new Errands(self, robot.id(), driver, pilot::release, this::roam));
+        self.atEnd(pilot::release);
+    }
+
+    void begin() {
+        errands.ifPresent(Errands::begin);
+        roam();
+    }
+
+    /// Lets go of the robot for good.
+    void end() {
+        errands.ifPresent(Errands::end);
+        pilot.release();
+    }
+
+    private void roam() {
+        pilot.engage(behavior.apply(robot.model()));
+        self.state(state);
+    }
+}

@@ -1,0 +1,149 @@
+package rsal.scenario;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Optional;
+import rsal.behavior.Pilot;
+import rsal.device.Device;
+import rsal.device.DriveBase;
+import rsal.device.RangeSensor;
+import rsal.map.Maps;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotSpec;
+import rsal.scenario.RobotReader.Role;
+import rsal.scenario.RunPlan.PlannedDevice;
+import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scene.Scene;
+import rsal.scene.SceneFormat;
+import rsal.settings.Arguments;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Problems;
+import rsal.settings.Section;
+import rsal.settings.Suggestion;
+
+/// Reads where a scenario takes place: a map, or the file of a world with all that is in it.
+final class WorldReader {
+    private static final int MAX_BYTES = 1 << 28;
+    private static final String PILOT = "pilot";
+
+    private final Catalog catalog;
+    private final FileSource files;
+    private final Seeds seeds;
+    private final Problems problems;
+
+    WorldReader(Catalog catalog, FileSource files, Seeds seeds, Problems problems) {
+        this.catalog = catalog;
+        this.files = files;
+        this.seeds = seeds;
+        this.problems = problems;
+    }
+
+    /// @param name as the scenario calls it
+    /// @param scene empty when it can't be read
+    /// @param roles of the robots that it brings along, those of one make together
+    record World(String name, Optional<Scene> scene, List<Role> roles) {}
+
+    World read(Section world) {
+        boolean map = world.has("map");
+        boolean file = world.has("file");
+        if (map == file) {
+            world.done();
+            problems.add(
+                    world.location(),
+                    map ? "(world) has both a (map) and a (file)." : "(world.map) is missing, or (world.file).",
+                    "Write {map: office}, or {file: hall.world}.");
+            return new World("", Optional.empty(), List.of());
+        }
+        String name = world.text(map ? "map" : "file");
+        Location at = world.locationOf(map ? "map" : "file");
+        world.done();
+        if (name.isEmpty()) {
+            return new World("", Optional.empty(), List.of());
+        }
+        try {
+            Scene scene = map ? Scene.of(new Maps(files).read(name, at)) : scene(name, at);
+            return new World(name, Optional.of(scene), roles(scene, world));
+        } catch (InvalidSettings e) {
+            e.problems().forEach(problems::add);
+            return new World(name, Optional.empty(), List.of());
+        }
+    }
+
+    private Scene scene(String path, Location at) {
+        SceneFormat format = catalog.formatOf(path)
+                .orElseThrow(() -> new InvalidSettings(
+                        at,
+                        "(%s) is not a kind of world that is known here.".formatted(path),
+                        path.endsWith(".yaml")
+                                ? "Maybe it is a map: write {map: %s}.".formatted(path)
+                                : Suggestion.among(
+                                        path.substring(Math.max(0, path.lastIndexOf('.'))),
+                                        catalog.formats().keySet())));
+        files.read(path, MAX_BYTES, at); // a file that is missing is told where it is named
+        return format.read(path, files, seeds.of("world"));
+    }
+
+    private List<Role> roles(Scene scene, Section world) {
+        var byMake = new LinkedHashMap<String, List<RobotSpec>>();
+        scene.robots()
+                .forEach(spec -> byMake.computeIfAbsent(spec.role(), _ -> new ArrayList<>())
+                        .add(spec));
+        return byMake.entrySet().stream()
+                .map(entry -> role(entry.getKey(), entry.getValue(), world))
+                .toList();
+    }
+
+    private Role role(String name, List<RobotSpec> specs, Section world) {
+        var robots = new ArrayList<PlannedRobot>();
+        for (RobotSpec spec : specs) {
+            robots.add(new PlannedRobot(spec, pilot(spec).stream().toList()));
+        }
+        return new Role(name, world, robots, inCommon(robots), true);
+    }
+
+    /// What drives a robot that sees something by behaviors.
+    private Optional<PlannedDevice> pilot(RobotSpec spec) {
+        return Optional.ofNullable(catalog.drivers().get(PILOT))
+                .filter(driver -> driver.refusal(spec.model()).isEmpty())
+                .filter(_ -> has(spec.model(), RangeSensor.class))
+                .map(driver -> new PlannedDevice(
+                        PILOT,
+                        driver,
+                        Arguments.defaults(driver.parameters()),
+                        seeds.of("device/" + spec.id() + "/" + PILOT)));
+    }
+
+    static boolean hasPilot(PlannedRobot robot) {
+        return robot.drivers().stream().map(PlannedDevice::driver).anyMatch(WorldReader::makesPilot);
+    }
+
+    private static boolean makesPilot(DeviceDriver driver) {
+        return driver.makes().equals(Pilot.class);
+    }
+
+    private static boolean has(RobotModel model, Class<? extends Device> type) {
+        return model.sensors().values().stream().anyMatch(part -> type.isAssignableFrom(part.makes()));
+    }
+
+    /// Types of the devices that all of them have.
+    private static List<Class<? extends Device>> inCommon(List<PlannedRobot> robots) {
+        var common = new ArrayList<Class<? extends Device>>();
+        common.add(DriveBase.class);
+        var models = new IdentityHashMap<RobotModel, Boolean>();
+        robots.forEach(robot -> models.put(robot.spec().model(), true));
+        robots.getFirst().spec().model().sensors().values().forEach(part -> {
+            if (models.keySet().stream().allMatch(model -> has(model, part.makes()))) {
+                common.add(part.makes());
+            }
+        });
+        if (robots.stream().allMatch(WorldReader::hasPilot)) {
+            common.add(Pilot.class);
+        }
+        return common;
+    }
+}

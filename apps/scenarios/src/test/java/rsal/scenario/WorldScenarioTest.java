@@ -1,0 +1,127 @@
+package rsal.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.data.OccupancyGrid;
+import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.settings.InvalidSettings;
+
+/// Scenarios that take place in a world with all that is in it.
+class WorldScenarioTest {
+    private static final String HALL = """
+            interval_sim 50
+            quit_time 3
+            define cart position ( size [0.4 0.3 0.2] ranger ( sensor ( range [0 4] fov 180 samples 37 ) ) )
+            model ( name "walls" size [10 10 1] boundary 1 )
+            cart ( name "r0" pose [-2 0 0 0] ctrl "wander" )
+            cart ( name "r1" pose [2 0 0 0] )
+            position ( name "blind" pose [0 3 0 0] ctrl "wander" )
+            """;
+
+    private static final String SCENARIO = """
+            rsal: 1
+            scenario: visit
+            world: {file: hall.world}
+            robots:
+              guest: {model: pioneer2dx, pose: [0, -3, 0], devices: {laser: urg04lx, pilot: {}}}
+            agents:
+              roam: {type: wander, robot: cart}
+              round: {type: wall-follow, robot: guest}
+            """;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void writeWorld() throws IOException {
+        Files.writeString(folder.resolve("hall.world"), HALL);
+    }
+
+    private RunPlan planned(String text) throws IOException {
+        return Scenario.load(
+                        Files.writeString(folder.resolve("visit.yaml"), text).toString())
+                .plan(RunOptions.NONE);
+    }
+
+    private RunPlan world() {
+        return Scenario.load(folder.resolve("hall.world").toString()).plan(RunOptions.NONE);
+    }
+
+    @Test
+    void robotsOfTheWorldJoinThoseOfTheScenario() throws IOException {
+        RunPlan plan = planned(SCENARIO);
+        assertThat(plan.robots()).extracting(robot -> robot.spec().id()).containsExactly("r0", "r1", "blind", "guest");
+        assertThat(plan.agents())
+                .extracting(PlannedAgent::name, agent -> agent.robot().orElseThrow())
+                .containsExactly(tuple("roam-r0", "r0"), tuple("roam-r1", "r1"), tuple("round", "guest"));
+        assertThat(plan.step()).isEqualTo(Duration.ofMillis(50));
+        assertThat(plan.mapName()).isEqualTo("hall.world");
+        assertThat(plan.map().at(plan.map().column(4.995), plan.map().row(0))).isEqualTo(OccupancyGrid.OCCUPIED);
+        assertThat(plan.stops()).isEmpty();
+    }
+
+    @Test
+    void aStepOfTheScenarioComesFirst() throws IOException {
+        assertThat(planned(SCENARIO + "mrs: {step: 0.1}\n").step()).isEqualTo(Duration.ofMillis(100));
+    }
+
+    @Test
+    void robotsNeedNotBeAdded() throws IOException {
+        RunPlan plan = planned("rsal: 1\nscenario: visit\nworld: {file: hall.world}\n");
+        assertThat(plan.robots()).hasSize(3);
+        assertThat(plan.agents()).isEmpty();
+    }
+
+    @Test
+    void aWorldAloneIsAScenario() {
+        RunPlan plan = world();
+        assertThat(plan.scenario().name()).isEqualTo("hall.world");
+        assertThat(plan.scenario().isWorld()).isTrue();
+        assertThat(plan.agents()).singleElement().satisfies(agent -> {
+            assertThat(agent.name()).isEqualTo("r0");
+            assertThat(agent.type().key()).isEqualTo("wander");
+        });
+        assertThat(plan.stops()).singleElement().satisfies(stop -> {
+            assertThat(stop.when()).hasToString("time >= 3");
+            assertThat(stop.outcome()).isEqualTo(RunPlan.Outcome.SUCCESS);
+        });
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            {file: hall.world}              | {}                               | (world.map) is missing, or (world.file)
+            {file: hall.world}              | {file: hall.world, map: office}  | both a (map) and a (file)
+            {file: hall.world}              | {file: hal.world}                | There is no file (hal.world)
+            {file: hall.world}              | {file: ../hall.world}            | lies outside
+            {file: hall.world}              | {file: hall.wrld}                | Maybe (.world)
+            {file: hall.world}              | {flie: hall.world}               | Maybe (file)
+            guest: {                        | cart: {                          | The world has robots called (cart), too
+            robot: cart                     | robot: crat                      | Maybe (cart)
+            robot: cart                     | robot: position                  | needs a robot with a Pilot
+            """)
+    void mistakesAreTold(String right, String wrong, String expected) {
+        assertThat(SCENARIO).contains(right);
+        assertThatThrownBy(() -> planned(SCENARIO.replace(right, wrong)))
+                .isInstanceOf(InvalidSettings.class)
+                .hasMessageContaining(expected);
+    }
+
+    @Test
+    void mistakesOfTheWorldAreToldWhereTheyAre() throws IOException {
+        Files.writeString(folder.resolve("hall.world"), "model ( size [1 2] )");
+        assertThatThrownBy(() -> planned(SCENARIO))
+                .isInstanceOf(InvalidSettings.class)
+                .hasMessageContaining("hall.world:1:");
+    }
+}
