@@ -1,14 +1,20 @@
 package rsal.cli;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.scene.Scene;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Suggestion;
@@ -16,17 +22,32 @@ import rsal.settings.Suggestion;
 /// `rsal show`
 @Command(
         name = "show",
-        description = "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
-                + " and measures), or what can be set of an agent, a device driver or a back end.")
+        description =
+                "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
+                        + " and measures), what is in a world, with a picture of it, or what can be set of an agent, a device driver or a back end.")
 final class ShowCommand extends Subcommand {
     @Parameters(
-            paramLabel = "SCENARIO[:CONFIGURATION]|NAME",
-            description = "A built-in scenario ('rsal list') or a file; or what 'rsal list agents', 'drivers', 'mas' or"
-                    + " 'mrs' names.")
+            paramLabel = "SCENARIO[:CONFIGURATION]|FILE.world|NAME",
+            description =
+                    "A built-in scenario ('rsal list'), a file, or a Stage world (FILE.world); or what 'rsal list agents', 'drivers', 'mas' or"
+                            + " 'mrs' names.")
     private String name = "";
 
+    @Option(
+            names = "--image",
+            paramLabel = "OUT.png",
+            description = "Where to draw a world; its own name with .png, in this folder, when left out.")
+    private @Nullable Path image;
+
     @Override
-    int run() {
+    int run() throws IOException {
+        if (Scenario.isWorld(name)) {
+            showWorld();
+            return Exit.SUCCESS;
+        }
+        if (image != null) {
+            throw new ParameterException(spec.commandLine(), "Only worlds (FILE.world) are drawn.");
+        }
         List<Kind> all = Kind.all();
         List<Kind> found = all.stream().filter(kind -> kind.name().equals(name)).toList();
         if (found.isEmpty()) {
@@ -37,6 +58,26 @@ final class ShowCommand extends Subcommand {
             print(found.stream().map(Kind::text).collect(Collectors.joining("\n")));
         }
         return Exit.SUCCESS;
+    }
+
+    private void showWorld() throws IOException {
+        Scene scene = Scenario.load(name).plan(RunOptions.NONE).scene();
+        Path file = Path.of(name).getFileName();
+        Path drawn = image != null ? image : Path.of((file == null ? name : file) + ".png");
+        try {
+            WorldPicture.write(scene, drawn);
+        } catch (IOException e) {
+            throw new Unreachable("The picture (%s) can't be written: %s.".formatted(drawn, e));
+        }
+        var shown = ShownWorld.of(name, scene, drawn.toString());
+        if (json) {
+            printJson(shown);
+        } else {
+            print(shown.text());
+            scene.warnings().forEach(warning -> out().println(ShownWorld.line(warning)));
+            out().println("\nDrawn to " + drawn);
+            out().flush();
+        }
     }
 
     private void show(ScenarioReference reference, List<Kind> others) {

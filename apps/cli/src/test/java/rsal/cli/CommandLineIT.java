@@ -2,6 +2,7 @@ package rsal.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -11,8 +12,10 @@ import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -403,6 +406,47 @@ class CommandLineIT {
         assertThat(prey.get("type").stringValue()).isEqualTo("robots");
         assertThat(prey.get("value").stringValue()).isEqualTo("prey");
         assertThat(prey.get("max").isNull()).isTrue();
+    }
+
+    @Test
+    void showTellsWhatIsInAWorldAndDrawsIt() throws Exception {
+        Files.writeString(folder.resolve("hall.world"), """
+                name "hall"
+                interval_sim 50
+                define wall model ( color "gray30" size [8 0.2 1] )
+                define cart position (
+                    color "orange" size [0.5 0.4 0.3]
+                    ranger ( sensor ( range [0 4] fov 180 samples 90 ) )
+                )
+                wall ( pose [0 3 0 0] )
+                wall ( pose [0 -3 0 0] )
+                model ( name "crate" color "red" size [0.6 0.6 0.5] pose [2 1 0 30] )
+                cart ( name "c1" pose [-2 0 0 0] ctrl "wander" colour 3 )
+                """);
+        Ended text = rsal.run("show", "hall.world");
+        Ended json = rsal.run("show", "hall.world", "--json", "--image", "drawn.png");
+        JsonNode shown = JsonMapper.shared().readTree(json.out());
+
+        assertThat(text.code()).isZero();
+        assertThat(text.out())
+                .contains("hall", "cart", "1 × differential", "LaserScanner", "wander", "(colour)", "hall.world.png");
+        assertThat(shown.get("things").intValue()).isEqualTo(3);
+        assertThat(shown.get("robots").get(0).get("ids").get(0).stringValue()).isEqualTo("c1");
+        BufferedImage drawn = ImageIO.read(folder.resolve("drawn.png").toFile());
+        var colors = new HashSet<Integer>();
+        for (int x = 0; x < drawn.getWidth(); x++) {
+            for (int y = 0; y < drawn.getHeight(); y++) {
+                colors.add(drawn.getRGB(x, y) & 0xffffff);
+            }
+        }
+        assertThat(colors).contains(0xff0000, 0xffa500, 0x4d4d4d, 0xffffff);
+        assertThat(ImageIO.read(folder.resolve("hall.world.png").toFile()).getWidth())
+                .isEqualTo(drawn.getWidth());
+        assertThat(rsal.run("show", "guard.yaml", "--image", "x.png").code()).isEqualTo(Exit.USAGE);
+        Ended missing = rsal.run("show", "hull.world");
+        assertThat(missing.code()).isEqualTo(Exit.INVALID);
+        assertThat(missing.err()).contains("There is no file (hull.world)");
+        assertThat(folder.resolve("hull.world.png")).doesNotExist();
     }
 
     @ParameterizedTest

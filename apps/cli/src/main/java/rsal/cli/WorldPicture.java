@@ -1,0 +1,206 @@
+package rsal.cli;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Arc2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotSpec;
+import rsal.scene.Block;
+import rsal.scene.Entity;
+import rsal.scene.Raster;
+import rsal.scene.Scene;
+
+/// A world from above: floor plans dark, things and robots in their colors, where robots look as pale fans, and a
+/// bar that tells the scale.
+final class WorldPicture {
+    private static final int LONGEST = 1600; // side [px]
+    private static final int SHORTEST = 200; // side [px]
+    private static final int BELOW = 40; // for the bar [px]
+    private static final double MOST_PER_METER = 200; // [px]
+    private static final int MANY = 200; // robots; fans of more would hide the world
+    private static final Color WALL = new Color(0x33, 0x33, 0x33);
+    private static final Color LASER = new Color(0, 90, 255, 22);
+    private static final Color SONAR = new Color(0, 160, 60, 90);
+
+    private final Scene scene;
+    private final double perMeter;
+    private final BufferedImage image;
+    private final Graphics2D graphics;
+    private final AffineTransform pixelsFromMap;
+
+    private WorldPicture(Scene scene) {
+        this.scene = scene;
+        OccupancyGrid map = scene.map();
+        double across = map.width() * map.resolution();
+        double up = map.height() * map.resolution();
+        perMeter = Math.min(MOST_PER_METER, LONGEST / Math.max(across, up));
+        int width = Math.max(SHORTEST, (int) Math.ceil(across * perMeter));
+        int height = Math.max(1, (int) Math.ceil(up * perMeter));
+        image = new BufferedImage(width, height + BELOW, BufferedImage.TYPE_INT_RGB);
+        graphics = image.createGraphics();
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setColor(Color.WHITE);
+        graphics.fillRect(0, 0, image.getWidth(), image.getHeight());
+        pixelsFromMap = new AffineTransform(
+                perMeter, 0, 0, -perMeter, -map.originX() * perMeter, height + map.originY() * perMeter);
+        draw();
+        graphics.dispose();
+    }
+
+    /// @throws IOException when it can't be written
+    static void write(Scene scene, Path file) throws IOException {
+        System.setProperty("java.awt.headless", "true"); // a server has no screen
+        BufferedImage image = new WorldPicture(scene).image;
+        try (var out = Files.newOutputStream(file)) {
+            if (!ImageIO.write(image, "png", out)) {
+                throw new IOException("This Java writes no PNG.");
+            }
+        }
+    }
+
+    private void draw() {
+        scene.walls().forEach(this::draw);
+        scene.things().forEach(this::draw);
+        if (scene.robots().size() <= MANY) {
+            scene.robots().forEach(this::drawFans);
+        }
+        for (RobotSpec robot : scene.robots()) {
+            Entity body = scene.robotBodies().get(robot.id());
+            if (body != null) {
+                draw(body);
+            }
+            robot.mapFromBase()
+                    .ifPresent(
+                            pose -> drawHeading(pose, robot.model().footprint().circumscribedRadius()));
+        }
+        drawBar();
+    }
+
+    private void draw(Raster raster) {
+        graphics.setColor(WALL);
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
+        for (int row = 0; row < raster.height(); row++) {
+            int begin = row * raster.width();
+            int end = begin + raster.width();
+            int from = raster.solid().nextSetBit(begin);
+            while (from >= 0 && from < end) {
+                int to = Math.min(end, raster.solid().nextClearBit(from));
+                var run = new Rectangle2D.Double(
+                        raster.left() + (from - begin) * raster.cellX(),
+                        raster.bottom() + row * raster.cellY(),
+                        (to - from) * raster.cellX(),
+                        raster.cellY());
+                var bounds = pixelsFromMap.createTransformedShape(run).getBounds(); // at least a pixel
+                graphics.fillRect(bounds.x, bounds.y, bounds.width, bounds.height);
+                from = raster.solid().nextSetBit(to);
+            }
+        }
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    }
+
+    private void draw(Entity entity) {
+        graphics.setStroke(new BasicStroke(1));
+        for (Block block : entity.blocks()) {
+            Shape shape = pixelsFromMap.createTransformedShape(outline(block, entity.mapFromEntity()));
+            Rgb rgb = block.surface().color();
+            graphics.setColor(new Color(rgb.packed()));
+            graphics.fill(shape);
+            graphics.setColor(graphics.getColor().darker());
+            graphics.draw(shape);
+        }
+    }
+
+    private static Shape outline(Block block, Pose2d mapFromEntity) {
+        return switch (block.prism().shape()) {
+            case rsal.data.Shape.Disc disc -> {
+                Point2d center = mapFromEntity.transform(disc.center());
+                yield new Ellipse2D.Double(
+                        center.x() - disc.radius(), center.y() - disc.radius(), 2 * disc.radius(), 2 * disc.radius());
+            }
+            case rsal.data.Shape.Polygon polygon -> {
+                var path = new Path2D.Double();
+                List<Point2d> corners =
+                        polygon.corners().stream().map(mapFromEntity::transform).toList();
+                path.moveTo(corners.getFirst().x(), corners.getFirst().y());
+                corners.forEach(corner -> path.lineTo(corner.x(), corner.y()));
+                path.closePath();
+                yield path;
+            }
+        };
+    }
+
+    private void drawHeading(Pose2d pose, double radius) {
+        Pose2d nose = pose.compose(new Pose2d(1.3 * Math.max(radius, 4 / perMeter), 0, 0));
+        graphics.setStroke(new BasicStroke(1.5f));
+        graphics.setColor(Color.BLACK);
+        graphics.draw(pixelsFromMap.createTransformedShape(new Line2D.Double(pose.x(), pose.y(), nose.x(), nose.y())));
+    }
+
+    private void drawFans(RobotSpec robot) {
+        robot.mapFromBase().ifPresent(pose -> robot.model().sensors().values().forEach(part -> drawFan(part, pose)));
+    }
+
+    private void drawFan(Part part, Pose2d mapFromBase) {
+        graphics.setStroke(new BasicStroke(1));
+        switch (part) {
+            case Part.Laser laser -> {
+                Pose2d eye = mapFromBase.compose(laser.baseFromLaser());
+                double r = laser.rangeMax();
+                double first = Math.toDegrees(eye.theta() + laser.angleMin());
+                double extent = Math.toDegrees(laser.angleIncrement() * (laser.samples() - 1));
+                graphics.setColor(LASER); // an arc's angles go the other way round than ours
+                graphics.fill(pixelsFromMap.createTransformedShape(
+                        new Arc2D.Double(eye.x() - r, eye.y() - r, 2 * r, 2 * r, -first, -extent, Arc2D.PIE)));
+            }
+            case Part.Sonars sonars -> {
+                graphics.setColor(SONAR);
+                for (Pose2d baseFromSonar : sonars.baseFromSensors()) {
+                    Pose2d eye = mapFromBase.compose(baseFromSonar);
+                    Pose2d end = eye.compose(new Pose2d(sonars.rangeMax(), 0, 0));
+                    graphics.draw(pixelsFromMap.createTransformedShape(
+                            new Line2D.Double(eye.x(), eye.y(), end.x(), end.y())));
+                }
+            }
+            default -> {}
+        }
+    }
+
+    private void drawBar() {
+        double length = niceLength(image.getWidth() / 4.0 / perMeter);
+        int pixels = (int) Math.round(length * perMeter);
+        int y = image.getHeight() - BELOW / 2;
+        graphics.setColor(Color.WHITE);
+        graphics.fillRect(0, image.getHeight() - BELOW, image.getWidth(), BELOW);
+        graphics.setColor(Color.BLACK);
+        graphics.setStroke(new BasicStroke(2));
+        graphics.drawLine(10, y, 10 + pixels, y);
+        graphics.drawLine(10, y - 5, 10, y + 5);
+        graphics.drawLine(10 + pixels, y - 5, 10 + pixels, y + 5);
+        graphics.drawString(String.format(Locale.ROOT, length < 1 ? "%.1f m" : "%.0f m", length), 18 + pixels, y + 5);
+    }
+
+    /// 1, 2 or 5 times a power of ten, at most as long.
+    private static double niceLength(double most) {
+        double power = Math.pow(10, Math.floor(Math.log10(most)));
+        return power * (most >= 5 * power ? 5 : most >= 2 * power ? 2 : 1);
+    }
+}
