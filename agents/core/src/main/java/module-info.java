@@ -17,6 +17,6 @@ module rsal.agents {
             rsal.agents.Follow.Type,
             rsal.agents.Nav.Type,
             rsal.agents.View.Type,
-            rsal.agents.WallFollow.Type,
-            rsal.agents.Wander.Type;
+            rsal.agents.Roamer.WallFollow,
+            rsal.agents.Roamer.Wander;
 }
