@@ -36,9 +36,10 @@ final class Lineup {
     private final Map<String, Body> bodies = new LinkedHashMap<>(); // by robot
     private final List<Problem> problems = new ArrayList<>();
 
-    Lineup(Scene scene, List<RobotSpec> robots, Seeds seeds) {
+    /// @param walls of the scene
+    Lineup(Scene scene, List<Walls> walls, List<RobotSpec> robots, Seeds seeds) {
         this.map = scene.map();
-        this.world = new World(scene.walls().stream().map(Walls::new).toList(), extent(map));
+        this.world = new World(walls, extent(map));
         this.seeds = seeds;
         for (Entity thing : scene.things()) {
             things.add(world.add(thing.name(), Chunk.of(thing.blocks()), thing.mapFromEntity(), thing.height()), 0);

@@ -5,8 +5,12 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
 import rsal.robot.RobotSpec;
+import rsal.scene.Raster;
 import rsal.settings.Parameter;
+import rsal.sim.world.Walls;
 import rsal.sim.world.World;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
@@ -25,6 +29,12 @@ public final class SimProvider implements RobotSystemProvider {
             "odometryNoise", 1, 0, 10, "", "How much odometry drifts: 1 as the model says, 0 not at all.");
     static final Parameter SENSOR_NOISE =
             Parameter.number("sensorNoise", 1, 0, 10, "", "How noisy ranges are: 1 as the model says, 0 not at all.");
+
+    private final AtomicReference<@Nullable Measured> last = new AtomicReference<>();
+
+    /// Walls with their distances, which take a while to measure: whoever checks a world and then runs it, or runs
+    /// it again, needs them once.
+    private record Measured(List<Raster> rasters, List<Walls> walls) {}
 
     @Override
     public String key() {
@@ -47,7 +57,7 @@ public final class SimProvider implements RobotSystemProvider {
         specs.sort(Comparator.comparing(RobotSpec::id));
         refuse(problems(specs));
         var seeds = new Seeds(config.seed());
-        var lineup = new Lineup(config.scene(), specs, seeds);
+        var lineup = new Lineup(config.scene(), walls(config.scene().walls()), specs, seeds);
         refuse(lineup.problems());
         var assembly = new Assembly(config.settings(), scheduler, seeds, lineup.world(), lineup.things());
         var robots = specs.stream()
@@ -58,6 +68,15 @@ public final class SimProvider implements RobotSystemProvider {
                         .ifPresent(robot.drive()::resetOdometry));
         return new SimSystem(
                 scheduler, config.settings().seconds(STEP.name()), lineup.world(), lineup.things(), robots);
+    }
+
+    private List<Walls> walls(List<Raster> rasters) {
+        Measured known = last.get();
+        if (known == null || !known.rasters.equals(rasters)) {
+            known = new Measured(rasters, rasters.stream().map(Walls::new).toList());
+            last.set(known);
+        }
+        return known.walls;
     }
 
     private static void refuse(List<Problem> problems) {
