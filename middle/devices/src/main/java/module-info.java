@@ -8,6 +8,7 @@ module rsal.devices {
 
     exports rsal.behavior;
     exports rsal.device;
+    exports rsal.image;
     exports rsal.map;
     exports rsal.robot;
     exports rsal.scene;

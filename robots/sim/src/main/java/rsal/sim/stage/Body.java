@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.image.Bitmap;
 
 /// What is solid of a model, in its frame: axes through its pose, z from its underside [m]. Its origin is
 /// accounted for. To get heights in the world, add its placement's z.

@@ -1,12 +1,12 @@
 package rsal.sim.stage;
 
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.image.Bitmap;
 import rsal.sim.stage.Body.Prism;
 import rsal.sim.stage.Body.Raster;
 
@@ -91,7 +91,7 @@ final class BodyBuilder {
         double length = size.x() / bitmap.width();
         double width = size.y() / bitmap.height();
         List<int[]> rectangles =
-                (long) bitmap.width() * bitmap.height() <= MOST_PIXELS_IN_RECTANGLES ? rectangles(bitmap) : List.of();
+                (long) bitmap.width() * bitmap.height() <= MOST_PIXELS_IN_RECTANGLES ? bitmap.rectangles() : List.of();
         if (rectangles.isEmpty() || rectangles.size() > MOST_RECTANGLES) {
             Pose2d bodyFromCorner = new Pose2d(-size.x() / 2, -size.y() / 2, 0);
             raster = Optional.of(new Raster(
@@ -110,30 +110,6 @@ final class BodyBuilder {
                     r[3] * width - size.y() / 2,
                     size.z());
         }
-    }
-
-    /// All that is solid as rectangles: runs of pixels in a row, grown upwards while the rows above have them,
-    /// too.
-    ///
-    /// @return for each its first column, the column behind its last, and likewise its rows
-    static List<int[]> rectangles(Bitmap bitmap) {
-        var found = new ArrayList<int[]>();
-        var left = (BitSet) bitmap.solid().clone();
-        int width = bitmap.width();
-        for (int i = left.nextSetBit(0); i >= 0; i = left.nextSetBit(i)) {
-            int row = i / width;
-            int first = i % width;
-            int end = Math.min(left.nextClearBit(i), (row + 1) * width) - row * width;
-            int top = row;
-            while (top < bitmap.height()
-                    && left.get(top * width + first)
-                    && left.nextClearBit(top * width + first) >= top * width + end) {
-                left.clear(top * width + first, top * width + end);
-                top++;
-            }
-            found.add(new int[] {first, end, row, top});
-        }
-        return found;
     }
 
     private Prism prism(List<Point2d> corners, Interval heights, Optional<Color> color) {

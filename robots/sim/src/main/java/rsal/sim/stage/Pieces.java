@@ -46,7 +46,7 @@ final class Pieces {
             add(pieces, model, prism, frameFromModel);
         }
         body.raster().ifPresent(raster -> {
-            for (int[] r : BodyBuilder.rectangles(raster.bitmap())) {
+            for (int[] r : raster.bitmap().rectangles()) {
                 List<Point2d> corners = List.of(
                         corner(raster, r[0], r[2]),
                         corner(raster, r[1], r[2]),

@@ -14,8 +14,11 @@ import rsal.data.Rgb;
 import rsal.robot.RobotSpec;
 import rsal.scene.Block;
 import rsal.scene.Entity;
+import rsal.scene.MapPainter;
 import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.Surface;
+import rsal.scene.Upright;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.sim.stage.Pieces.Piece;
@@ -104,7 +107,7 @@ final class SceneMaker {
         Traits traits = model.traits();
         Color color = traits.color().orElseGet(() -> drawn(model.name()));
         if (traits.body().raster().isPresent() && !traits.returns().gripper()) {
-            Optional<Raster> upright = Upright.of(
+            Optional<Raster> upright = upright(
                     traits.body().raster().get(), model.worldFromModel(), Pieces.surface(traits.returns(), color));
             if (upright.isPresent()) {
                 walls.add(upright.get());
@@ -113,6 +116,21 @@ final class SceneMaker {
             }
         }
         addThing(model, traits.body(), color);
+    }
+
+    private static Optional<Raster> upright(Body.Raster raster, Placement worldFromModel, Surface surface) {
+        if (!(raster.cellLength() > 0 && raster.cellWidth() > 0)) {
+            return Optional.empty();
+        }
+        return Upright.of(
+                raster.bitmap(),
+                worldFromModel.pose().compose(raster.modelFromCorner()),
+                raster.cellLength(),
+                raster.cellWidth(),
+                new rsal.data.Interval(
+                        worldFromModel.z() + raster.heights().min(),
+                        worldFromModel.z() + raster.heights().max()),
+                surface);
     }
 
     private void addThing(StageModel model, Body body, Color color) {

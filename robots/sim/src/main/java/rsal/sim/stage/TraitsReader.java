@@ -9,6 +9,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import rsal.data.Point2d;
+import rsal.image.Bitmap;
+import rsal.image.BitmapReader;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.sim.stage.BodyBuilder.Block;
@@ -244,7 +246,7 @@ final class TraitsReader implements KindReader.Paint {
 
     private Optional<Bitmap> decode(String path, byte[] bytes, Location at) {
         try {
-            Bitmap bitmap = BitmapReader.read(path, bytes);
+            Bitmap bitmap = BitmapReader.read(bytes);
             pixels += (long) bitmap.width() * bitmap.height();
             if (pixels > MAX_PIXELS) {
                 throw findings.fatal(

@@ -230,4 +230,12 @@ class WorldMistakesTest {
     void endlessMistakesAreCutShort() {
         assertThat(Worlds.of("model ( mass \"x\" )\n".repeat(1000)).mistakes()).hasSize(50);
     }
+
+    @Test
+    void anImageThatCanNotBeReadIsToldWhereItIsNamed() {
+        assertThat(Worlds.of("model ( bitmap \"a.png\" )").and("a.png", "what").mistakes())
+                .singleElement()
+                .asString()
+                .startsWith("test.world:1:9: Image (a.png) can't be read: it is no image");
+    }
 }

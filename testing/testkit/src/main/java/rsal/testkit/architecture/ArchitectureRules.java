@@ -60,6 +60,7 @@ public abstract class ArchitectureRules {
         "rsal.robot..",
         "rsal.settings..",
         "rsal.time..",
+        "rsal.image..",
         "rsal.map..",
         "rsal.behavior..",
         "rsal.scene..",

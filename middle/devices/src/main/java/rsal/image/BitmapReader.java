@@ -1,4 +1,4 @@
-package rsal.sim.stage;
+package rsal.image;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.ComponentColorModel;
@@ -10,18 +10,26 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
-/// Reads images as Stage does: a pixel is solid when its first channel (red, or gray) is at most half of the
-/// brightest. PNG, GIF, JPEG, BMP, TIFF and the portable formats (PBM, PGM, PPM) are known.
-final class BitmapReader {
+/// Reads which pixels of an image are solid: those whose first channel (red, or gray) is dark. PNG, GIF, JPEG, BMP,
+/// TIFF and the portable formats (PBM, PGM, PPM) are known.
+public final class BitmapReader {
     /// Of one image, 400 m × 400 m at 0.05 m.
-    static final int MAX_PIXELS = 1 << 26;
+    public static final int MAX_PIXELS = 1 << 26;
 
     private BitmapReader() {}
 
+    /// Solid is what is at most half as bright as can be, as in Stage.
+    ///
     /// @throws Unreadable when it is no image, broken, or too large
-    static Bitmap read(String file, byte[] bytes) throws Unreadable {
+    public static Bitmap read(byte[] bytes) throws Unreadable {
+        return read(bytes, 0.5);
+    }
+
+    /// @param threshold how bright a pixel may be to be solid, 0 (black) to 1 (white)
+    /// @throws Unreadable when it is no image, broken, or too large
+    public static Bitmap read(byte[] bytes, double threshold) throws Unreadable {
         if (bytes.length >= 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') {
-            return new PortableImage(file, bytes).read();
+            return new PortableImage(bytes, threshold).read();
         }
         try (var in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
             Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
@@ -32,7 +40,7 @@ final class BitmapReader {
             try {
                 reader.setInput(in, true, true);
                 checkSize(reader.getWidth(0), reader.getHeight(0));
-                return bitmap(file, reader.read(0));
+                return bitmap(reader.read(0), threshold);
             } finally {
                 reader.dispose();
             }
@@ -41,7 +49,7 @@ final class BitmapReader {
         }
     }
 
-    private static Bitmap bitmap(String file, BufferedImage image) {
+    private static Bitmap bitmap(BufferedImage image, double threshold) {
         int width = image.getWidth();
         int height = image.getHeight();
         boolean asStored = image.getColorModel() instanceof ComponentColorModel;
@@ -53,14 +61,14 @@ final class BitmapReader {
                 int first = asStored
                         ? image.getRaster().getSample(column, line, 0)
                         : image.getRGB(column, line) >> 16 & 0xff;
-                solid.set(row * width + column, isSolid(first, brightest));
+                solid.set(row * width + column, isSolid(first, brightest, threshold));
             }
         }
-        return new Bitmap(file, width, height, solid);
+        return new Bitmap(width, height, solid);
     }
 
-    static boolean isSolid(int first, int brightest) {
-        return 2L * first <= brightest;
+    static boolean isSolid(int first, int brightest, double threshold) {
+        return first <= threshold * brightest;
     }
 
     static void checkSize(long width, long height) throws Unreadable {
@@ -70,14 +78,14 @@ final class BitmapReader {
     }
 
     /// Why an image can't be read.
-    static final class Unreadable extends Exception {
+    public static final class Unreadable extends Exception {
         private static final long serialVersionUID = 1;
 
         Unreadable(String why) {
             super(why);
         }
 
-        String why() {
+        public String why() {
             return String.valueOf(getMessage());
         }
     }

@@ -1,19 +1,19 @@
-package rsal.sim.stage;
+package rsal.image;
 
 import java.util.BitSet;
-import rsal.sim.stage.BitmapReader.Unreadable;
+import rsal.image.BitmapReader.Unreadable;
 
 /// Reads one portable image: bits, gray or colors, plain (P1–P3) or raw (P4–P6), as netpbm's manual
 /// describes them.
 final class PortableImage {
-    private final String file;
     private final byte[] bytes;
+    private final double threshold;
     private int next = 2;
 
     /// @param bytes begin with `P1` to `P6`
-    PortableImage(String file, byte[] bytes) {
-        this.file = file;
+    PortableImage(byte[] bytes, double threshold) {
         this.bytes = bytes;
+        this.threshold = threshold;
     }
 
     Bitmap read() throws Unreadable {
@@ -41,11 +41,11 @@ final class PortableImage {
                     for (int i = 1; i < channels; i++) {
                         sample(raw, brightest);
                     }
-                    solid.set(row * width + column, BitmapReader.isSolid(first, brightest));
+                    solid.set(row * width + column, BitmapReader.isSolid(first, brightest, threshold));
                 }
             }
         }
-        return new Bitmap(file, width, height, solid);
+        return new Bitmap(width, height, solid);
     }
 
     /// 1 is black; raw rows begin with a byte of their own.

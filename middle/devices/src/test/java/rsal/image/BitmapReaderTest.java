@@ -1,4 +1,4 @@
-package rsal.sim.stage;
+package rsal.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.sim.stage.BitmapReader.Unreadable;
+import rsal.image.BitmapReader.Unreadable;
 
 /// Which pixels are solid.
 class BitmapReaderTest {
@@ -67,7 +67,7 @@ class BitmapReaderTest {
             })
     void whatIsNoImageIsRefused(String bytes, String why) {
         assertThatExceptionOfType(Unreadable.class)
-                .isThrownBy(() -> BitmapReader.read("a", bytes.getBytes(StandardCharsets.ISO_8859_1)))
+                .isThrownBy(() -> BitmapReader.read(bytes.getBytes(StandardCharsets.ISO_8859_1)))
                 .withMessage(why);
     }
 
@@ -77,19 +77,12 @@ class BitmapReaderTest {
         ImageIO.write(new BufferedImage(50, 50, BufferedImage.TYPE_INT_RGB), "png", out);
         byte[] bytes = Arrays.copyOf(out.toByteArray(), 50);
         assertThatExceptionOfType(Unreadable.class)
-                .isThrownBy(() -> BitmapReader.read("a", bytes))
+                .isThrownBy(() -> BitmapReader.read(bytes))
                 .withMessageStartingWith("it is broken");
-        assertThat(new Worlds()
-                        .and("test.world", "model ( bitmap \"a.png\" )")
-                        .and("a.png", bytes)
-                        .mistakes())
-                .singleElement()
-                .asString()
-                .startsWith("test.world:1:9: Image (a.png) can't be read: it is broken");
     }
 
     private static String drawn(byte[] bytes) throws Unreadable {
-        Bitmap bitmap = BitmapReader.read("a", bytes);
+        Bitmap bitmap = BitmapReader.read(bytes);
         var lines = new ArrayList<String>();
         for (int row = bitmap.height() - 1; row >= 0; row--) {
             var line = new StringBuilder();

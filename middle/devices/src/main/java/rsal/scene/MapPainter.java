@@ -1,4 +1,4 @@
-package rsal.sim.stage;
+package rsal.scene;
 
 import java.util.Arrays;
 import java.util.BitSet;
@@ -7,14 +7,10 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Shape;
-import rsal.scene.Block;
-import rsal.scene.Entity;
-import rsal.scene.Raster;
-import rsal.scene.Surface;
 
 /// Draws the map of a world for robots and people: what stays where it is, is in the way or seen by rangers, and is
 /// neither flat on the floor nor above all robots. A cell is occupied if any of that reaches into it.
-final class MapPainter {
+public final class MapPainter {
     private static final double FINEST = 0.05; // side of a cell [m]
     private static final long MOST_CELLS = 16_000_000;
     private static final double MARGIN = 0.5; // around all that is there [m]
@@ -33,7 +29,7 @@ final class MapPainter {
     private double top = Double.NEGATIVE_INFINITY;
 
     /// The world reaches too far.
-    static final class TooLarge extends RuntimeException {
+    public static final class TooLarge extends RuntimeException {
         private static final long serialVersionUID = 1;
 
         TooLarge(double extent) {
@@ -42,7 +38,7 @@ final class MapPainter {
     }
 
     /// @param robots which are in the map's extent, but not drawn
-    MapPainter(List<Raster> walls, List<Entity> things, List<Entity> robots) {
+    public MapPainter(List<Raster> walls, List<Entity> things, List<Entity> robots) {
         this.walls = walls;
         this.things = things;
         this.robots = robots;
@@ -57,7 +53,7 @@ final class MapPainter {
     }
 
     /// @throws TooLarge when there can be no map of all that is there
-    OccupancyGrid map() {
+    public OccupancyGrid map() {
         measure();
         if (!(right - left <= FARTHEST && top - bottom <= FARTHEST)) {
             throw new TooLarge(Math.max(right - left, top - bottom));
@@ -121,17 +117,28 @@ final class MapPainter {
             for (Entity entity : some) {
                 include(entity.mapFromEntity().x(), entity.mapFromEntity().y());
                 for (Block block : entity.blocks()) {
-                    if (block.prism().shape() instanceof Shape.Polygon polygon) {
-                        for (Point2d corner : polygon.corners()) {
-                            Point2d placed = entity.mapFromEntity().transform(corner);
-                            include(placed.x(), placed.y());
-                        }
-                    }
+                    include(block.prism().shape(), entity.mapFromEntity());
                 }
             }
         }
         if (left > right) {
             include(0, 0); // an empty world
+        }
+    }
+
+    private void include(Shape shape, Pose2d mapFromEntity) {
+        switch (shape) {
+            case Shape.Polygon polygon -> {
+                for (Point2d corner : polygon.corners()) {
+                    Point2d placed = mapFromEntity.transform(corner);
+                    include(placed.x(), placed.y());
+                }
+            }
+            case Shape.Disc disc -> {
+                Point2d center = mapFromEntity.transform(disc.center());
+                include(center.x() - disc.radius(), center.y() - disc.radius());
+                include(center.x() + disc.radius(), center.y() + disc.radius());
+            }
         }
     }
 
@@ -171,11 +178,26 @@ final class MapPainter {
     }
 
     private static void paint(OccupancyGrid map, Shape shape, Pose2d mapFromEntity) {
-        if (shape instanceof Shape.Polygon polygon) {
-            List<Point2d> corners =
-                    polygon.corners().stream().map(mapFromEntity::transform).toList();
-            paintEdges(map, corners);
-            paintInside(map, corners);
+        switch (shape) {
+            case Shape.Polygon polygon -> {
+                List<Point2d> corners =
+                        polygon.corners().stream().map(mapFromEntity::transform).toList();
+                paintEdges(map, corners);
+                paintInside(map, corners);
+            }
+            case Shape.Disc disc -> paintDisc(map, mapFromEntity.transform(disc.center()), disc.radius());
+        }
+    }
+
+    /// All cells of which the nearest point to the middle is inside.
+    private static void paintDisc(OccupancyGrid map, Point2d center, double radius) {
+        double r = map.resolution();
+        int lastRow = Math.min(map.height() - 1, map.row(center.y() + radius));
+        for (int row = Math.max(0, map.row(center.y() - radius)); row <= lastRow; row++) {
+            double low = map.originY() + row * r;
+            double up = Math.max(0, Math.max(low - center.y(), center.y() - (low + r)));
+            double half = Math.sqrt(Math.max(0, radius * radius - up * up));
+            fill(map, center.x() - half, low, center.x() + half, low + r);
         }
     }
 
