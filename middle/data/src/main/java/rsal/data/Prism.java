@@ -20,4 +20,9 @@ public record Prism(Shape shape, double bottom, double top, Optional<Rgb> color)
     public static Prism standing(Shape shape, double height) {
         return new Prism(shape, 0, height, Optional.empty());
     }
+
+    /// The same in a color.
+    public Prism in(Rgb other) {
+        return new Prism(shape, bottom, top, Optional.of(other));
+    }
 }

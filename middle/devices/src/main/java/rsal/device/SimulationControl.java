@@ -30,6 +30,41 @@ public interface SimulationControl extends Device {
         return false;
     }
 
+    /// All that is no robot, as it is now, in the order in which it came.
+    default List<Standing> things() {
+        return List.of();
+    }
+
+    /// What is solid of a thing or a robot, in its own frame, each piece in its color; empty when there is none of
+    /// that name, or nothing is solid of it.
+    default Optional<Solid> body(String entity) {
+        return Optional.empty();
+    }
+
+    /// Puts a robot into the world that has model, role, color and body of another, and devices of its own. The
+    /// robot system tells that it has appeared.
+    ///
+    /// @param id unique among the entities
+    /// @param like id of a robot that is there or was
+    default Placement addRobot(String id, String like, Pose2d mapFromBase) {
+        return new Placement.Refused("(%s) can't be added: this world takes no robots.".formatted(id));
+    }
+
+    /// Takes a robot out of the world. It lets go of what it holds, its devices are lost, and the robot system tells
+    /// that it was removed.
+    ///
+    /// @return whether there was such a robot
+    default boolean removeRobot(String id) {
+        return false;
+    }
+
+    /// A thing that is somewhere. As long as it is not moved, it is the same object.
+    ///
+    /// @param number from 1, of no other thing that there is or was
+    /// @param body in its own frame, each piece in its color
+    /// @param height of its underside above the floor [m]
+    record Standing(int number, String name, Solid body, Pose2d mapFromThing, double height) {}
+
     /// Something that is no robot: a box, a ball, a marker, a charging station.
     ///
     /// @param name unique among the entities

@@ -25,6 +25,10 @@ public interface RobotSystem extends AutoCloseable {
     sealed interface Change {
         record Appeared(Robot robot) implements Change {}
 
+        /// It can't be reached, or is broken; it may appear again.
         record Gone(String robot, String reason) implements Change {}
+
+        /// It was taken out for good: its devices are lost, and its id is free.
+        record Removed(String robot) implements Change {}
     }
 }

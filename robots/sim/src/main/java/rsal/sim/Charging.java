@@ -6,17 +6,17 @@ import rsal.sim.world.World;
 /// Moves energy from those who give to those robots that touch them: first from things, then from other robots, in
 /// the order in which they came or of their ids.
 final class Charging {
-    private final List<SimBattery> batteries;
+    private final Team team;
     private final Things things;
 
-    /// @param batteries in the order of their robots' ids
-    Charging(List<SimBattery> batteries, Things things) {
-        this.batteries = List.copyOf(batteries);
+    Charging(Team team, Things things) {
+        this.team = team;
         this.things = things;
     }
 
     /// @param dt [s]
     void step(World world, double dt) {
+        List<SimBattery> batteries = team.batteries();
         for (SimBattery battery : batteries) {
             for (Things.Item thing : things.givers()) {
                 if (world.meets(battery.robot(), thing.body())) {

@@ -12,6 +12,7 @@ import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.map.FreeSpace;
 import rsal.robot.RobotSpec;
+import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
@@ -42,7 +43,10 @@ final class Lineup {
         this.world = new World(walls, extent(map));
         this.seeds = seeds;
         for (Entity thing : scene.things()) {
-            things.add(world.add(thing.name(), Chunk.of(thing.blocks()), thing.mapFromEntity(), thing.height()), 0);
+            things.add(
+                    world.add(thing.name(), Chunk.of(thing.blocks()), thing.mapFromEntity(), thing.height()),
+                    thing.blocks(),
+                    0);
         }
         for (RobotSpec robot : robots) {
             Entity known = scene.robotBodies().get(robot.id());
@@ -74,8 +78,12 @@ final class Lineup {
     }
 
     private static List<Chunk> chunks(RobotSpec robot) {
+        return Chunk.of(blocks(robot));
+    }
+
+    private static List<Block> blocks(RobotSpec robot) {
         Rgb color = Rgb.parse(robot.color()).orElse(Surface.PLAIN.color());
-        return Chunk.of(Entity.blocks(robot.model().body(), color));
+        return Entity.blocks(robot.model().body(), color);
     }
 
     /// Which robots are not on the map, and why.
@@ -89,6 +97,12 @@ final class Lineup {
 
     World world() {
         return world;
+    }
+
+    /// What a robot's body is made of.
+    static List<Block> blocks(Scene scene, RobotSpec robot) {
+        Entity known = scene.robotBodies().get(robot.id());
+        return known == null ? blocks(robot) : known.blocks();
     }
 
     /// @throws IllegalArgumentException when the robot is not on the map

@@ -2,10 +2,11 @@ package rsal.sim;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import rsal.data.Pose2d;
 import rsal.data.Prism;
+import rsal.data.Solid;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
@@ -15,45 +16,71 @@ import rsal.scene.Surface;
 import rsal.sim.world.Body;
 import rsal.sim.world.Chunk;
 import rsal.sim.world.World;
+import rsal.system.RobotSystem;
 
 /// The truth of the simulated world. Its entities are the robots and the things.
 final class SimControl extends DeviceCore implements SimulationControl {
+    private static final int LONGEST_NAME = 100;
+
     private final World world;
     private final Things things;
-    private final Map<String, SimRobot> robots;
-    private final List<SimGripper> grippers;
+    private final Team team;
+    private final Recruiting recruiting;
     private final Touches touches;
+    private final Consumer<RobotSystem.Change> changes;
+    private boolean closed;
 
-    /// @param robots by id, in id order
-    SimControl(World world, Things things, Map<String, SimRobot> robots, List<SimGripper> grippers, Touches touches) {
+    /// @param changes told which robots come and go
+    SimControl(
+            World world,
+            Things things,
+            Team team,
+            Recruiting recruiting,
+            Touches touches,
+            Consumer<RobotSystem.Change> changes) {
         super(new DeviceInfo("", "simulation", SimProvider.KEY));
         this.world = world;
         this.things = things;
-        this.robots = robots;
-        this.grippers = grippers;
+        this.team = team;
+        this.recruiting = recruiting;
         this.touches = touches;
+        this.changes = changes;
     }
 
     @Override
     public List<String> entities() {
-        var names = new ArrayList<>(robots.keySet());
+        var names = new ArrayList<String>();
+        team.robots().forEach(robot -> names.add(robot.id()));
         names.addAll(things.names());
         return List.copyOf(names);
     }
 
     @Override
-    public Optional<Pose2d> truth(String entity) {
-        return body(entity).map(Body::pose);
+    public List<Standing> things() {
+        return things.standing();
     }
 
-    private Optional<Body> body(String entity) {
-        SimRobot robot = robots.get(entity);
-        return robot == null ? things.find(entity) : Optional.of(robot.body());
+    @Override
+    public Optional<Solid> body(String entity) {
+        return team.find(entity)
+                .flatMap(robot -> recruiting.kind(robot.id()))
+                .map(Recruiting.Kind::blocks)
+                .or(() -> things.find(entity).map(Things.Item::blocks))
+                .flatMap(Things::look);
+    }
+
+    @Override
+    public Optional<Pose2d> truth(String entity) {
+        return entity(entity).map(Body::pose);
+    }
+
+    private Optional<Body> entity(String name) {
+        return team.find(name).map(SimRobot::body).or(() -> things.find(name).map(Things.Item::body));
     }
 
     @Override
     public Placement place(String entity, Pose2d mapFromEntity) {
-        Optional<Body> body = body(entity);
+        Optional<Body> body = entity(entity);
         if (body.isEmpty()) {
             return new Placement.Refused("Nothing is called (%s); there are %s.".formatted(entity, entities()));
         }
@@ -64,17 +91,16 @@ final class SimControl extends DeviceCore implements SimulationControl {
         if (!put(body.get(), mapFromEntity)) {
             return inTheWay(entity, mapFromEntity);
         }
-        SimRobot robot = robots.get(entity);
-        if (robot != null) {
+        team.find(entity).ifPresent(robot -> {
             robot.drive().standStill();
             grippersOf(robot).forEach(SimGripper::carry);
-        }
+        });
         touches.update(world);
         return new Placement.Placed();
     }
 
     private boolean put(Body body, Pose2d there) {
-        for (SimGripper gripper : grippers) {
+        for (SimGripper gripper : team.grippers()) {
             if (gripper.holds(body)) {
                 boolean room = world.putDown(body, there, 0);
                 if (room) {
@@ -114,9 +140,9 @@ final class SimControl extends DeviceCore implements SimulationControl {
     @Override
     public Placement add(Thing thing) {
         String name = thing.name();
-        if (name.isBlank() || name.equals(World.WALL) || body(name).isPresent()) {
-            return new Placement.Refused("A thing can't be called (%s), as others are: %s and (%s)."
-                    .formatted(name, entities(), World.WALL));
+        Optional<Placement> misnamed = misnamed(name);
+        if (misnamed.isPresent()) {
+            return misnamed.get();
         }
         if (thing.marker().filter(marker -> marker.id() == 0).isPresent()) {
             return new Placement.Refused(
@@ -126,12 +152,23 @@ final class SimControl extends DeviceCore implements SimulationControl {
         if (outside.isPresent()) {
             return outside.get();
         }
-        List<Chunk> chunks = Chunk.of(blocks(thing));
+        List<Block> blocks = blocks(thing);
+        List<Chunk> chunks = Chunk.of(blocks);
         if (!world.hasRoom(chunks, thing.mapFromThing(), 0)) {
             return inTheWay(name, thing.mapFromThing());
         }
-        things.add(world.add(name, chunks, thing.mapFromThing(), 0), thing.givingPower());
+        things.add(world.add(name, chunks, thing.mapFromThing(), 0), blocks, thing.givingPower());
         return new Placement.Placed();
+    }
+
+    private Optional<Placement> misnamed(String name) {
+        if (name.isBlank() || name.length() > LONGEST_NAME) {
+            return Optional.of(new Placement.Refused("A name has from 1 to %d letters, not %d."
+                    .formatted(LONGEST_NAME, name.strip().length())));
+        }
+        return name.equals(World.WALL) || entity(name).isPresent()
+                ? Optional.of(new Placement.Refused("Something else is called (%s); names are unique.".formatted(name)))
+                : Optional.empty();
     }
 
     private static List<Block> blocks(Thing thing) {
@@ -154,11 +191,58 @@ final class SimControl extends DeviceCore implements SimulationControl {
     public boolean remove(String thing) {
         Optional<Body> gone = things.remove(thing);
         gone.ifPresent(body -> {
-            grippers.forEach(gripper -> gripper.lose(body));
+            team.grippers().forEach(gripper -> gripper.lose(body));
             touches.forget(body);
             world.remove(body);
         });
         return gone.isPresent();
+    }
+
+    @Override
+    public Placement addRobot(String id, String like, Pose2d mapFromBase) {
+        if (closed) {
+            return new Placement.Refused("The simulation was closed.");
+        }
+        Optional<Placement> misnamed = misnamed(id);
+        if (misnamed.isPresent()) {
+            return misnamed.get();
+        }
+        if (id.indexOf('/') >= 0) {
+            return new Placement.Refused(
+                    "A slash sets devices off from robots; no robot can be called (%s).".formatted(id));
+        }
+        Optional<Recruiting.Kind> kind = recruiting.kind(like);
+        if (kind.isEmpty()) {
+            return new Placement.Refused(
+                    "There never was a robot (%s) to add one like; there were %s.".formatted(like, recruiting.known()));
+        }
+        Optional<Placement> outside = outside(mapFromBase);
+        if (outside.isPresent()) {
+            return outside.get();
+        }
+        Optional<SimRobot> robot = recruiting.recruit(id, kind.get(), mapFromBase);
+        if (robot.isEmpty()) {
+            return inTheWay(id, mapFromBase);
+        }
+        team.add(robot.get());
+        changes.accept(new RobotSystem.Change.Appeared(robot.get().robot()));
+        return new Placement.Placed();
+    }
+
+    @Override
+    public boolean removeRobot(String id) {
+        Optional<SimRobot> robot = closed ? Optional.empty() : team.find(id);
+        robot.ifPresent(this::remove);
+        return robot.isPresent();
+    }
+
+    private void remove(SimRobot robot) {
+        team.remove(robot);
+        touches.forget(robot.body());
+        world.remove(robot.body());
+        grippersOf(robot).forEach(SimGripper::leaveBehind);
+        changes.accept(new RobotSystem.Change.Removed(robot.id()));
+        robot.close(new Health.Lost("It was taken out of the world."));
     }
 
     @Override
@@ -167,6 +251,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
     }
 
     void close(Health.Lost why) {
+        closed = true;
         health(why);
     }
 }

@@ -110,6 +110,15 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
         return Optional.empty();
     }
 
+    /// Its robot is taken out of the world: what it holds stays, even where it has no room.
+    void leaveBehind() {
+        Held now = held;
+        if (now != null && letGo().isPresent()) {
+            held = null;
+            world.drop(now.thing, Math.max(0, now.above));
+        }
+    }
+
     /// Somebody else takes a thing out of its paddles.
     void lose(Body thing) {
         if (held != null && held.thing == thing) {

@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import rsal.robot.RobotSpec;
 import rsal.scene.Raster;
+import rsal.scene.Scene;
 import rsal.settings.Parameter;
 import rsal.sim.world.Walls;
 import rsal.sim.world.World;
@@ -66,8 +67,22 @@ public final class SimProvider implements RobotSystemProvider {
         robots.forEach(
                 robot -> Optional.ofNullable(config.scene().odomFromBase().get(robot.id()))
                         .ifPresent(robot.drive()::resetOdometry));
+        var kinds = robots.stream().map(robot -> kind(robot, config.scene())).toList();
         return new SimSystem(
-                scheduler, config.settings().seconds(STEP.name()), lineup.world(), lineup.things(), robots);
+                scheduler,
+                config.settings().seconds(STEP.name()),
+                lineup.world(),
+                lineup.things(),
+                robots,
+                new Recruiting(lineup.world(), assembly, kinds));
+    }
+
+    private static Recruiting.Kind kind(SimRobot robot, Scene scene) {
+        return new Recruiting.Kind(
+                robot.spec(),
+                Lineup.blocks(scene, robot.spec()),
+                robot.body().height(),
+                scene.odomFromBase().containsKey(robot.id()));
     }
 
     private List<Walls> walls(List<Raster> rasters) {

@@ -3,7 +3,6 @@ package rsal.sim;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -11,6 +10,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.device.Health;
+import rsal.device.Listeners;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.Robot;
@@ -32,32 +32,30 @@ final class SimSystem implements RobotSystem {
     private final Scheduler scheduler;
     private final Duration step;
     private final World world;
-    private final List<SimRobot> robots;
+    private final Team team;
     private final Touches touches = new Touches();
+    private final Listeners<Change> changes = new Listeners<>(e -> {
+        throw e;
+    });
     private final Charging charging;
     private final SimControl control;
     private @Nullable Task stepping;
     private int looking;
     private boolean closed;
 
-    /// @param robots in id order
-    SimSystem(Scheduler scheduler, Duration step, World world, Things things, List<SimRobot> robots) {
+    SimSystem(
+            Scheduler scheduler,
+            Duration step,
+            World world,
+            Things things,
+            List<SimRobot> robots,
+            Recruiting recruiting) {
         this.scheduler = scheduler;
         this.step = step;
         this.world = world;
-        this.robots = List.copyOf(robots);
-        var byId = new LinkedHashMap<String, SimRobot>();
-        robots.forEach(robot -> byId.put(robot.id(), robot));
-        this.charging = new Charging(devices(SimBattery.class), things);
-        this.control = new SimControl(world, things, byId, devices(SimGripper.class), touches);
-    }
-
-    private <D> List<D> devices(Class<D> type) {
-        return robots.stream()
-                .flatMap(robot -> robot.parts().stream())
-                .filter(type::isInstance)
-                .map(type::cast)
-                .toList();
+        this.team = new Team(robots);
+        this.charging = new Charging(team, things);
+        this.control = new SimControl(world, things, team, recruiting, touches, changes::tell);
     }
 
     @Override
@@ -69,13 +67,13 @@ final class SimSystem implements RobotSystem {
             stepping = scheduler.every(step, Phase.WORLD, this::step);
         }
         return CompletableFuture.completedStage(
-                robots.stream().map(SimRobot::robot).toList());
+                team.robots().stream().map(SimRobot::robot).toList());
     }
 
-    /// Simulated robots neither come nor go.
+    /// Simulated robots come and go by [SimulationControl] alone.
     @Override
     public Subscription onChange(Consumer<? super Change> listener) {
-        return () -> {};
+        return changes.add(listener);
     }
 
     @Override
@@ -86,26 +84,36 @@ final class SimSystem implements RobotSystem {
     private void step() {
         Instant now = scheduler.instant();
         double dt = step.toNanos() * 1e-9;
-        for (SimRobot robot : robots) {
+        for (SimRobot robot : team.robots()) {
             if (!robot.move(world, dt)) {
                 touches.ranInto(robot.body(), world.obstacle(), now);
             }
         }
         touches.update(world);
         charging.step(world, dt);
-        for (SimRobot robot : robots) {
-            robot.work(now, dt);
-        }
+        forEach(team.robots(), team.changes(), robot -> robot.work(now, dt));
         if (looking == 0) { // real time may be too fast for them
             world.look();
             look(now);
         }
     }
 
+    /// Does something with each robot, but with none that has gone meanwhile: whoever hears of one may take others out
+    /// of the world.
+    ///
+    /// @param since [Team#changes] when they were all there
+    private void forEach(List<SimRobot> robots, int since, Consumer<SimRobot> work) {
+        for (SimRobot robot : robots) {
+            if (team.changes() == since || team.has(robot)) {
+                work.accept(robot);
+            }
+        }
+    }
+
     private void look(Instant now) {
         var together = new ArrayList<SimRobot>();
         int rays = 0;
-        for (SimRobot robot : robots) {
+        for (SimRobot robot : team.robots()) {
             together.add(robot);
             rays += robot.raysDue(now);
             if (rays >= WORTH_A_TASK) {
@@ -120,6 +128,7 @@ final class SimSystem implements RobotSystem {
     }
 
     private void look(List<SimRobot> some, Instant now) {
+        int since = team.changes();
         looking++;
         world.watched(true);
         scheduler
@@ -127,7 +136,7 @@ final class SimSystem implements RobotSystem {
                     some.forEach(robot -> robot.look(world, now));
                     return some;
                 })
-                .thenAccept(_ -> some.forEach(robot -> report(robot, now)))
+                .thenAccept(_ -> forEach(some, since, robot -> report(robot, now)))
                 .whenComplete((_, error) -> {
                     looking--;
                     world.watched(looking > 0);
@@ -153,7 +162,7 @@ final class SimSystem implements RobotSystem {
                 stepping.cancel();
             }
             var why = new Health.Lost("The simulation was closed.");
-            robots.forEach(robot -> robot.close(why));
+            team.robots().forEach(robot -> robot.close(why));
             control.close(why);
         }
     }

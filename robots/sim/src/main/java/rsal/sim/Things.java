@@ -1,22 +1,66 @@
 package rsal.sim;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Solid;
+import rsal.device.SimulationControl.Standing;
+import rsal.scene.Block;
 import rsal.sim.world.Body;
 
 /// What is in the world that is neither a wall nor a robot, by name, in the order in which it came.
 final class Things {
     private final Map<String, Item> items = new LinkedHashMap<>();
     private List<Item> givers = List.of();
+    private int newest;
 
+    /// A thing.
+    static final class Item {
+        private final int number;
+        private final Body body;
+        private final List<Block> blocks;
+        private final double givingPower;
+        private @Nullable Standing shown;
+
+        private Item(int number, Body body, List<Block> blocks, double givingPower) {
+            this.number = number;
+            this.body = body;
+            this.blocks = blocks;
+            this.givingPower = givingPower;
+        }
+
+        Body body() {
+            return body;
+        }
+
+        List<Block> blocks() {
+            return blocks;
+        }
+
+        /// With which it charges each robot that touches it [W].
+        double givingPower() {
+            return givingPower;
+        }
+
+        private Standing standing() {
+            Standing now = shown;
+            if (now == null || !now.mapFromThing().equals(body.pose()) || now.height() != body.height()) {
+                Solid solid = now == null ? look(blocks).orElseThrow() : now.body();
+                now = new Standing(number, body.name(), solid, body.pose(), body.height());
+                shown = now;
+            }
+            return now;
+        }
+    }
+
+    /// @param blocks that the body is made of, at least one
     /// @param givingPower with which it charges each robot that touches it [W]
-    record Item(Body body, double givingPower) {}
-
-    void add(Body body, double givingPower) {
-        items.put(body.name(), new Item(body, givingPower));
+    void add(Body body, List<Block> blocks, double givingPower) {
+        items.put(body.name(), new Item(++newest, body, blocks, givingPower));
         findGivers();
     }
 
@@ -30,8 +74,8 @@ final class Things {
         givers = items.values().stream().filter(item -> item.givingPower > 0).toList();
     }
 
-    Optional<Body> find(String name) {
-        return Optional.ofNullable(items.get(name)).map(Item::body);
+    Optional<Item> find(String name) {
+        return Optional.ofNullable(items.get(name));
     }
 
     boolean contains(Body body) {
@@ -46,5 +90,21 @@ final class Things {
     /// Those that charge robots.
     List<Item> givers() {
         return givers;
+    }
+
+    /// How people see them.
+    List<Standing> standing() {
+        var all = new ArrayList<Standing>(items.size());
+        items.values().forEach(item -> all.add(item.standing()));
+        return List.copyOf(all);
+    }
+
+    /// How people see a body.
+    static Optional<Solid> look(List<Block> blocks) {
+        return blocks.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new Solid(blocks.stream()
+                        .map(block -> block.prism().in(block.surface().color()))
+                        .toList()));
     }
 }

@@ -44,7 +44,8 @@ final class Touches {
 
     /// A body is gone, and touches nothing any more.
     void forget(Body gone) {
-        lasting.removeIf(touch -> touch.other.filter(gone::equals).isPresent());
+        lasting.removeIf(touch ->
+                touch.robot.equals(gone) || touch.other.filter(gone::equals).isPresent());
     }
 
     List<Contact> contacts() {

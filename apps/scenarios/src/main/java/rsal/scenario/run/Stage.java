@@ -183,6 +183,7 @@ final class Stage implements AutoCloseable {
             case RobotSystem.Change.Appeared(Robot robot) -> journal.event("run", robot.id(), "is there");
             case RobotSystem.Change.Gone(String robot, String reason) ->
                 journal.event("fault", robot, "is gone: " + reason);
+            case RobotSystem.Change.Removed(String robot) -> journal.event("run", robot, "was removed");
         }
     }
 

@@ -147,12 +147,29 @@ public final class World {
         return free;
     }
 
+    /// Puts down what was picked up where it is, whether it has room or not.
+    ///
+    /// @param height of its base above ground [m]
+    public void drop(Body thing, double height) {
+        thing.figure.placeAt(thing.pose(), height);
+        thing.carrier = null;
+        changed.add(thing);
+        arrive(thing);
+    }
+
     /// Whether a body that is not there yet could stand somewhere on the ground. When not, [#obstacle] says why.
     ///
     /// @param apart how far from all other bodies [m]
     public boolean hasRoom(List<Chunk> chunks, Pose2d mapFromBase, double apart) {
+        return hasRoom(chunks, mapFromBase, 0, apart);
+    }
+
+    /// As above, at a height.
+    ///
+    /// @param height of its base above ground [m]
+    public boolean hasRoom(List<Chunk> chunks, Pose2d mapFromBase, double height, double apart) {
         var figure = new Figure(chunks);
-        figure.placeAt(mapFromBase, 0);
+        figure.placeAt(mapFromBase, height);
         double fromBodies = Math.max(apart, HAIR);
         return clearance(figure, null, HAIR) >= HAIR && clearanceOfBodies(figure, null, fromBodies) >= fromBodies;
     }

@@ -1,0 +1,62 @@
+package rsal.sim;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import rsal.data.Pose2d;
+import rsal.robot.RobotSpec;
+import rsal.scene.Block;
+import rsal.sim.world.Body;
+import rsal.sim.world.Chunk;
+import rsal.sim.world.World;
+
+/// Makes robots while the world goes on, each after one that the world has or began with.
+final class Recruiting {
+    private final World world;
+    private final Assembly assembly;
+    private final Map<String, Kind> kinds = new TreeMap<>();
+
+    /// @param spec of the robot that others are made after
+    /// @param blocks of its body
+    /// @param height of its base above the floor [m]
+    /// @param odometryKnowsMap whether its odometry begins with where it is in the map, else at the origin
+    record Kind(RobotSpec spec, List<Block> blocks, double height, boolean odometryKnowsMap) {}
+
+    Recruiting(World world, Assembly assembly, List<Kind> kinds) {
+        this.world = world;
+        this.assembly = assembly;
+        kinds.forEach(kind -> this.kinds.put(kind.spec().id(), kind));
+    }
+
+    /// Of a robot that is there or was.
+    Optional<Kind> kind(String id) {
+        return Optional.ofNullable(kinds.get(id));
+    }
+
+    Set<String> known() {
+        return kinds.keySet();
+    }
+
+    /// @return empty when there is no room for it; [World#obstacle] says why
+    Optional<SimRobot> recruit(String id, Kind like, Pose2d mapFromBase) {
+        List<Chunk> chunks = Chunk.of(like.blocks());
+        if (!world.hasRoom(chunks, mapFromBase, like.height(), 0)) {
+            return Optional.empty();
+        }
+        var spec = new RobotSpec(
+                id,
+                like.spec().role(),
+                like.spec().model(),
+                Optional.of(mapFromBase),
+                like.spec().color());
+        Body body = world.add(id, chunks, mapFromBase, like.height());
+        SimRobot robot = assembly.robot(spec, body);
+        if (like.odometryKnowsMap()) {
+            robot.drive().resetOdometry(mapFromBase);
+        }
+        kinds.putIfAbsent(id, new Kind(spec, like.blocks(), like.height(), like.odometryKnowsMap()));
+        return Optional.of(robot);
+    }
+}
