@@ -97,6 +97,8 @@ class FrameEncoderTest {
                 42.5,
                 Optional.of("success"),
                 robots,
+                List.of(),
+                List.of(),
                 List.of());
     }
 

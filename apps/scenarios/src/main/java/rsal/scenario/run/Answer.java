@@ -4,6 +4,11 @@ package rsal.scenario.run;
 public sealed interface Answer {
     record Done() implements Answer {}
 
+    /// Something was added.
+    ///
+    /// @param name of it
+    record Added(String name) implements Answer {}
+
     /// @param why a sentence for people
     record Refused(String why) implements Answer {}
 }

@@ -12,11 +12,17 @@ import rsal.time.Task;
 final class GuardedScheduler implements Scheduler {
     private final String owner;
     private final Scheduler scheduler;
+    private boolean ended;
 
     /// @param owner how messages call the part, `Device (hunter-1/localizer)`
     GuardedScheduler(String owner, Scheduler scheduler) {
         this.owner = owner;
         this.scheduler = scheduler;
+    }
+
+    /// The part has left the run: nothing of it runs any more.
+    void end() {
+        ended = true;
     }
 
     @Override
@@ -36,7 +42,16 @@ final class GuardedScheduler implements Scheduler {
 
     @Override
     public Task every(Duration period, Phase phase, Runnable task) {
-        return scheduler.every(period, phase, guarded(task));
+        var repeated = new Task[1];
+        Runnable guarded = guarded(task);
+        repeated[0] = scheduler.every(period, phase, () -> {
+            if (ended) {
+                repeated[0].cancel();
+            } else {
+                guarded.run();
+            }
+        });
+        return repeated[0];
     }
 
     @Override
@@ -51,6 +66,9 @@ final class GuardedScheduler implements Scheduler {
 
     private Runnable guarded(Runnable task) {
         return () -> {
+            if (ended) {
+                return;
+            }
             try {
                 task.run();
             } catch (RunBroken e) {

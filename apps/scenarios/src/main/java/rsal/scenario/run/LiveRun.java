@@ -83,8 +83,18 @@ public final class LiveRun implements AutoCloseable {
         this.journal = new Journal(this::elapsed, () -> tell(eventListeners));
         this.observer = new Observer(plan, journal, scheduler);
         this.pace = new Pace(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
-        this.snapshot =
-                new Snapshot(0, Duration.ZERO, false, false, pace.speed(), 0, Optional.empty(), List.of(), List.of());
+        this.snapshot = new Snapshot(
+                0,
+                Duration.ZERO,
+                false,
+                false,
+                pace.speed(),
+                0,
+                Optional.empty(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of());
     }
 
     /// Starts a run. Robots and agents are made on its own thread; what goes wrong there ends its [#result].
@@ -153,9 +163,29 @@ public final class LiveRun implements AutoCloseable {
         command(() -> end("stopped"));
     }
 
-    /// Puts a robot somewhere: in the simulated world, if there is one, and in its localizer's belief.
-    public CompletionStage<Answer> place(String robot, Pose2d mapFromBase) {
-        return ask(stage -> stage.place(robot, mapFromBase));
+    /// Puts a robot somewhere: in the simulated world, if there is one, and in its localizer's belief. Or a thing of
+    /// the simulated world.
+    public CompletionStage<Answer> place(String entity, Pose2d mapFromEntity) {
+        return ask(stage -> stage.place(entity, mapFromEntity));
+    }
+
+    /// Puts something new into the simulated world.
+    ///
+    /// @return [Answer.Added] when it is there
+    public CompletionStage<Answer> add(Prop prop, Pose2d mapFromThing) {
+        return ask(stage -> stage.add(prop, mapFromThing));
+    }
+
+    /// Puts another robot into the simulated world, with devices and agents like those of one that is or was there.
+    ///
+    /// @return [Answer.Added] when it is there
+    public CompletionStage<Answer> addRobot(String like, Pose2d mapFromBase) {
+        return ask(stage -> stage.addRobot(like, mapFromBase));
+    }
+
+    /// Takes a robot with its agents, or a thing, out of the simulated world.
+    public CompletionStage<Answer> remove(String entity) {
+        return ask(stage -> stage.remove(entity));
     }
 
     /// Asks a robot's agent to drive somewhere.
@@ -426,7 +456,9 @@ public final class LiveRun implements AutoCloseable {
                 paused ? 0 : pace.rate(elapsed().toNanos()),
                 Optional.ofNullable(outcome),
                 stage == null ? List.of() : stage.robotViews(),
-                stage == null ? List.of() : stage.agentViews());
+                stage == null ? List.of() : stage.agentViews(),
+                stage == null ? List.of() : stage.team(),
+                stage == null ? List.of() : stage.things());
         tell(snapshotListeners);
     }
 

@@ -140,6 +140,11 @@ final class Observer implements Facts {
         }
     }
 
+    /// A robot has come. Robots that leave count on, as they were last.
+    void joined(String robot, String role) {
+        records.computeIfAbsent(robot, _ -> new RobotRecord(role)).placed();
+    }
+
     /// A robot is going to be put elsewhere.
     void placed(String robot) {
         Optional.ofNullable(records.get(robot)).ifPresent(RobotRecord::placed);

@@ -3,6 +3,7 @@ package rsal.scenario.run;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import rsal.device.SimulationControl.Standing;
 
 /// A run at an instant. Immutable; made of references to the immutable readings of that instant.
 ///
@@ -12,6 +13,9 @@ import java.util.Optional;
 /// @param speed simulated over real time, as asked for; +∞ for as fast as it can
 /// @param rate simulated over real time, as measured
 /// @param outcome how the run ended; empty while it goes on
+/// @param robots that are there
+/// @param team all robots that are or were there, in the order in which they came; the same list until it grows
+/// @param things what of the simulated world is no robot
 public record Snapshot(
         long sequence,
         Duration time,
@@ -21,9 +25,13 @@ public record Snapshot(
         double rate,
         Optional<String> outcome,
         List<RobotView> robots,
-        List<AgentView> agents) {
+        List<AgentView> agents,
+        List<Teammate> team,
+        List<Standing> things) {
     public Snapshot {
         robots = List.copyOf(robots);
         agents = List.copyOf(agents);
+        team = List.copyOf(team);
+        things = List.copyOf(things);
     }
 }

@@ -5,10 +5,12 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -43,6 +45,7 @@ import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.Planner;
 import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Standing;
 import rsal.device.SonarArray;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
@@ -59,6 +62,7 @@ import rsal.time.Scheduler;
 final class Stage implements AutoCloseable {
     private static final Duration DISCOVERY_LIMIT = Duration.ofSeconds(10);
     private static final int LAST_MESSAGES = 5;
+    private static final int MOST_ADDED = 1000; // things by hand at once, and robots in a run
 
     /// What a device can be, the most special first.
     private static final List<Class<? extends Device>> CONTRACTS = List.of(
@@ -90,6 +94,12 @@ final class Stage implements AutoCloseable {
     private final Map<String, String> lastWords = new HashMap<>();
     private final Placements placements = new Placements();
     private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
+    private final Newcomers newcomers;
+    private final Map<String, List<GuardedScheduler>> lanes = new HashMap<>(); // of software devices, by robot
+    private final Set<String> props = new HashSet<>(); // things that were added by hand and are there
+    private List<Teammate> team = List.of();
+    private int robotsAdded; // by hand
+    private Optional<String> like = Optional.empty(); // which robot the one is made after that comes now
     private Optional<Society> society = Optional.empty();
     private boolean stopped;
     private boolean closed;
@@ -100,6 +110,7 @@ final class Stage implements AutoCloseable {
         this.scheduler = scheduler;
         this.journal = journal;
         this.observer = observer;
+        this.newcomers = new Newcomers(plan);
         this.system = named(
                 systemName(),
                 () -> plan.mrs()
@@ -136,24 +147,40 @@ final class Stage implements AutoCloseable {
                                     systemName(),
                                     id,
                                     found.stream().map(Robot::id).toList())));
-            for (PlannedDevice device : planned.drivers()) {
-                robot = robot.with(make(device, planned, robot));
-            }
-            robots.put(id, robot);
-            robot.devices().forEach(this::watch);
+            equip(robot, planned);
         }
         system.onChange(this::changed);
         startAgents();
     }
 
+    private void equip(Robot bare, PlannedRobot planned) {
+        Robot robot = bare;
+        for (PlannedDevice device : planned.drivers()) {
+            robot = robot.with(make(device, planned, robot));
+        }
+        robots.put(robot.id(), robot);
+        include(new Teammate(planned.spec(), system.simulation().flatMap(truth -> truth.body(bare.id()))));
+        robot.devices().forEach(this::watch);
+    }
+
+    /// One that was there before keeps its place.
+    private void include(Teammate mate) {
+        var grown = new LinkedHashMap<String, Teammate>();
+        team.forEach(other -> grown.put(other.spec().id(), other));
+        grown.put(mate.spec().id(), mate);
+        team = List.copyOf(grown.values());
+    }
+
     private Device make(PlannedDevice device, PlannedRobot planned, Robot robot) {
         String name = "Device (%s/%s)".formatted(robot.id(), device.name());
+        var lane = new GuardedScheduler(name, scheduler);
+        lanes.computeIfAbsent(robot.id(), _ -> new ArrayList<>()).add(lane);
         var context = new DeviceDriver.Context(
                 device.name(),
                 robot,
                 plan.map(),
                 planned.spec().mapFromBase(),
-                new GuardedScheduler(name, scheduler),
+                lane,
                 new SplittableRandom(device.seed()));
         return named(name, () -> device.driver().create(context, device.options()));
     }
@@ -169,7 +196,7 @@ final class Stage implements AutoCloseable {
 
     private void watch(Device device) {
         device.onHealth(health -> {
-            if (!closed) {
+            if (!closed && robots.containsKey(device.info().robot())) {
                 journal.event("health", device.info().id(), Words.of(health));
             }
         });
@@ -180,11 +207,41 @@ final class Stage implements AutoCloseable {
             return;
         }
         switch (change) {
-            case RobotSystem.Change.Appeared(Robot robot) -> journal.event("run", robot.id(), "is there");
+            case RobotSystem.Change.Appeared(Robot robot) -> {
+                journal.event("run", robot.id(), "is there");
+                if (!robots.containsKey(robot.id())) {
+                    join(robot);
+                }
+            }
             case RobotSystem.Change.Gone(String robot, String reason) ->
                 journal.event("fault", robot, "is gone: " + reason);
-            case RobotSystem.Change.Removed(String robot) -> journal.event("run", robot, "was removed");
+            case RobotSystem.Change.Removed(String robot) -> {
+                journal.event("run", robot, "was removed");
+                leave(robot);
+            }
         }
+    }
+
+    /// Gives a robot that nobody planned what those like it have.
+    private void join(Robot robot) {
+        String id = robot.id();
+        PlannedRobot planned = newcomers.plan(robot, like, system.simulation().flatMap(truth -> truth.truth(id)));
+        observer.joined(id, robot.role());
+        equip(robot, planned);
+        if (stopped) {
+            robot.find(DriveBase.class).ifPresent(base -> base.enable(false));
+        }
+        society.ifPresent(agents -> newcomers.agents(id).forEach(agent -> start(agents, agent)));
+    }
+
+    /// Lets go of all that a robot had: its agents end as they would at the end of the run.
+    private void leave(String id) {
+        robots.remove(id);
+        mapFromAsked.remove(id);
+        society.ifPresent(agents -> agents.directory().agents().stream()
+                .filter(agent -> agent.robot().equals(id))
+                .forEach(agent -> agents.stop(agent.name())));
+        Optional.ofNullable(lanes.remove(id)).ifPresent(all -> all.forEach(GuardedScheduler::end));
     }
 
     private void startAgents() {
@@ -196,19 +253,21 @@ final class Stage implements AutoCloseable {
         society = Optional.of(agents);
         agents.onMessage(this::heard);
         agents.onChange(this::changed);
-        for (PlannedAgent agent : plan.agents()) {
-            agents.start(new AgentSpec(
-                    agent.name(),
-                    agent.role(),
-                    agent.type(),
-                    agent.arguments(),
-                    agent.robot().map(robots::get),
-                    agent.seed()));
-        }
+        plan.agents().forEach(agent -> start(agents, agent));
         journal.event(
                 "run",
                 "",
                 "%d robots, %d agents".formatted(robots.size(), plan.agents().size()));
+    }
+
+    private void start(Society agents, PlannedAgent agent) {
+        agents.start(new AgentSpec(
+                agent.name(),
+                agent.role(),
+                agent.type(),
+                agent.arguments(),
+                agent.robot().map(robots::get),
+                agent.seed()));
     }
 
     private void heard(Message<?> message) {
@@ -281,8 +340,8 @@ final class Stage implements AutoCloseable {
     }
 
     List<RobotView> robotViews() {
-        return plan.robots().stream()
-                .map(PlannedRobot::spec)
+        return team.stream()
+                .map(Teammate::spec)
                 .flatMap(spec -> Optional.ofNullable(robots.get(spec.id())).map(robot -> view(spec, robot)).stream())
                 .toList();
     }
@@ -350,11 +409,20 @@ final class Stage implements AutoCloseable {
                 .toList();
     }
 
-    /// Puts a robot somewhere, in truth and in its own belief.
+    /// All robots that are or were there.
+    List<Teammate> team() {
+        return team;
+    }
+
+    List<Standing> things() {
+        return system.simulation().map(SimulationControl::things).orElse(List.of());
+    }
+
+    /// Puts a robot somewhere, in truth and in its own belief, or a thing.
     Answer place(String id, Pose2d mapFromBase) {
         Robot robot = robots.get(id);
         if (robot == null) {
-            return unknown(id);
+            return placeThing(id, mapFromBase);
         }
         OccupancyGrid map = plan.map();
         if (!mapFromBase.isFinite() || !map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))) {
@@ -375,6 +443,95 @@ final class Stage implements AutoCloseable {
         }
         journal.event("operator", id, "placed at " + Words.of(mapFromBase));
         return new Answer.Done();
+    }
+
+    private Answer placeThing(String name, Pose2d mapFromThing) {
+        if (things().stream().noneMatch(thing -> thing.name().equals(name))) {
+            return unknown(name);
+        }
+        return answer(
+                system.simulation().orElseThrow().place(name, mapFromThing),
+                name,
+                "placed at " + Words.of(mapFromThing),
+                new Answer.Done());
+    }
+
+    /// Journals what an operator did to the simulated world, if it was done.
+    private Answer answer(SimulationControl.Placement placement, String name, String words, Answer done) {
+        if (placement instanceof SimulationControl.Placement.Refused(String why)) {
+            return new Answer.Refused(why);
+        }
+        journal.event("operator", name, words);
+        return done;
+    }
+
+    /// Puts something new into the world.
+    Answer add(Prop prop, Pose2d mapFromThing) {
+        Optional<SimulationControl> simulation = system.simulation();
+        if (simulation.isEmpty()) {
+            return nothingSimulated();
+        }
+        var taken = new HashSet<>(simulation.get().entities());
+        props.retainAll(taken);
+        if (props.size() == MOST_ADDED) {
+            return new Answer.Refused("%d things were added already; remove some first.".formatted(MOST_ADDED));
+        }
+        String name = prop.name(taken);
+        Answer answer = answer(
+                simulation.get().add(prop.at(name, mapFromThing)),
+                name,
+                "added at " + Words.of(mapFromThing),
+                new Answer.Added(name));
+        if (answer instanceof Answer.Added) {
+            props.add(name);
+        }
+        return answer;
+    }
+
+    /// Puts another robot into the world.
+    Answer addRobot(String example, Pose2d mapFromBase) {
+        Optional<SimulationControl> simulation = system.simulation();
+        if (simulation.isEmpty()) {
+            return nothingSimulated();
+        }
+        if (robotsAdded == MOST_ADDED) {
+            return new Answer.Refused("%d robots were added already; that is enough for a run.".formatted(MOST_ADDED));
+        }
+        Optional<String> id =
+                newcomers.idLike(example, new HashSet<>(simulation.get().entities()));
+        if (id.isEmpty()) {
+            return unknown(example);
+        }
+        like = Optional.of(example);
+        Answer answer = answer(
+                simulation.get().addRobot(id.get(), example, mapFromBase),
+                id.get(),
+                "added at " + Words.of(mapFromBase),
+                new Answer.Added(id.get()));
+        like = Optional.empty();
+        robotsAdded += answer instanceof Answer.Added ? 1 : 0;
+        return answer;
+    }
+
+    /// Takes a robot or a thing out of the world.
+    Answer remove(String entity) {
+        Optional<SimulationControl> simulation = system.simulation();
+        if (simulation.isEmpty()) {
+            return nothingSimulated();
+        }
+        boolean removed = robots.containsKey(entity)
+                ? simulation.get().removeRobot(entity)
+                : simulation.get().remove(entity);
+        if (!removed) {
+            return unknown(entity);
+        }
+        props.remove(entity);
+        journal.event("operator", entity, "removed");
+        return new Answer.Done();
+    }
+
+    private Answer nothingSimulated() {
+        return new Answer.Refused("%s simulates no world that could be changed.".formatted(systemName()));
     }
 
     /// Asks the agent of a robot to drive somewhere.
@@ -400,7 +557,8 @@ final class Stage implements AutoCloseable {
     }
 
     private Answer unknown(String id) {
-        return new Answer.Refused("There is no robot (%s); there are %s.".formatted(id, robots.keySet()));
+        return new Answer.Refused("There is no (%s); there are the robots %s and %d other things."
+                .formatted(id, robots.keySet(), things().size()));
     }
 
     /// Switches all motors off or on again.

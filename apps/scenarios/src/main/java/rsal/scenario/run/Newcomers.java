@@ -1,0 +1,103 @@
+package rsal.scenario.run;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SplittableRandom;
+import rsal.data.Pose2d;
+import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
+import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.RunPlan.PlannedDevice;
+import rsal.scenario.RunPlan.PlannedRobot;
+
+/// What robots are to have that nobody planned: the software devices and agents of one that was planned, each with
+/// a random stream of its own.
+final class Newcomers {
+    private final Map<String, PlannedRobot> robots = new HashMap<>();
+    private final Map<String, List<PlannedAgent>> agents = new HashMap<>(); // by robot
+    private final Set<String> agentNames = new HashSet<>();
+    private final List<PlannedRobot> planned;
+
+    Newcomers(RunPlan plan) {
+        planned = plan.robots();
+        for (PlannedRobot robot : planned) {
+            robots.put(robot.spec().id(), robot);
+        }
+        for (PlannedAgent agent : plan.agents()) {
+            agentNames.add(agent.name());
+            agent.robot()
+                    .ifPresent(robot -> agents.computeIfAbsent(robot, _ -> new ArrayList<>())
+                            .add(agent));
+        }
+    }
+
+    /// An id for a robot like another one, that no robot has or had: the role's name and the next number.
+    ///
+    /// @param taken by others
+    Optional<String> idLike(String robot, Set<String> taken) {
+        return Optional.ofNullable(robots.get(robot)).map(like -> {
+            String role = like.spec().role();
+            int number = 1;
+            while (robots.containsKey(role + "-" + number) || taken.contains(role + "-" + number)) {
+                number++;
+            }
+            return role + "-" + number;
+        });
+    }
+
+    /// Plans a robot that is there already.
+    ///
+    /// @param like id of the robot it was made after; when nobody knows, it is one of its role and model
+    PlannedRobot plan(Robot robot, Optional<String> like, Optional<Pose2d> mapFromBase) {
+        Optional<PlannedRobot> example = like.map(robots::get)
+                .or(() -> planned.stream().filter(one -> isLike(one, robot)).findFirst());
+        String id = robot.id();
+        String color = example.map(one -> one.spec().color()).orElse("#808080");
+        var spec = new RobotSpec(id, robot.role(), robot.model(), mapFromBase, color);
+        List<PlannedDevice> drivers = example.map(PlannedRobot::drivers).orElse(List.of()).stream()
+                .map(one -> new PlannedDevice(one.name(), one.driver(), one.options(), seed(one.seed(), id)))
+                .toList();
+        var made = new PlannedRobot(spec, drivers);
+        robots.put(id, made);
+        example.ifPresent(one -> agents.put(id, agentsLike(one.spec().id(), id)));
+        return made;
+    }
+
+    private static boolean isLike(PlannedRobot one, Robot robot) {
+        return one.spec().role().equals(robot.role()) && one.spec().model().equals(robot.model());
+    }
+
+    private List<PlannedAgent> agentsLike(String example, String robot) {
+        var made = new ArrayList<PlannedAgent>();
+        for (PlannedAgent one : agents.getOrDefault(example, List.of())) {
+            String name = free(one.name().equals(example) ? robot : one.role() + "-" + robot);
+            agentNames.add(name);
+            made.add(new PlannedAgent(
+                    name, one.role(), one.type(), one.arguments(), Optional.of(robot), seed(one.seed(), robot)));
+        }
+        return made;
+    }
+
+    private String free(String name) {
+        String free = name;
+        for (int number = 2; agentNames.contains(free); number++) {
+            free = name + "-" + number;
+        }
+        return free;
+    }
+
+    /// The agents of a robot.
+    List<PlannedAgent> agents(String robot) {
+        return agents.getOrDefault(robot, List.of());
+    }
+
+    private static long seed(long example, String robot) {
+        return new SplittableRandom(31 * example + robot.hashCode()).nextLong();
+    }
+}

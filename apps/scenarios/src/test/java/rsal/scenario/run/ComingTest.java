@@ -1,0 +1,174 @@
+package rsal.scenario.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rsal.agent.Society;
+import rsal.data.Pose2d;
+import rsal.device.SimulationControl.Standing;
+import rsal.scenario.RunOptions;
+
+/// Robots and things come and go while a run goes on.
+@Timeout(60)
+class ComingTest {
+    private static final Pose2d THERE = new Pose2d(-8, -1, 0);
+    private static final Answer.Done DONE = new Answer.Done();
+
+    @TempDir
+    private Path folder;
+
+    private LiveRun run;
+
+    @BeforeEach
+    void start() throws InterruptedException {
+        run = LiveRun.start(Runs.plan(folder, Runs.TWO_WANDERERS, RunOptions.NONE.withSpeed(2)));
+        await(snapshot -> snapshot.agents().size() == 2);
+    }
+
+    @AfterEach
+    void stop() {
+        run.close();
+    }
+
+    private Snapshot await(Predicate<Snapshot> wanted) throws InterruptedException {
+        while (true) {
+            var news = new CountDownLatch(1);
+            try (var _ = run.onSnapshot(news::countDown)) {
+                Snapshot snapshot = run.snapshot();
+                if (wanted.test(snapshot)) {
+                    return snapshot;
+                }
+                news.await();
+            }
+        }
+    }
+
+    private static Answer answer(CompletionStage<Answer> stage) {
+        return stage.toCompletableFuture().orTimeout(10, TimeUnit.SECONDS).join();
+    }
+
+    private static boolean has(Snapshot snapshot, String robot) {
+        return snapshot.robots().stream().anyMatch(view -> view.id().equals(robot));
+    }
+
+    @Test
+    void anAddedRobotHasWhatThoseLikeItHave() throws InterruptedException {
+        assertThat(answer(run.addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-1"));
+        Snapshot snapshot = await(now -> now.robots().stream()
+                .anyMatch(robot -> robot.id().equals("prey-1")
+                        && robot.scan().isPresent()
+                        && robot.estimate().isPresent()
+                        && robot.truth().orElseThrow().distanceTo(THERE) > 0.05));
+        RobotView robot = snapshot.robots().getLast();
+        assertThat(robot.role()).isEqualTo("prey");
+        assertThat(robot.color()).isEqualTo(snapshot.robots().getFirst().color());
+        assertThat(robot.devices()).extracting(DeviceView::name).contains("laser", "localizer");
+        assertThat(snapshot.team()).extracting(mate -> mate.spec().id()).containsExactly("prey", "hunter-1", "prey-1");
+        assertThat(snapshot.team().getLast().body()).isPresent();
+        assertThat(snapshot.agents().getLast().view().agent())
+                .satisfies(agent -> assertThat(List.of(agent.name(), agent.role(), agent.type(), agent.robot()))
+                        .containsExactly("run-prey-1", "run", "wanderer", "prey-1"));
+        assertThat(run.events(0))
+                .anySatisfy(event -> assertThat(event.kind() + event.subject() + event.text())
+                        .isEqualTo("operatorprey-1added at (-8.00, -1.00, 0°)"));
+        assertThat(answer(run.addRobot("hunter-1", new Pose2d(-4, -1, 0)))).isEqualTo(new Answer.Added("hunter-2"));
+    }
+
+    @Test
+    void aRemovedRobotLeavesWithItsAgentAndTheOthersGoOn() throws InterruptedException {
+        assertThat(answer(run.remove("prey"))).isEqualTo(DONE);
+        Snapshot snapshot = await(now -> !has(now, "prey"));
+        assertThat(snapshot.team()).hasSize(2);
+        assertThat(snapshot.agents())
+                .extracting(agent -> agent.view().status())
+                .containsExactly(Society.Status.ENDED, Society.Status.RUNNING);
+        assertThat(run.events(0))
+                .filteredOn(event -> event.subject().startsWith("prey"))
+                .extracting(RunEvent::kind)
+                .containsExactly("run", "operator");
+        Pose2d before = snapshot.robots().getFirst().truth().orElseThrow();
+        await(now -> now.robots().getFirst().truth().orElseThrow().distanceTo(before) > 0.05);
+        assertThat(answer(run.remove("prey"))).isInstanceOf(Answer.Refused.class);
+        assertThat(answer(run.addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-1"));
+    }
+
+    @Test
+    void anAddedRobotStandsAsLongAsTheEmergencyStopHolds() throws InterruptedException {
+        answer(run.estop());
+        answer(run.addRobot("prey", THERE));
+        Snapshot first = await(now -> has(now, "prey-1"));
+        Snapshot later = await(now -> now.time().minus(first.time()).toMillis() > 1000);
+        assertThat(later.robots().getLast().truth()).contains(THERE);
+        answer(run.rearm());
+        await(now -> now.robots().getLast().truth().orElseThrow().distanceTo(THERE) > 0.05);
+    }
+
+    @Test
+    void thingsAreAddedMovedAndRemoved() throws InterruptedException {
+        assertThat(answer(run.add(Prop.BOX, THERE))).isEqualTo(new Answer.Added("box-1"));
+        assertThat(answer(run.add(Prop.BALL, new Pose2d(-7, -1, 0)))).isEqualTo(new Answer.Added("ball-1"));
+        Snapshot snapshot = await(now -> now.things().size() == 2);
+        assertThat(snapshot.things()).extracting(Standing::name).containsExactly("box-1", "ball-1");
+        var next = new Pose2d(-10, -1, 1);
+        assertThat(answer(run.place("box-1", next))).isEqualTo(DONE);
+        await(now -> now.things().getFirst().mapFromThing().equals(next));
+        assertThat(answer(run.remove("box-1"))).isEqualTo(DONE);
+        await(now -> now.things().size() == 1);
+        assertThat(run.events(0))
+                .filteredOn(event -> event.subject().equals("box-1"))
+                .extracting(RunEvent::text)
+                .containsExactly("added at (-8.00, -1.00, 0°)", "placed at (-10.00, -1.00, 57°)", "removed");
+    }
+
+    @Test
+    void saysWhyNot() {
+        refuses(run.add(Prop.BOX, new Pose2d(-1000, 0, 0)), "outside");
+        refuses(run.add(Prop.BOX, new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
+        refuses(run.addRobot("nobody", THERE), "There is no (nobody); there are the robots [prey, hunter-1]");
+        refuses(run.addRobot("prey", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
+        refuses(run.remove("nobody"), "There is no (nobody)");
+        refuses(run.place("nobody", THERE), "There is no (nobody)");
+        answer(run.add(Prop.BOX, THERE));
+        refuses(run.place("box-1", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
+        refuses(run.add(Prop.BALL, THERE), "(box-1) is in the way");
+        refuses(run.addRobot("prey", THERE), "(box-1) is in the way");
+    }
+
+    private static void refuses(CompletionStage<Answer> order, String why) {
+        assertThat(answer(order))
+                .isInstanceOfSatisfying(
+                        Answer.Refused.class,
+                        refused -> assertThat(refused.why()).contains(why));
+    }
+
+    @Test
+    void itIsTheSameRunOnOneCoreAndOnTwo() {
+        String text = Runs.TWO_WANDERERS.replace("agents:\n", "agents:\n  boss: {type: recruiter}\n");
+        String[] hashes = new String[3];
+        for (int i = 0; i < hashes.length; i++) {
+            try (var once = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE), i == 0 ? 1 : 2)) {
+                RunResult result = Runs.result(once);
+                assertThat(result.outcome()).isEqualTo("timeout");
+                hashes[i] = result.eventHash();
+                assertThat(once.events(0))
+                        .filteredOn(event -> event.text().equals("was removed"))
+                        .extracting(RunEvent::subject)
+                        .contains("hunter-1", "extra-0", "extra-9");
+                assertThat(once.events(0)).extracting(RunEvent::kind).doesNotContain("fault", "health");
+                assertThat(once.snapshot().robots()).extracting(RobotView::id).contains("prey", "extra-17");
+            }
+        }
+        assertThat(hashes[1]).isEqualTo(hashes[0]);
+        assertThat(hashes[2]).isEqualTo(hashes[0]);
+    }
+}
