@@ -8,6 +8,7 @@ module rsal.devices {
 
     exports rsal.behavior;
     exports rsal.device;
+    exports rsal.fault;
     exports rsal.image;
     exports rsal.map;
     exports rsal.robot;

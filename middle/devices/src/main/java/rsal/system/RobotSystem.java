@@ -6,6 +6,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
+import rsal.fault.FaultInjection;
 import rsal.robot.Robot;
 
 /// Where robots come from: a simulated world, a set of Player servers, a ROS 2 domain.
@@ -17,6 +18,11 @@ public interface RobotSystem extends AutoCloseable {
 
     /// The truth of a simulated world; empty where there is only reality.
     Optional<SimulationControl> simulation();
+
+    /// Breaks robots on purpose; empty where that can't be done.
+    default Optional<FaultInjection> faults() {
+        return Optional.empty();
+    }
 
     /// Stops all robots and lets go of everything. Closing twice does nothing.
     @Override

@@ -57,6 +57,7 @@ public abstract class ArchitectureRules {
     private static final String[] ROBOT_SYSTEMS = {"rsal.sim..", "rsal.player..", "rsal.ros2.."};
     private static final String[] MIDDLE = {
         "rsal.device..",
+        "rsal.fault..",
         "rsal.robot..",
         "rsal.settings..",
         "rsal.time..",
