@@ -50,7 +50,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
     @Override
     public List<String> entities() {
         var names = new ArrayList<String>();
-        team.robots().forEach(robot -> names.add(robot.id()));
+        team.all().stream().filter(robot -> robot.body().isThere()).forEach(robot -> names.add(robot.id()));
         names.addAll(things.names());
         return List.copyOf(names);
     }
@@ -63,6 +63,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
     @Override
     public Optional<Solid> body(String entity) {
         return team.find(entity)
+                .filter(robot -> robot.body().isThere())
                 .flatMap(robot -> recruiting.kind(robot.id()))
                 .map(Recruiting.Kind::blocks)
                 .or(() -> things.find(entity).map(Things.Item::blocks))
@@ -75,7 +76,10 @@ final class SimControl extends DeviceCore implements SimulationControl {
     }
 
     private Optional<Body> entity(String name) {
-        return team.find(name).map(SimRobot::body).or(() -> things.find(name).map(Things.Item::body));
+        return team.find(name)
+                .map(SimRobot::body)
+                .filter(Body::isThere)
+                .or(() -> things.find(name).map(Things.Item::body));
     }
 
     @Override
@@ -166,7 +170,9 @@ final class SimControl extends DeviceCore implements SimulationControl {
             return Optional.of(new Placement.Refused("A name has from 1 to %d letters, not %d."
                     .formatted(LONGEST_NAME, name.strip().length())));
         }
-        return name.equals(World.WALL) || entity(name).isPresent()
+        return name.equals(World.WALL)
+                        || team.find(name).isPresent()
+                        || entity(name).isPresent()
                 ? Optional.of(new Placement.Refused("Something else is called (%s); names are unique.".formatted(name)))
                 : Optional.empty();
     }
@@ -240,7 +246,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         team.remove(robot);
         touches.forget(robot.body());
         world.remove(robot.body());
-        grippersOf(robot).forEach(SimGripper::leaveBehind);
+        robot.leaveBehind();
         changes.accept(new RobotSystem.Change.Removed(robot.id()));
         robot.close(new Health.Lost("It was taken out of the world."));
     }

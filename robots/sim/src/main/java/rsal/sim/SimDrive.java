@@ -3,6 +3,7 @@ package rsal.sim;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.random.RandomGenerator;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
@@ -11,15 +12,22 @@ import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
 import rsal.device.Health;
 import rsal.device.SensorCore;
+import rsal.device.Subscription;
+import rsal.fault.Fault;
+import rsal.fault.SensorFaults;
 
 /// A simulated drive. When the robot runs into something, its wheels stop with it: odometry counts
 /// only the way made, the speeds are zero, and it says that it is stalled until a step in which the robot moves as
 /// it should or is not asked to move.
 final class SimDrive extends SensorCore<Odometry> implements DriveBase {
+    private static final Duration PATIENCE = Duration.ofMillis(500); // without odometry, then it is stale
+
     private final InstantSource clock;
     private final Duration watchdog;
     private final Wheels wheels;
     private final Odometer odometer;
+    private final DriveFaults faults = new DriveFaults();
+    private final SensorFaults<Odometry> odometryFaults = new SensorFaults<>();
     private Twist2d command = Twist2d.STOP;
     private Instant commanded = Instant.MIN;
     private boolean enabled = true;
@@ -70,10 +78,10 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
         if (driedUp) {
             command = Twist2d.STOP;
         }
-        if (!enabled) {
+        if (!enabled || faults.dead()) {
             wheels.block();
         }
-        wheels.spin(command, dt);
+        wheels.spin(faults.obeyed(command), dt);
         return wheels;
     }
 
@@ -82,7 +90,9 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
     /// @param made part of the way that the robot made before it touched something; 1 for all
     void moved(double made) {
         part = made;
-        odometer.moved(wheels.forward() * part, wheels.left() * part, wheels.turn() * part);
+        Twist2d counted =
+                faults.counted(new Twist2d(wheels.forward() * part, wheels.left() * part, wheels.turn() * part));
+        odometer.moved(counted.vx(), counted.vy(), counted.omega());
         stalled = part < 1;
         if (stalled) {
             wheels.block();
@@ -107,8 +117,30 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
     }
 
     void report(Instant now) {
-        deliver(new Stamped<>(
-                now, info().robot() + "/odom", new Odometry(odometer.odomFromBase(), wheels.velocity(), stalled)));
+        var odometry = new Odometry(odometer.odomFromBase(), faults.counted(wheels.velocity()), stalled);
+        odometryFaults
+                .shown(new Stamped<>(now, info().robot() + "/odom", odometry))
+                .ifPresentOrElse(this::deliver, () -> isSilent(now));
+    }
+
+    private void isSilent(Instant now) {
+        if (latest().filter(last -> now.isBefore(last.time().plus(PATIENCE))).isEmpty()) {
+            health(new Health.Stale("No odometry for %d ms.".formatted(PATIENCE.toMillis())));
+        }
+    }
+
+    /// Begins a fault of what its odometry shows.
+    ///
+    /// @return ends it
+    Subscription begin(Fault.OfSensor fault, RandomGenerator random) {
+        return odometryFaults.add(fault, random);
+    }
+
+    /// Begins a fault of motors or wheels.
+    ///
+    /// @return ends it
+    Subscription begin(Fault fault) {
+        return faults.add(fault);
     }
 
     void close(Health.Lost why) {

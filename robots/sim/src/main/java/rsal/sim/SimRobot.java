@@ -92,6 +92,15 @@ record SimRobot(
         devices.forEach(SimSensor::report);
     }
 
+    /// What it holds stays where it is.
+    void leaveBehind() {
+        for (SimPart<?> part : parts) {
+            if (part instanceof SimGripper gripper) {
+                gripper.leaveBehind();
+            }
+        }
+    }
+
     void close(Health.Lost why) {
         drive.close(why);
         devices.forEach(device -> device.close(why));

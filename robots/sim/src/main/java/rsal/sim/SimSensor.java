@@ -2,17 +2,24 @@ package rsal.sim;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.SensorCore;
+import rsal.device.Subscription;
+import rsal.fault.Fault;
+import rsal.fault.SensorFaults;
 
 /// What all that robots carry has in common: readings every now and then. Taking and telling them are apart, as many
 /// look at once but tell one after the other.
 abstract class SimSensor<T> extends SensorCore<T> {
+    private static final int PATIENCE = 3; // periods without a reading, then it is stale
+
     private final String frame;
     private final Duration period;
+    private final SensorFaults<T> faults = new SensorFaults<>();
     private Instant due = Instant.MIN;
     private @Nullable Stamped<T> taken;
 
@@ -44,9 +51,27 @@ abstract class SimSensor<T> extends SensorCore<T> {
         Stamped<T> reading = taken;
         if (reading != null) {
             taken = null;
-            deliver(reading);
-            told(reading);
+            faults.shown(reading).ifPresentOrElse(this::tell, () -> isSilent(reading.time()));
         }
+    }
+
+    private void tell(Stamped<T> reading) {
+        deliver(reading);
+        told(reading);
+    }
+
+    private void isSilent(Instant now) {
+        Duration limit = period.multipliedBy(PATIENCE);
+        if (latest().filter(last -> now.isBefore(last.time().plus(limit))).isEmpty()) {
+            health(new Health.Stale("No reading for %d ms.".formatted(limit.toMillis())));
+        }
+    }
+
+    /// Begins a fault.
+    ///
+    /// @return ends it
+    final Subscription begin(Fault.OfSensor fault, RandomGenerator random) {
+        return faults.add(fault, random);
     }
 
     /// What else to do with a reading that was told.

@@ -13,6 +13,7 @@ import rsal.device.Health;
 import rsal.device.Listeners;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
+import rsal.fault.FaultInjection;
 import rsal.robot.Robot;
 import rsal.sim.world.World;
 import rsal.system.RobotSystem;
@@ -39,6 +40,8 @@ final class SimSystem implements RobotSystem {
     });
     private final Charging charging;
     private final SimControl control;
+    private final Absence absence;
+    private final SimFaults faults;
     private @Nullable Task stepping;
     private int looking;
     private boolean closed;
@@ -56,6 +59,8 @@ final class SimSystem implements RobotSystem {
         this.team = new Team(robots);
         this.charging = new Charging(team, things);
         this.control = new SimControl(world, things, team, recruiting, touches, changes::tell);
+        this.absence = new Absence(world, team, touches, changes::tell);
+        this.faults = new SimFaults(team, absence);
     }
 
     @Override
@@ -70,7 +75,7 @@ final class SimSystem implements RobotSystem {
                 team.robots().stream().map(SimRobot::robot).toList());
     }
 
-    /// Simulated robots come and go by [SimulationControl] alone.
+    /// Simulated robots come and go by [SimulationControl] and by faults.
     @Override
     public Subscription onChange(Consumer<? super Change> listener) {
         return changes.add(listener);
@@ -81,9 +86,15 @@ final class SimSystem implements RobotSystem {
         return Optional.of(control);
     }
 
+    @Override
+    public Optional<FaultInjection> faults() {
+        return Optional.of(faults);
+    }
+
     private void step() {
         Instant now = scheduler.instant();
         double dt = step.toNanos() * 1e-9;
+        absence.retry();
         for (SimRobot robot : team.robots()) {
             if (!robot.move(world, dt)) {
                 touches.ranInto(robot.body(), world.obstacle(), now);
@@ -162,7 +173,7 @@ final class SimSystem implements RobotSystem {
                 stepping.cancel();
             }
             var why = new Health.Lost("The simulation was closed.");
-            team.robots().forEach(robot -> robot.close(why));
+            team.all().forEach(robot -> robot.close(why));
             control.close(why);
         }
     }

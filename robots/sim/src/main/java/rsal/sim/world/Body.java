@@ -14,6 +14,8 @@ public final class Body {
     @Nullable
     Body carrier; // who took it along
 
+    boolean hidden;
+
     private final String name;
 
     /// @param slots one for each solid
@@ -27,6 +29,11 @@ public final class Body {
 
     public String name() {
         return name;
+    }
+
+    /// Whether it is in the world: not [World#hide]den.
+    public boolean isThere() {
+        return !hidden;
     }
 
     /// Where it is: mapFromBase.

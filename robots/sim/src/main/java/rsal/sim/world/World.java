@@ -111,6 +111,35 @@ public final class World {
         }
     }
 
+    /// Lets a body vanish for a while. It must not be moved meanwhile.
+    public void hide(Body body) {
+        body.hidden = true;
+        moved.removeIf(body::equals);
+        changed.add(body);
+        for (int slot : body.slots) {
+            nowGrid.remove(slot);
+        }
+        if (!watched) {
+            show();
+        }
+    }
+
+    /// Lets a body that was hidden appear where it was.
+    ///
+    /// @return false when it stays hidden, as something is in the way: [#obstacle]
+    public boolean reveal(Body body) {
+        boolean free = clearance(body.figure, body, HAIR) >= HAIR;
+        if (free) {
+            body.hidden = false;
+            changed.add(body);
+            arrive(body);
+            if (!watched) {
+                show();
+            }
+        }
+        return free;
+    }
+
     /// Whether sensors look, maybe on other threads. What they see stays as it is meanwhile.
     public void watched(boolean now) {
         watched = now;
@@ -270,18 +299,17 @@ public final class World {
     /// Lets sensors know who came, who is gone, and who belongs to whom.
     private void show() {
         for (Body body : gone) {
+            unsee(body);
             for (int slot : body.slots) {
-                if (slot < seen.size() && seen.get(slot) != null) {
-                    seenGrid.remove(slot);
-                    seen.set(slot, null);
-                    seenBodies.set(slot, null);
-                    seenOwners.set(slot, null);
-                }
                 freeSlots.add(slot);
             }
         }
         gone.clear();
         for (Body body : changed) {
+            if (body.hidden) {
+                unsee(body);
+                continue;
+            }
             Body owner = body.carrier == null ? body : body.carrier;
             for (int i = 0; i < body.slots.length; i++) {
                 while (seen.size() <= body.slots[i]) {
@@ -296,6 +324,17 @@ public final class World {
             see(body);
         }
         changed.clear();
+    }
+
+    private void unsee(Body body) {
+        for (int slot : body.slots) {
+            if (slot < seen.size() && seen.get(slot) != null) {
+                seenGrid.remove(slot);
+                seen.set(slot, null);
+                seenBodies.set(slot, null);
+                seenOwners.set(slot, null);
+            }
+        }
     }
 
     /// Whether a figure that is no body overlaps what is in a body's way.
