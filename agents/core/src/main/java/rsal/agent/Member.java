@@ -52,6 +52,8 @@ final class Member implements AgentContext {
     private Society.Status status = Society.Status.RUNNING;
     private String state = "";
     private long sent;
+    private @Nullable Message<?> coming; // newest message
+    private List<Duration> copies = List.of(); // of it
     private Instant windowEnd = Instant.MIN;
     private int setOff;
 
@@ -190,10 +192,22 @@ final class Member implements AgentContext {
             @Override
             public void accept(Message<M> message) {
                 if (!message.sender().equals(name())) {
-                    super.accept(message);
+                    for (Duration late : copies(message)) {
+                        accept(message, late);
+                    }
                 }
             }
         }.listenTo(society.listenersOf(topic)::add);
+    }
+
+    /// The same for all of this agent's listeners.
+    @SuppressWarnings("ReferenceEquality") // two may say the same
+    private List<Duration> copies(Message<?> message) {
+        if (message != coming) {
+            coming = message;
+            copies = society.copies(message, name());
+        }
+        return copies;
     }
 
     @Override
@@ -266,6 +280,14 @@ final class Member implements AgentContext {
         @Override
         public void accept(T value) {
             hostLane.execute(() -> hear(value));
+        }
+
+        void accept(T value, Duration late) {
+            if (late.isZero()) {
+                hostLane.execute(() -> hear(value));
+            } else {
+                hostLane.after(late, Phase.THINK, () -> hear(value));
+            }
         }
 
         void hear(T value) {

@@ -2,6 +2,7 @@ package rsal.agent;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -19,7 +20,8 @@ import rsal.time.Scheduler;
 /// hosts.
 ///
 /// What is said is heard at the same instant, after what is running now, by all who listen by then but the one
-/// who said it, in the order in which they subscribed. An agent that throws ends alone: its robot is told to
+/// who said it, in the order in which they subscribed, unless [#deliverBy] says otherwise. An agent that throws ends
+/// alone: its robot is told to
 /// stop, and the others learn why it went.
 ///
 /// All calls on the run's thread.
@@ -34,6 +36,7 @@ public final class Society implements AutoCloseable {
     private final Listeners<Message<?>> traffic = listeners();
     private final Listeners<View> changes = listeners();
     private final Roster roster = new Roster();
+    private Delivery delivery = Delivery.PERFECT;
 
     public Society(Scheduler scheduler, AgentHost host, Optional<SimulationControl> simulation) {
         this.scheduler = scheduler;
@@ -71,6 +74,15 @@ public final class Society implements AutoCloseable {
 
     public Directory directory() {
         return roster;
+    }
+
+    /// From now on this decides what becomes of what is said.
+    public void deliverBy(Delivery way) {
+        delivery = way;
+    }
+
+    List<Duration> copies(Message<?> message, String listener) {
+        return delivery.copies(message, listener);
     }
 
     /// Says something in a person's name.

@@ -1,0 +1,20 @@
+package rsal.agent;
+
+import java.time.Duration;
+import java.util.List;
+
+/// What becomes of a message on its way from the one who says it to one who listens.
+@FunctionalInterface
+public interface Delivery {
+    /// One copy at once.
+    List<Duration> AT_ONCE = List.of(Duration.ZERO);
+
+    /// Everybody hears everything at once.
+    Delivery PERFECT = (_, _) -> AT_ONCE;
+
+    /// After how long each copy of a message arrives; none when it is lost. Asked once for each message and
+    /// listener, in the order in which they subscribed, at the instant at which it was said.
+    ///
+    /// @param listener name of the agent that listens
+    List<Duration> copies(Message<?> message, String listener);
+}

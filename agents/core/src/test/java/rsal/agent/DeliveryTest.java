@@ -1,0 +1,84 @@
+package rsal.agent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static rsal.agent.Run.WORDS;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class DeliveryTest {
+    private final Run run = new Run();
+    private final List<String> log = new ArrayList<>();
+
+    private void startSpeaker(String name, String... words) {
+        run.start(
+                name,
+                self -> self.scheduler().after(Duration.ofSeconds(1), () -> {
+                    for (String each : words) {
+                        self.publish(WORDS, each);
+                    }
+                }));
+    }
+
+    private void startListener(String name) {
+        run.startListener(name, words -> log.add(name + " heard " + words + " at " + run.scheduler.elapsed()));
+    }
+
+    @Test
+    void decidesForEachListenerWhetherAndWhenAMessageArrives() {
+        startListener("amy");
+        startListener("zoe");
+        startListener("joe");
+        startSpeaker("bob", "hi");
+        run.society.deliverBy((_, listener) -> switch (listener) {
+            case "amy" -> List.of();
+            case "zoe" -> List.of(Duration.ofSeconds(2));
+            default -> List.of(Duration.ZERO, Duration.ofSeconds(1));
+        });
+        run.advance(5);
+        assertThat(log)
+                .containsExactly("joe heard bob: hi at PT1S", "joe heard bob: hi at PT2S", "zoe heard bob: hi at PT3S");
+    }
+
+    @Test
+    void isAskedOnceForAllListenersOfAnAgent() {
+        var asked = new ArrayList<String>();
+        run.start("amy", self -> {
+            self.subscribe(WORDS, m -> log.add("one: " + m.content()));
+            self.subscribe(WORDS, m -> log.add("two: " + m.content()));
+        });
+        startSpeaker("bob", "hi", "hi");
+        run.society.deliverBy((message, listener) -> {
+            asked.add(message.sender() + " to " + listener);
+            return asked.size() == 1 ? List.of() : Delivery.AT_ONCE;
+        });
+        run.advance(2);
+        assertThat(asked).containsExactly("bob to amy", "bob to amy"); // two messages, though they are equal
+        assertThat(log).containsExactly("one: hi", "two: hi");
+    }
+
+    @Test
+    void whatComesLateIsNotHeardByOneThatHasEnded() {
+        startListener("amy");
+        startSpeaker("bob", "hi");
+        run.society.deliverBy((_, _) -> List.of(Duration.ofSeconds(2)));
+        run.advance(2);
+        run.society.stop("amy");
+        run.advance(2);
+        assertThat(log).isEmpty();
+    }
+
+    @Test
+    void peopleHearWhatIsSaidAnyway() {
+        var said = new ArrayList<Object>();
+        run.society.onMessage(message -> said.add(message.content()));
+        startListener("amy");
+        startSpeaker("bob", "hi");
+        run.society.deliverBy((_, _) -> List.of());
+        run.advance(2);
+        assertThat(said).containsExactly("hi");
+        assertThat(log).isEmpty();
+    }
+}
