@@ -1,11 +1,14 @@
 package rsal.scenario;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import rsal.settings.Parameter;
+import rsal.settings.Section;
+import rsal.settings.Value;
 
 /// The settings of the format itself, declared once for the reader and the schema.
 final class Format {
@@ -55,6 +58,19 @@ final class Format {
     static final Parameter PER = Parameter.choice(
             "per", "run", List.of("run", "robot"), "Whether the run has one value or each robot its own.");
 
+    static final Parameter FAULT_KIND =
+            required(Parameter.choice("kind", "", words(FaultKind.values(), FaultKind::word), "What goes wrong."));
+    static final Parameter AT =
+            Parameter.number("at", 0, 0, 1e6, "s", "When it begins; with (every), the time before which it does not.");
+    static final Parameter EVERY = required(Parameter.number(
+            "every", 1, 1, 1e6, "s", "Mean time until it begins at random, and again after each end."));
+    static final Parameter LONGEST =
+            required(Parameter.number("for", 1, 0.01, 1e6, "s", "How long it lasts; for good when nothing is said."));
+    static final Parameter LONGEST_DELAY =
+            required(Parameter.number("delay", 1, 0, 600, "s", "How much later a message comes."));
+    static final Parameter PICK =
+            required(Parameter.integer("pick", 1, 1, MAX_ROBOTS, "", "How many have it at a time, chosen at random."));
+
     private Format() {}
 
     /// The same without a value to fall back on.
@@ -68,6 +84,26 @@ final class Format {
                 parameter.options(),
                 parameter.unit(),
                 parameter.description());
+    }
+
+    /// The groups of a list, each read by itself.
+    static List<Section> groups(Section section, String key) {
+        List<Value> items = section.list(key).orElse(List.of());
+        if (items.size() > MAX_ITEMS) {
+            section.problem(
+                    key,
+                    "(%s) has %d entries; at most %d can be.".formatted(section.path(key), items.size(), MAX_ITEMS),
+                    "");
+        }
+        var groups = new ArrayList<Section>();
+        for (Value item : items) {
+            if (item instanceof Value.Mapping mapping) {
+                groups.add(new Section(section.path(key), mapping, section.problems()));
+            } else {
+                section.expected(key, "a list of groups {name: value}", item);
+            }
+        }
+        return groups;
     }
 
     private static <E> List<String> words(E[] values, Function<E, String> word) {

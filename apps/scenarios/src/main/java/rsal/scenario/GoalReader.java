@@ -16,7 +16,6 @@ import rsal.scenario.condition.Measure;
 import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Section;
-import rsal.settings.Value;
 
 /// Reads when a run ends and what is measured.
 final class GoalReader {
@@ -30,7 +29,7 @@ final class GoalReader {
 
     List<Stop> stops(Section run) {
         var stops = new ArrayList<Stop>();
-        for (Section stop : groups(run, "stop")) {
+        for (Section stop : Format.groups(run, "stop")) {
             Optional<Condition> when = expression(stop, "when", Grammar::condition);
             var word = stop.value(Format.OUTCOME).orElse("");
             var outcome = Format.of(Outcome.values(), Outcome::word, word);
@@ -44,7 +43,7 @@ final class GoalReader {
 
     List<Measured> measures(Section root) {
         var measures = new ArrayList<Measured>();
-        for (Section measure : groups(root, "measure")) {
+        for (Section measure : Format.groups(root, "measure")) {
             String name = measure.text("name");
             if (!name.isEmpty() && !Format.NAME.matcher(name).matches()) {
                 measure.problem("name", "(%s) can't be the name of a measure.".formatted(name), "");
@@ -68,26 +67,6 @@ final class GoalReader {
             from.ifPresent(f -> measures.add(new Measured(name, unit, f, perRobot, better, min, max)));
         }
         return measures;
-    }
-
-    private List<Section> groups(Section section, String key) {
-        List<Value> items = section.list(key).orElse(List.of());
-        if (items.size() > Format.MAX_ITEMS) {
-            section.problem(
-                    key,
-                    "(%s) has %d entries; at most %d can be."
-                            .formatted(section.path(key), items.size(), Format.MAX_ITEMS),
-                    "");
-        }
-        var groups = new ArrayList<Section>();
-        for (Value item : items) {
-            if (item instanceof Value.Mapping mapping) {
-                groups.add(new Section(section.path(key), mapping, problems));
-            } else {
-                section.expected(key, "a list of groups {name: value}", item);
-            }
-        }
-        return groups;
     }
 
     private <T> Optional<T> expression(Section section, String key, BiFunction<String, List<String>, T> parse) {

@@ -32,6 +32,7 @@ import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
+import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.time.LockstepScheduler;
@@ -95,10 +96,14 @@ final class PlanReader {
         }
         List<PlannedRobot> robots =
                 roles.stream().flatMap(role -> role.robots().stream()).toList();
+        int before = problems.all().size();
         List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), roles, seeds));
         if (scenario.isWorld()) {
             agents.addAll(instead(robots, world, seeds));
         }
+
+        var faultReader = new FaultReader(roles, agents, problems.all().size() == before, seeds, problems);
+        List<PlannedFault> faults = faultReader.read(root);
 
         var goals = new GoalReader(roles.stream().map(Role::name).toList(), problems);
         List<RunPlan.Stop> stops = new ArrayList<>(goals.stops(run));
@@ -110,7 +115,7 @@ final class PlanReader {
         root.done();
 
         if (world.scene().isPresent() && mrs.isPresent() && roles.stream().allMatch(Role::complete)) {
-            checkRobots(mrs.get().provider(), mrs.get().config(world.scene().get(), robots), roles);
+            checkRobots(mrs.get().provider(), mrs.get().config(world.scene().get(), robots), roles, faultReader);
         }
         problems.throwIfAny();
         return new RunPlan(
@@ -126,6 +131,7 @@ final class PlanReader {
                 clock,
                 robots,
                 agents,
+                faults,
                 speed,
                 step(mrs.get().settings()),
                 stops,
@@ -423,10 +429,11 @@ final class PlanReader {
         }
     }
 
-    /// Lets the robot system say what it thinks of the robots, without starting it.
-    private void checkRobots(RobotSystemProvider provider, RobotSystemProvider.Config config, List<Role> roles) {
-        try {
-            provider.create(config, new LockstepScheduler()).close();
+    /// Lets the robot system say what it thinks of the robots and their faults, without starting it.
+    private void checkRobots(
+            RobotSystemProvider provider, RobotSystemProvider.Config config, List<Role> roles, FaultReader faults) {
+        try (RobotSystem system = provider.create(config, new LockstepScheduler())) {
+            faults.check(system, provider.key());
         } catch (InvalidRobots e) {
             for (InvalidRobots.Problem problem : e.problems()) {
                 Location at = roles.stream()

@@ -27,6 +27,7 @@ import rsal.system.RobotSystemProvider;
 /// @param mapName what the scenario calls its map or world
 /// @param scene where it takes place
 /// @param agents in the order in which they start
+/// @param faults what goes wrong
 /// @param speed simulated over real time to begin with; +∞ for as fast as it can
 /// @param step of simulated time; between two steps a run can be looked at, paused and told things
 /// @param stops the first that holds ends the run
@@ -43,6 +44,7 @@ public record RunPlan(
         Clock clock,
         List<PlannedRobot> robots,
         List<PlannedAgent> agents,
+        List<PlannedFault> faults,
         double speed,
         Duration step,
         List<Stop> stops,
@@ -51,6 +53,7 @@ public record RunPlan(
         arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
         robots = List.copyOf(robots);
         agents = List.copyOf(agents);
+        faults = List.copyOf(faults);
         stops = List.copyOf(stops);
         measures = List.copyOf(measures);
     }
@@ -85,6 +88,11 @@ public record RunPlan(
     public record PlannedRobot(RobotSpec spec, List<PlannedDevice> drivers) {
         public PlannedRobot {
             drivers = List.copyOf(drivers);
+        }
+
+        /// Whether a device of that name is made from its others.
+        public boolean makes(String device) {
+            return drivers.stream().anyMatch(made -> made.name().equals(device));
         }
     }
 

@@ -1,6 +1,7 @@
 package rsal.scenario;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -125,6 +126,7 @@ public final class ScenarioSchema {
                                 partial,
                                 Format.DEFAULT_MRS,
                                 parameters(catalog.systems(), RobotSystemProvider::parameters)),
+                "faults", list(fault()),
                 "run", run(),
                 "measure", list(measure()));
     }
@@ -273,6 +275,52 @@ public final class ScenarioSchema {
         return group(
                 fields("seed", parameter(Format.SEED), "clock", group(clock, List.of()), "stop", list(stop)),
                 List.of());
+    }
+
+    private static Map<String, Object> fault() {
+        return oneOf(
+                Arrays.stream(FaultKind.values()).map(ScenarioSchema::fault).toList());
+    }
+
+    private static Map<String, Object> fault(FaultKind kind) {
+        var timing = fields(
+                "kind", fields("const", kind.word()),
+                "at", parameter(Format.AT),
+                "every", parameter(Format.EVERY),
+                "for", span(Format.LONGEST));
+        var whom = switch (kind.of()) {
+            case SENSORS ->
+                fields(
+                        "robots", names("Roles or ids of robots, patterns (r*), all, or any for one of them."),
+                        "devices", names("Names or types of sensors, patterns, or all."),
+                        "pick", parameter(Format.PICK));
+            case BASES, ROBOTS ->
+                fields(
+                        "robots", names("Roles or ids of robots, patterns (r*), all, or any for one of them."),
+                        "pick", parameter(Format.PICK));
+            case MESSAGES ->
+                fields(
+                        "topics", names("Names or patterns of topics, or all."),
+                        "from", names("Agents that speak, robots that have one, roles of either, patterns, or all."),
+                        "to", names("Agents that listen."));
+        };
+        kind.delay().ifPresent(_ -> whom.put("delay", span(Format.LONGEST_DELAY)));
+        List<String> required = switch (kind.of()) {
+            case SENSORS -> List.of("kind", "robots", "devices");
+            case BASES, ROBOTS -> List.of("kind", "robots");
+            case MESSAGES -> List.of("kind");
+        };
+        return described(group(with(timing, with(whom, parameters(kind.parameters()))), required), kind.description());
+    }
+
+    private static Map<String, Object> names(String description) {
+        return described(anyOf(List.of(text(), fields("type", "array", "items", text()))), description);
+    }
+
+    /// A number of seconds, or the least and the most.
+    private static Map<String, Object> span(Parameter seconds) {
+        Map<String, Object> one = parameter(seconds);
+        return anyOf(List.of(one, fields("type", "array", "items", one, "minItems", 2, "maxItems", 2)));
     }
 
     private static Map<String, Object> measure() {

@@ -94,7 +94,15 @@ class ScenarioSchemaTest {
             "can't be the role",
             "can't be the name of an agent",
             "There are two agents",
-            "(hunters) must be");
+            "(hunters) must be",
+            "the id of one, a pattern",
+            "a pattern (r*)",
+            "have no sensor",
+            "not (hunter-3)",
+            "can't be biased like this",
+            "needs an error",
+            "[least, most]",
+            "must be an agent");
 
     static List<List<String>> wrong() {
         return ScenarioTest.wrong().stream()
@@ -127,7 +135,22 @@ class ScenarioSchemaTest {
                 List.of(", outcome: success, after: 2", ", outcome: failure"),
                 List.of("per: robot, unit: m, better: less, bound: {max: 0.3}", "bound: {min: 0}"),
                 List.of("    args: {hunters: 3}\n", "    measure: []\n"),
-                List.of("args: {speed: 0.2}", "args: {}"));
+                List.of("args: {speed: 0.2}", "args: {}"),
+                rightFault("kind: dead, robots: all, devices: all, at: 30, for: 20"),
+                rightFault(
+                        "kind: frozen, robots: [prey, hunter-1], devices: [laser, SonarArray], every: 60, for: [1, 5]"),
+                rightFault("kind: biased, robots: \"h*\", devices: RangeSensor, range: -0.1"),
+                rightFault("kind: noisy, robots: prey, devices: [localizer, base], range: 0.1, angle: 2"),
+                rightFault("kind: motorDead, robots: any, power: 0.5"),
+                rightFault("kind: slip, robots: hunter, pick: $hunters, way: 0.5, drift: 3"),
+                rightFault("kind: gone, robots: prey, stays: true"),
+                rightFault("kind: lost, topics: [pose, \"h*\"], from: operator, to: [chase, prey], share: 0.1"),
+                rightFault("kind: late"),
+                rightFault("kind: doubled, delay: [0, 2], at: 3, every: 30, for: 5"));
+    }
+
+    private static List<String> rightFault(String fault) {
+        return List.of("run:\n  seed", "faults: [{%s}]\nrun:\n  seed".formatted(fault));
     }
 
     @ParameterizedTest

@@ -292,10 +292,62 @@ class ScenarioTest {
                 List.of("  run: {type", "  all: {type", "(all) can't be the name of an agent"),
                 List.of("  watch:", "  operator:", "(operator) can't be the name of an agent"),
                 List.of("  watch:", "  chase-2:", "good.yaml:23:12: There are two agents (chase-2)"),
-                List.of(
-                        "world: {map: office}",
-                        "faults: [{at: 60}]\nworld: {map: office}",
-                        "(faults) is not known here"));
+                mistakenFault("at: 60", "(faults.kind) is missing"),
+                mistakenFault(
+                        "kind: deaf, robots: prey, devices: laser",
+                        "good.yaml:26:17: (faults.kind) must be one of dead, frozen",
+                        "not (deaf). Maybe (dead)"),
+                mistakenFault("kind: dead, devices: laser", "(faults.robots) is missing", "Maybe (robots: all)?"),
+                mistakenFault("kind: dead, robots: prey", "(faults.devices) is missing"),
+                mistakenFault(
+                        "kind: gone, robots: pry",
+                        "good.yaml:26:31: (faults.robots) must be a role of robots, the id of one",
+                        "not (pry)",
+                        "Maybe (prey)"),
+                mistakenFault("kind: gone, robots: [prey, hunter-3]", "not (hunter-3)", "Maybe (hunter-1)"),
+                mistakenFault("kind: gone, robots: \"x*\"", "a pattern (r*) or all, not (x*)"),
+                mistakenFault("kind: gone, robots: [[prey]]", "must be a name or a list of names, not a list of 1"),
+                mistakenFault(
+                        "kind: dead, robots: prey, devices: lasr",
+                        "good.yaml:26:46: Robots called (prey) have no sensor (lasr)",
+                        "Maybe (laser)"),
+                mistakenFault(
+                        "kind: dead, robots: [prey, hunter], devices: Localizer",
+                        "Robots called (hunter) have no sensor (Localizer)",
+                        "Known are: base, laser, sonar."),
+                mistakenFault("kind: dead, robots: all, devices: camera", "called (all) have no sensor (camera)"),
+                mistakenFault(
+                        "kind: biased, robots: prey, devices: laser, angle: 5",
+                        "good.yaml:26:48: Device (prey/laser) can't be biased like this.",
+                        "measures ranges only"),
+                mistakenFault(
+                        "kind: biased, robots: prey, devices: laser",
+                        "A (biased) sensor needs an error, (range) or (angle)"),
+                mistakenFault(
+                        "kind: noisy, robots: prey, devices: laser, range: -1", "(faults.range) must be a number"),
+                mistakenFault(
+                        "kind: gone, robots: prey, at: -5", "good.yaml:26:41: (faults.at) must be a number from 0"),
+                mistakenFault("kind: gone, robots: prey, for: 0", "(faults.for) must be a number from 0.01"),
+                mistakenFault("kind: gone, robots: prey, for: [5, 1]", "(faults.for) must be [least, most]"),
+                mistakenFault("kind: gone, robots: prey, for: [5]", "a list of 2 numbers"),
+                mistakenFault("kind: gone, robots: prey, every: 0", "(faults.every) must be a number from 1"),
+                mistakenFault("kind: gone, robots: prey, pick: 0", "(faults.pick) must be a whole number from 1"),
+                mistakenFault("kind: gone, robots: prey, devices: laser", "(devices) is not known in (faults)"),
+                mistakenFault("kind: lost, robots: prey", "(robots) is not known in (faults)"),
+                mistakenFault("kind: lost, share: 2", "(faults.share) must be a number from 0 to 1, not (2)"),
+                mistakenFault("kind: lost, delay: 2", "(delay) is not known"),
+                mistakenFault("kind: late, delay: -1", "(faults.delay) must be a number from 0 to 600"),
+                mistakenFault(
+                        "kind: lost, from: chas",
+                        "good.yaml:26:29: (faults.from) must be an agent, a robot that has one",
+                        "not (chas)",
+                        "Maybe (chase)"));
+    }
+
+    private static List<String> mistakenFault(String fault, String... message) {
+        return Stream.concat(
+                        Stream.of("run:\n  seed", "faults: [{%s}]\nrun:\n  seed".formatted(fault)), Stream.of(message))
+                .toList();
     }
 
     private static List<String> mistakenRobots(String name, String... message) {
@@ -315,6 +367,21 @@ class ScenarioTest {
         assertThat(GOOD).contains(example.get(0));
         String message = mistakes(GOOD.replace(example.get(0), example.get(1)));
         assertThat(message).contains(example.subList(2, example.size())).doesNotContain("null", "Exception");
+    }
+
+    @Test
+    void robotSystemsThatCanNotBreakAnythingSaySo() {
+        String fake = GOOD.replace("mrs: {use: sim, step: 0.05}", "mrs: {use: fake}")
+                .replace("localizer: {type: truthful, error: 0.1}", "sonar: front8")
+                .replace("pose: {free: true, clearance: 0.5}", "pose: [[-8, -1, 0], [-6, -1, 0], [-4, -1, 0]]")
+                .replace("    mrs: {step: 0.1}\n", "")
+                .replace(
+                        "measure:\n  - {name: error, from: p95(poseError), per: robot, unit: m, better: less, bound: {max: 0.3}}\n",
+                        "");
+        assertThat(mistakes(fake)).isEmpty();
+        assertThat(mistakes(fake + "faults: [{kind: lost, share: 0.5}]\n")).isEmpty();
+        assertThat(mistakes(fake + "faults: [{kind: dead, robots: prey, devices: laser}]\n"))
+                .contains("(prey/laser) can't be (dead): Robot system (fake) can't break robots on purpose.");
     }
 
     @Test

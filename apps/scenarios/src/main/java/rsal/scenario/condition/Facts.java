@@ -16,4 +16,13 @@ public interface Facts {
 
     /// How many robots of a role have been caught so far.
     int caught(String role);
+
+    /// How many robots of a role are gone now, by a fault.
+    int gone(String role);
+
+    /// How many faults have begun so far, each counted once for each device, robot or kind of messages that has it.
+    long faults();
+
+    /// How many messages were lost so far, each counted once for each agent that did not hear it.
+    long lostMessages();
 }

@@ -15,7 +15,8 @@ import rsal.settings.Suggestion;
 /// condition  = both {"or" both}
 /// both       = single {"and" single}
 /// single     = "not" single | "(" condition ")" | "allCaught" "(" role ")" | quantity relation number
-/// quantity   = "time" | "collisions" | "wallCollisions" | "caught" "(" role ")"
+/// quantity   = "time" | "collisions" | "wallCollisions" | "faults" | "lostMessages"
+///            | ("caught" | "gone") "(" role ")"
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
 /// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "distance" ["(" role ")"]
 ///            | function "(" signal ["(" role ")"] ")"
@@ -29,9 +30,10 @@ public final class Grammar {
     private static final int MAX_DEPTH = 50;
     private static final Pattern TOKEN =
             Pattern.compile("\\s*(?:(?<word>\\p{Alpha}[\\w-]*)|(?<number>-?\\d+(?:\\.\\d+)?)|(?<sign>[<>=!]=?|[()]))");
-    private static final List<String> QUANTITIES = List.of("time", "collisions", "wallCollisions", "caught");
-    private static final List<String> PREDICATES =
-            List.of("allCaught", "time", "collisions", "wallCollisions", "caught", "not");
+    private static final List<String> QUANTITIES =
+            List.of("time", "collisions", "wallCollisions", "caught", "gone", "faults", "lostMessages");
+    private static final List<String> PREDICATES = List.of(
+            "allCaught", "time", "collisions", "wallCollisions", "caught", "gone", "faults", "lostMessages", "not");
     private static final List<String> MEASURES =
             List.of("firstTime", "count", "distance", "min", "mean", "p50", "p95", "p99", "max");
 
@@ -134,6 +136,15 @@ public final class Grammar {
         }
         if (takes("caught")) {
             return new Quantity.Caught(role());
+        }
+        if (takes("gone")) {
+            return new Quantity.Gone(role());
+        }
+        if (takes("faults")) {
+            return new Quantity.Faults();
+        }
+        if (takes("lostMessages")) {
+            return new Quantity.LostMessages();
         }
         throw unknown("a condition or quantity", known);
     }

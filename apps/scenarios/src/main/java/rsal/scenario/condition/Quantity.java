@@ -43,6 +43,45 @@ public sealed interface Quantity {
         }
     }
 
+    /// `faults`.
+    record Faults() implements Quantity {
+        @Override
+        public double of(Facts facts) {
+            return facts.faults();
+        }
+
+        @Override
+        public String toString() {
+            return "faults";
+        }
+    }
+
+    /// `lostMessages`.
+    record LostMessages() implements Quantity {
+        @Override
+        public double of(Facts facts) {
+            return facts.lostMessages();
+        }
+
+        @Override
+        public String toString() {
+            return "lostMessages";
+        }
+    }
+
+    /// `gone(prey)`.
+    record Gone(String role) implements Quantity {
+        @Override
+        public double of(Facts facts) {
+            return facts.gone(role);
+        }
+
+        @Override
+        public String toString() {
+            return "gone(" + role + ")";
+        }
+    }
+
     /// `caught(prey)`.
     record Caught(String role) implements Quantity {
         @Override

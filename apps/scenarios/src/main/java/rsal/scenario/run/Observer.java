@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -42,6 +43,9 @@ final class Observer implements Facts {
     private RunPlan.@Nullable Stop decided;
     private Duration endsAt = Duration.ZERO;
     private long wallCollisions;
+    private long faults;
+    private long lostMessages;
+    private Set<String> gone = Set.of(); // robots
 
     Observer(RunPlan plan, Journal journal, InstantSource clock) {
         this.plan = plan;
@@ -145,6 +149,19 @@ final class Observer implements Facts {
         records.computeIfAbsent(robot, _ -> new RobotRecord(role)).placed();
     }
 
+    void faultBegan() {
+        faults++;
+    }
+
+    void messageLost() {
+        lostMessages++;
+    }
+
+    /// Robots that are gone now.
+    void gone(Collection<String> robots) {
+        gone = Set.copyOf(robots);
+    }
+
     /// A robot is going to be put elsewhere.
     void placed(String robot) {
         Optional.ofNullable(records.get(robot)).ifPresent(RobotRecord::placed);
@@ -177,8 +194,27 @@ final class Observer implements Facts {
 
     @Override
     public int caught(String role) {
+        return among(caught, role);
+    }
+
+    @Override
+    public int gone(String role) {
+        return among(gone, role);
+    }
+
+    @Override
+    public long faults() {
+        return faults;
+    }
+
+    @Override
+    public long lostMessages() {
+        return lostMessages;
+    }
+
+    private int among(Set<String> robots, String role) {
         return (int) records.entrySet().stream()
-                .filter(entry -> caught.contains(entry.getKey()))
+                .filter(entry -> robots.contains(entry.getKey()))
                 .filter(entry -> entry.getValue().role().equals(role))
                 .count();
     }

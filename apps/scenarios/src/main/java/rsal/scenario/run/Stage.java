@@ -15,6 +15,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
+import java.util.random.RandomGenerator;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
@@ -47,9 +48,14 @@ import rsal.device.Planner;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Standing;
 import rsal.device.SonarArray;
+import rsal.device.Subscription;
+import rsal.fault.Fault;
+import rsal.fault.FaultInjection;
+import rsal.fault.FaultyLocalizer;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
+import rsal.scenario.PlannedFault.OfRobot;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedDevice;
@@ -89,6 +95,8 @@ final class Stage implements AutoCloseable {
     private final Journal journal;
     private final Observer observer;
     private final RobotSystem system;
+    private final Faults faults;
+    private final Map<String, FaultyLocalizer> faultyLocalizers = new HashMap<>(); // by the device's id
     private final Map<String, Robot> robots = new LinkedHashMap<>();
     private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
     private final Map<String, String> lastWords = new HashMap<>();
@@ -118,6 +126,19 @@ final class Stage implements AutoCloseable {
                         .create(
                                 plan.mrs().config(plan.scene(), plan.robots()),
                                 new GuardedScheduler(systemName(), scheduler)));
+        this.faults = new Faults(plan, scheduler, journal, observer, new Faults.Breaker() {
+            @Override
+            public Optional<String> refusal(OfRobot broken) {
+                return faultyLocalizers.containsKey(broken.name())
+                        ? Optional.empty()
+                        : injection().refusal(broken.robot(), broken.device(), broken.fault());
+            }
+
+            @Override
+            public Subscription begin(OfRobot broken, RandomGenerator random) {
+                return breakDown(broken, random);
+            }
+        });
     }
 
     /// Finds the robots and, once they are there, begins.
@@ -156,7 +177,7 @@ final class Stage implements AutoCloseable {
     private void equip(Robot bare, PlannedRobot planned) {
         Robot robot = bare;
         for (PlannedDevice device : planned.drivers()) {
-            robot = robot.with(make(device, planned, robot));
+            robot = robot.with(breakable(make(device, planned, robot)));
         }
         robots.put(robot.id(), robot);
         include(new Teammate(planned.spec(), system.simulation().flatMap(truth -> truth.body(bare.id()))));
@@ -183,6 +204,32 @@ final class Stage implements AutoCloseable {
                 lane,
                 new SplittableRandom(device.seed()));
         return named(name, () -> device.driver().create(context, device.options()));
+    }
+
+    /// A localizer that can have a fault later, if there will be one.
+    private Device breakable(Device device) {
+        String id = device.info().id();
+        boolean willBreak = plan.faults().stream()
+                .flatMap(fault -> fault.targets().stream())
+                .anyMatch(target -> target.name().equals(id));
+        if (willBreak && device instanceof Localizer localizer) {
+            var faulty = new FaultyLocalizer(localizer);
+            faultyLocalizers.put(id, faulty);
+            return faulty;
+        }
+        return device;
+    }
+
+    private Subscription breakDown(OfRobot broken, RandomGenerator random) {
+        FaultyLocalizer localizer = faultyLocalizers.get(broken.name());
+        if (localizer != null && broken.fault() instanceof Fault.OfSensor ofSensor) {
+            return localizer.begin(ofSensor, random);
+        }
+        return injection().begin(broken.robot(), broken.device(), broken.fault(), random);
+    }
+
+    private FaultInjection injection() {
+        return system.faults().orElseThrow();
     }
 
     /// Does what may fail; then its owner is to blame.
@@ -213,8 +260,11 @@ final class Stage implements AutoCloseable {
                     join(robot);
                 }
             }
-            case RobotSystem.Change.Gone(String robot, String reason) ->
-                journal.event("fault", robot, "is gone: " + reason);
+            case RobotSystem.Change.Gone(String robot, String reason) -> {
+                if (!faults.isGone(robot)) { // else that was told
+                    journal.event("fault", robot, "is gone: " + reason);
+                }
+            }
             case RobotSystem.Change.Removed(String robot) -> {
                 journal.event("run", robot, "was removed");
                 leave(robot);
@@ -253,6 +303,10 @@ final class Stage implements AutoCloseable {
         society = Optional.of(agents);
         agents.onMessage(this::heard);
         agents.onChange(this::changed);
+        if (!plan.faults().isEmpty()) {
+            agents.deliverBy(faults.delivery());
+            faults.begin();
+        }
         plan.agents().forEach(agent -> start(agents, agent));
         journal.event(
                 "run",
@@ -271,7 +325,7 @@ final class Stage implements AutoCloseable {
     }
 
     private void heard(Message<?> message) {
-        if (closed) {
+        if (closed || faults.isSilent(message.sender())) {
             return;
         }
         var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
@@ -348,8 +402,9 @@ final class Stage implements AutoCloseable {
 
     private RobotView view(RobotSpec spec, Robot robot) {
         String id = robot.id();
-        Optional<Localizer> localizer = robot.find(Localizer.class).filter(_ -> placements.isBeliefOfHere(id));
-        Optional<Navigator> navigator = robot.find(Navigator.class);
+        boolean there = !isNowhere(id);
+        Optional<Localizer> localizer = robot.find(Localizer.class).filter(_ -> there && placements.isBeliefOfHere(id));
+        Optional<Navigator> navigator = robot.find(Navigator.class).filter(_ -> there);
         return new RobotView(
                 id,
                 robot.role(),
@@ -361,14 +416,19 @@ final class Stage implements AutoCloseable {
                 localizer.flatMap(Localizer::particles).filter(cloud -> placements.isOfHere(id, cloud)),
                 robot.find(LaserScanner.class)
                         .flatMap(LaserScanner::latest)
-                        .filter(scan -> placements.isOfHere(id, scan)),
+                        .filter(scan -> there && placements.isOfHere(id, scan)),
                 robot.find(SonarArray.class)
                         .flatMap(SonarArray::latest)
-                        .filter(ranges -> placements.isOfHere(id, ranges)),
+                        .filter(ranges -> there && placements.isOfHere(id, ranges)),
                 navigator.map(Navigator::path).orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
                 inCharge(robot),
                 robot.devices().stream().map(Stage::view).toList());
+    }
+
+    /// Gone from the simulated world: what it believed there is not shown.
+    private boolean isNowhere(String robot) {
+        return system.simulation().filter(truth -> truth.truth(robot).isEmpty()).isPresent();
     }
 
     private static DeviceView view(Device device) {
@@ -539,6 +599,9 @@ final class Stage implements AutoCloseable {
         Robot robot = robots.get(id);
         if (robot == null) {
             return unknown(id);
+        }
+        if (faults.isGone(id)) {
+            return new Answer.Refused("Robot (%s) is gone.".formatted(id));
         }
         if (robot.find(Navigator.class).isEmpty()) {
             return new Answer.Refused("Robot (%s) has no navigator.".formatted(id));

@@ -40,6 +40,21 @@ class GrammarTest {
         public int caught(String role) {
             return role.equals("prey") ? 1 : 2;
         }
+
+        @Override
+        public int gone(String role) {
+            return role.equals("hunter") ? 1 : 0;
+        }
+
+        @Override
+        public long faults() {
+            return 4;
+        }
+
+        @Override
+        public long lostMessages() {
+            return 50;
+        }
     };
 
     @ParameterizedTest
@@ -55,6 +70,10 @@ class GrammarTest {
         "collisions > 2, true",
         "wallCollisions > 1, false",
         "caught(prey) >= 1, true",
+        "gone(hunter) == 1, true",
+        "gone(prey) > 0, false",
+        "faults > 3, true",
+        "lostMessages < 50, false",
         "allCaught(prey), false",
         "allCaught(fast-prey), true",
         "not allCaught(prey), true",

@@ -1,0 +1,386 @@
+package rsal.scenario;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import rsal.device.Device;
+import rsal.device.DriveBase;
+import rsal.fault.Fault;
+import rsal.fault.FaultInjection;
+import rsal.fault.SensorFaults;
+import rsal.scenario.PlannedFault.OfMessages;
+import rsal.scenario.PlannedFault.OfRobot;
+import rsal.scenario.PlannedFault.Target;
+import rsal.scenario.RobotReader.Role;
+import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.settings.Arguments;
+import rsal.settings.Location;
+import rsal.settings.Parameter;
+import rsal.settings.Problems;
+import rsal.settings.Section;
+import rsal.settings.Suggestion;
+import rsal.settings.Value;
+import rsal.system.RobotSystem;
+
+/// Reads what goes wrong in a scenario: with whom, when and how.
+final class FaultReader {
+    private static final String ALL = "all";
+    private static final String ANY = "any";
+    private static final String BASE = "base";
+
+    private final List<Role> roles;
+    private final List<PlannedAgent> agents;
+    private final boolean allAgents;
+    private final Seeds seeds;
+    private final Problems problems;
+    private final List<Draft> drafts = new ArrayList<>();
+
+    private record Draft(Section section, PlannedFault fault) {}
+
+    /// What was written for a name, and where.
+    private record Word(String text, Location at) {
+        boolean isAll() {
+            return text.equals(ALL) || text.equals(ANY);
+        }
+    }
+
+    private record Named(PlannedRobot robot, String device, Class<? extends Device> type) {}
+
+    /// @param allAgents false when a mistake may have left some out
+    FaultReader(List<Role> roles, List<PlannedAgent> agents, boolean allAgents, Seeds seeds, Problems problems) {
+        this.roles = roles;
+        this.agents = agents;
+        this.allAgents = allAgents;
+        this.seeds = seeds;
+        this.problems = problems;
+    }
+
+    List<PlannedFault> read(Section root) {
+        for (Section section : Format.groups(root, "faults")) {
+            int before = problems.all().size();
+            Optional<PlannedFault> fault = fault(section, "fault/" + drafts.size());
+            if (problems.all().size() == before) {
+                fault.ifPresent(f -> drafts.add(new Draft(section, f)));
+            }
+        }
+        return drafts.stream().map(Draft::fault).toList();
+    }
+
+    /// Lets the robot system say which faults it can't have.
+    void check(RobotSystem system, String key) {
+        for (Draft draft : drafts) {
+            Section section = draft.section;
+            for (Target target : draft.fault.targets()) {
+                if (target instanceof OfRobot broken && !isSoftware(broken)) {
+                    Optional<String> refusal = refusal(system, key, broken);
+                    if (refusal.isPresent()) {
+                        section.problem(
+                                "kind",
+                                "(%s) can't be (%s): %s".formatted(target.name(), draft.fault.kind(), refusal.get()),
+                                "Name others in (robots) or (devices), or leave this fault out.");
+                        break;
+                    }
+                }
+            }
+        }
+    }
+
+    private static Optional<String> refusal(RobotSystem system, String key, OfRobot broken) {
+        Optional<FaultInjection> faults = system.faults();
+        return faults.isEmpty()
+                ? Optional.of("Robot system (%s) can't break robots on purpose.".formatted(key))
+                : faults.get().refusal(broken.robot(), broken.device(), broken.fault());
+    }
+
+    /// Made from other devices, which is no matter of the robot system.
+    private boolean isSoftware(OfRobot broken) {
+        return robots().filter(robot -> robot.spec().id().equals(broken.robot()))
+                .anyMatch(robot -> robot.makes(broken.device()));
+    }
+
+    private Stream<PlannedRobot> robots() {
+        return roles.stream().flatMap(role -> role.robots().stream());
+    }
+
+    private Optional<PlannedFault> fault(Section section, String name) {
+        Optional<FaultKind> kind =
+                section.value(Format.FAULT_KIND).map(word -> Format.of(FaultKind.values(), FaultKind::word, word));
+        double at = (Double) section.value(Format.AT).orElse(0.0);
+        Optional<Double> every =
+                section.has("every") ? section.value(Format.EVERY).map(Double.class::cast) : Optional.empty();
+        Optional<Span> lasts = span(section, "for", Format.LONGEST, 0.01);
+        if (kind.isEmpty()) {
+            return Optional.empty(); // what else there may be depends on it
+        }
+        Optional<Arguments> arguments = arguments(section, kind.get());
+        Optional<Integer> pick = kind.get().of() == FaultKind.Of.MESSAGES ? Optional.empty() : pick(section);
+        List<Target> targets = arguments.isEmpty() ? List.of() : targets(section, kind.get(), arguments.get());
+        section.done();
+        return Optional.of(new PlannedFault(
+                kind.get().word(), targets, pick, Span.duration(at), every.map(Span::duration), lasts, seeds.of(name)));
+    }
+
+    private static Optional<Arguments> arguments(Section section, FaultKind kind) {
+        int before = section.problems().all().size();
+        Map<String, Object> values = new LinkedHashMap<>(section.values(kind.parameters()));
+        if (kind == FaultKind.BIASED || kind == FaultKind.NOISY) {
+            if (values.values().stream().allMatch(value -> value.equals(0.0))) {
+                section.problem(
+                        section.location(),
+                        "A (%s) sensor needs an error, (range) or (angle).".formatted(kind.word()),
+                        kind.parameters().getFirst().description());
+            }
+        }
+        return section.problems().all().size() == before
+                ? Optional.of(Arguments.of(kind.parameters(), values))
+                : Optional.empty();
+    }
+
+    /// How many of them; one of any.
+    private static Optional<Integer> pick(Section section) {
+        if (section.has("pick")) {
+            return section.value(Format.PICK).map(n -> Math.toIntExact((Long) n));
+        }
+        boolean any = words(section, "robots").stream().anyMatch(word -> word.text.equals(ANY));
+        return any ? Optional.of(1) : Optional.empty();
+    }
+
+    private List<Target> targets(Section section, FaultKind kind, Arguments arguments) {
+        return switch (kind.of()) {
+            case SENSORS -> sensors(section, kind, (Fault.OfSensor) kind.fault(arguments));
+            case BASES -> robots(section, kind.fault(arguments), BASE);
+            case ROBOTS -> robots(section, kind.fault(arguments), "");
+            case MESSAGES -> List.of(messages(section, kind, arguments.number(FaultKind.SHARE)));
+        };
+    }
+
+    private List<Target> robots(Section section, Fault fault, String device) {
+        var targets = new LinkedHashSet<Target>();
+        required(section, "robots")
+                .forEach(word -> called(section, word)
+                        .forEach(robot -> targets.add(new OfRobot(robot.spec().id(), device, fault))));
+        return List.copyOf(targets);
+    }
+
+    /// Robots of a role, of an id, or of a pattern.
+    private List<PlannedRobot> called(Section section, Word word) {
+        var found = robots().filter(robot ->
+                        isCalled(word, robot.spec().role(), robot.spec().id()))
+                .toList();
+        if (found.isEmpty() && roles.stream().allMatch(Role::complete)) {
+            var known = new LinkedHashSet<String>();
+            roles.forEach(role -> known.add(role.name()));
+            robots().map(robot -> robot.spec().id())
+                    .filter(id -> Suggestion.closest(word.text, List.of(id)).isPresent())
+                    .forEach(known::add);
+            section.problem(
+                    word.at,
+                    "(%s) must be a role of robots, the id of one, a pattern (r*) or all, not (%s)."
+                            .formatted(section.path("robots"), word.text),
+                    Suggestion.among(word.text, known));
+        }
+        return found;
+    }
+
+    private static boolean isCalled(Word word, String... names) {
+        for (String name : names) {
+            if (word.isAll() || Wildcard.matches(word.text, name)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private List<Target> sensors(Section section, FaultKind kind, Fault.OfSensor fault) {
+        var targets = new LinkedHashSet<Target>();
+        List<Word> robots = required(section, "robots");
+        List<Word> devices = required(section, "devices");
+        for (Word device : devices) {
+            var found = new LinkedHashSet<Named>();
+            var lacking = new ArrayList<Word>();
+            for (Word robot : robots) {
+                List<PlannedRobot> called = called(section, robot);
+                var theirs = called.stream()
+                        .flatMap(each -> devices(each).stream())
+                        .filter(named -> isMeant(device, named, fault))
+                        .toList();
+                if (theirs.isEmpty() && !called.isEmpty()) {
+                    lacking.add(robot);
+                }
+                found.addAll(theirs);
+            }
+            boolean named = lacking.stream().anyMatch(robot -> !robot.isAll() && !Wildcard.isPattern(robot.text));
+            if (!lacking.isEmpty() && (named || found.isEmpty())) {
+                lacks(section, lacking.getFirst(), device);
+            } else {
+                refuse(section, kind, device, found, fault);
+            }
+            found.forEach(each -> targets.add(new OfRobot(each.robot.spec().id(), each.device, fault)));
+        }
+        return List.copyOf(targets);
+    }
+
+    private void lacks(Section section, Word robot, Word device) {
+        if (roles.stream().allMatch(Role::complete)) {
+            var known = new LinkedHashSet<String>();
+            robots().filter(each ->
+                            isCalled(robot, each.spec().role(), each.spec().id()))
+                    .forEach(each -> devices(each).forEach(named -> known.add(named.device)));
+            section.problem(
+                    device.at,
+                    "Robots called (%s) have no sensor (%s).".formatted(robot.text, device.text),
+                    Suggestion.among(device.text, known));
+        }
+    }
+
+    private static void refuse(
+            Section section, FaultKind kind, Word device, Collection<Named> found, Fault.OfSensor fault) {
+        for (Named each : found) {
+            Optional<String> why = SensorFaults.refusal(each.type, fault);
+            if (why.isPresent()) {
+                section.problem(
+                        device.at,
+                        "Device (%s/%s) can't be %s like this."
+                                .formatted(each.robot.spec().id(), each.device, kind.word()),
+                        why.get());
+                return;
+            }
+        }
+    }
+
+    /// By name or by type. All and patterns mean only what can have the fault.
+    private static boolean isMeant(Word word, Named named, Fault.OfSensor fault) {
+        if (word.isAll() || Wildcard.isPattern(word.text)) {
+            return isCalled(word, named.device)
+                    && SensorFaults.refusal(named.type, fault).isEmpty();
+        }
+        return isCalled(word, named.device) || types(named.type).contains(word.text);
+    }
+
+    /// Names of a type and of what it is besides: LaserScanner, Sensor, RangeSensor, Device.
+    private static Set<String> types(Class<?> type) {
+        var names = new LinkedHashSet<String>();
+        names.add(type.getSimpleName());
+        for (Class<?> more : type.getInterfaces()) {
+            names.addAll(types(more));
+        }
+        return names;
+    }
+
+    private static List<Named> devices(PlannedRobot robot) {
+        var devices = new ArrayList<Named>();
+        devices.add(new Named(robot, BASE, DriveBase.class));
+        robot.spec().model().sensors().forEach((name, part) -> devices.add(new Named(robot, name, part.makes())));
+        robot.drivers()
+                .forEach(device -> devices.add(
+                        new Named(robot, device.name(), device.driver().makes())));
+        return devices;
+    }
+
+    private OfMessages messages(Section section, FaultKind kind, double share) {
+        List<String> topics = words(section, "topics").stream()
+                .filter(word -> !word.isAll())
+                .map(Word::text)
+                .toList();
+        Optional<Span> delay = kind.delay()
+                .flatMap(fallback -> section.has("delay")
+                        ? span(section, "delay", Format.LONGEST_DELAY, 0)
+                        : Optional.of(Span.of(fallback, fallback)));
+        return new OfMessages(
+                topics,
+                agents(section, "from"),
+                agents(section, "to"),
+                share,
+                kind.mishap(delay.orElse(Span.of(0, 0))));
+    }
+
+    /// Agents by their own name or role, or by id or role of their robot; empty for all.
+    private Optional<Set<String>> agents(Section section, String key) {
+        List<Word> words = words(section, key);
+        if (words.isEmpty() || words.stream().anyMatch(Word::isAll)) {
+            return Optional.empty();
+        }
+        var names = new LinkedHashSet<String>();
+        for (Word word : words) {
+            var found = agents.stream()
+                    .filter(agent -> isCalled(word, called(agent)))
+                    .toList();
+            if (found.isEmpty() && !word.text.equals("operator") && allAgents) {
+                var known = agents.stream()
+                        .flatMap(agent -> List.of(called(agent)).stream())
+                        .collect(Collectors.toCollection(LinkedHashSet::new));
+                section.problem(
+                        word.at,
+                        "(%s) must be an agent, a robot that has one, the role of either, a pattern (f*) or all, not (%s)."
+                                .formatted(section.path(key), word.text),
+                        Suggestion.among(word.text, known));
+            }
+            names.add(word.text);
+            found.forEach(agent -> names.add(agent.name()));
+        }
+        return Optional.of(names);
+    }
+
+    private String[] called(PlannedAgent agent) {
+        var names = new LinkedHashSet<>(List.of(agent.role(), agent.name()));
+        robots().filter(robot -> agent.robot().filter(robot.spec().id()::equals).isPresent())
+                .forEach(robot ->
+                        names.addAll(List.of(robot.spec().role(), robot.spec().id())));
+        return names.toArray(String[]::new);
+    }
+
+    private static List<Word> required(Section section, String key) {
+        if (!section.has(key)) {
+            section.problem(
+                    section.location(),
+                    "(%s) is missing: a name or a list of names.".formatted(section.path(key)),
+                    "Maybe (%s: all)?".formatted(key));
+        }
+        return words(section, key);
+    }
+
+    /// One name, or a list of them.
+    private static List<Word> words(Section section, String key) {
+        Optional<Value> value = section.find(key);
+        if (value.isEmpty()) {
+            return List.of();
+        }
+        var words = new ArrayList<Word>();
+        for (Value item : value.get() instanceof Value.Sequence several ? several.items() : List.of(value.get())) {
+            if (item instanceof Value.Scalar(Location at, String text) && !text.isEmpty()) {
+                words.add(new Word(text, at));
+            } else {
+                section.expected(key, "a name or a list of names", item);
+            }
+        }
+        return words;
+    }
+
+    /// A number of seconds, or the least and the most of them.
+    private static Optional<Span> span(Section section, String key, Parameter seconds, double least) {
+        Optional<Value> value = section.find(key);
+        if (value.isEmpty()) {
+            return Optional.empty();
+        }
+        if (value.get() instanceof Value.Sequence pair) {
+            Optional<double[]> both = section.numbers(key, pair, 2);
+            if (both.isPresent()
+                    && !(both.get()[0] >= least && both.get()[0] <= both.get()[1] && both.get()[1] <= seconds.max())) {
+                section.problem(
+                        pair.location(),
+                        "(%s) must be [least, most], each %s.".formatted(section.path(key), seconds.expected()),
+                        "");
+            }
+            return both.map(b -> Span.of(b[0], b[1]));
+        }
+        return section.value(seconds).map(Double.class::cast).map(s -> Span.of(s, s));
+    }
+}

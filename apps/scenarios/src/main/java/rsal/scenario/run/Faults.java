@@ -1,0 +1,185 @@
+package rsal.scenario.run;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
+import java.util.stream.Collectors;
+import rsal.agent.Delivery;
+import rsal.device.Subscription;
+import rsal.fault.Fault;
+import rsal.scenario.PlannedFault;
+import rsal.scenario.PlannedFault.OfMessages;
+import rsal.scenario.PlannedFault.OfRobot;
+import rsal.scenario.PlannedFault.Target;
+import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.time.Phase;
+import rsal.time.Scheduler;
+
+/// Lets things go wrong when the plan says so. Each fault draws from streams of its own, so that none changes when
+/// another comes. All calls on the run's thread.
+final class Faults {
+    private final RunPlan plan;
+    private final Scheduler scheduler;
+    private final Journal journal;
+    private final Observer observer;
+    private final Breaker breaker;
+    private final Mishaps mishaps;
+    private final List<String> gone = new ArrayList<>(); // robots, once for each fault
+
+    /// Breaks robots and their devices.
+    interface Breaker {
+        /// Why that can't be any more, as robots may have gone for good; empty when it can.
+        Optional<String> refusal(OfRobot broken);
+
+        /// @return ends it
+        Subscription begin(OfRobot broken, RandomGenerator random);
+    }
+
+    Faults(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Breaker breaker) {
+        this.plan = plan;
+        this.scheduler = scheduler;
+        this.journal = journal;
+        this.observer = observer;
+        this.breaker = breaker;
+        this.mishaps = new Mishaps((message, listener) -> {
+            journal.hash("lost", message.sender(), message.topic().name(), listener);
+            observer.messageLost();
+        });
+    }
+
+    /// What becomes of messages.
+    Delivery delivery() {
+        return mishaps;
+    }
+
+    /// Whether a robot is gone.
+    boolean isGone(String robot) {
+        return gone.contains(robot);
+    }
+
+    /// Whether an agent is not heard, as its robot is gone.
+    boolean isSilent(String agent) {
+        return mishaps.isSilent(agent);
+    }
+
+    /// From now on things go wrong; some maybe at once.
+    void begin() {
+        for (PlannedFault fault : plan.faults()) {
+            var random = new SplittableRandom(fault.seed());
+            if (fault.pick().isPresent()) {
+                new Course(fault, fault.targets(), random).plan(fault.at());
+            } else {
+                for (Target target : fault.targets()) {
+                    new Course(fault, List.of(target), random.split()).plan(fault.at());
+                }
+            }
+        }
+    }
+
+    /// A fault from one time to the next.
+    private final class Course {
+        private final PlannedFault fault;
+        private final List<Target> targets;
+        private final SplittableRandom random;
+
+        Course(PlannedFault fault, List<Target> targets, SplittableRandom random) {
+            this.fault = fault;
+            this.targets = targets;
+            this.random = random;
+        }
+
+        /// @param earliest from now
+        void plan(Duration earliest) {
+            Duration delay =
+                    fault.every().map(mean -> earliest.plus(chance(mean))).orElse(earliest);
+            if (delay.isZero()) {
+                strike();
+            } else {
+                scheduler.after(delay, Phase.WORLD, this::strike);
+            }
+        }
+
+        /// Until something that comes at random comes: exponentially distributed.
+        private Duration chance(Duration mean) {
+            return Duration.ofNanos(Math.round(-StrictMath.log(1 - random.nextDouble()) * mean.toNanos()));
+        }
+
+        private void strike() {
+            Optional<Duration> length = fault.lasts().map(span -> span.draw(random));
+            List<Subscription> begun = struck().stream()
+                    .map(target -> Faults.this.begin(target, length, random.split()))
+                    .toList();
+            length.ifPresent(time -> scheduler.after(time, Phase.WORLD, () -> {
+                begun.forEach(Subscription::cancel);
+                if (fault.every().isPresent()) {
+                    plan(Duration.ZERO);
+                }
+            }));
+        }
+
+        /// Those that have it this time, in the order of all.
+        private List<Target> struck() {
+            int wanted = fault.pick().orElse(targets.size());
+            Set<Integer> chosen = new HashSet<>();
+            while (chosen.size() < Math.min(wanted, targets.size())) {
+                chosen.add(random.nextInt(targets.size()));
+            }
+            var struck = new ArrayList<Target>();
+            for (int i = 0; i < targets.size(); i++) {
+                if (wanted >= targets.size() || chosen.contains(i)) {
+                    struck.add(targets.get(i));
+                }
+            }
+            return struck;
+        }
+    }
+
+    private Subscription begin(Target target, Optional<Duration> length, RandomGenerator random) {
+        Optional<String> refusal = target instanceof OfRobot broken ? breaker.refusal(broken) : Optional.empty();
+        if (refusal.isPresent()) {
+            journal.event("fault", target.name(), "not %s: %s".formatted(FaultWords.of(target), refusal.get()));
+            return () -> {};
+        }
+        observer.faultBegan();
+        journal.event(
+                "fault",
+                target.name(),
+                FaultWords.of(target)
+                        + length.map(time -> " for " + FaultWords.of(time)).orElse(""));
+        Subscription begun = switch (target) {
+            case OfMessages messages -> mishaps.begin(messages, random);
+            case OfRobot broken when broken.fault() instanceof Fault.Gone -> gone(broken, random);
+            case OfRobot broken -> breaker.begin(broken, random);
+        };
+        return () -> {
+            begun.cancel();
+            journal.event("fault", target.name(), "no longer " + FaultWords.of(target));
+        };
+    }
+
+    private Subscription gone(OfRobot lost, RandomGenerator random) {
+        gone.add(lost.robot());
+        Subscription silence = mishaps.silence(agentsOf(lost.robot()));
+        Subscription absence = breaker.begin(lost, random);
+        observer.gone(gone);
+        return () -> {
+            gone.remove(lost.robot());
+            absence.cancel();
+            silence.cancel();
+            observer.gone(gone);
+        };
+    }
+
+    private Set<String> agentsOf(String robot) {
+        return plan.agents().stream()
+                .filter(agent -> agent.robot().filter(robot::equals).isPresent())
+                .map(PlannedAgent::name)
+                .collect(Collectors.toUnmodifiableSet());
+    }
+}
