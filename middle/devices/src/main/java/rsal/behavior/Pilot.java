@@ -37,6 +37,7 @@ public final class Pilot extends SensorCore<Decision> {
     private final InstantSource clock;
     private final String frame;
     private @Nullable Subsumption stack;
+    private boolean paused;
 
     Pilot(DeviceInfo info, Robot robot, SectorFusion fusion, InstantSource clock) {
         super(info);
@@ -68,8 +69,25 @@ public final class Pilot extends SensorCore<Decision> {
         return stack != null;
     }
 
+    /// Stands still and keeps its stack, without asking it. Whoever engages or releases it meanwhile finds that done
+    /// after [#resume].
+    public void pause() {
+        if (!paused && stack != null) {
+            base.command(Twist2d.STOP);
+        }
+        paused = true;
+    }
+
+    public void resume() {
+        paused = false;
+    }
+
+    public boolean paused() {
+        return paused;
+    }
+
     void update() {
-        Subsumption driving = stack;
+        Subsumption driving = paused ? null : stack;
         Instant now = clock.instant();
         if (driving == null) {
             if (health() instanceof Health.Stale && silent(now).isEmpty()) {
@@ -96,8 +114,8 @@ public final class Pilot extends SensorCore<Decision> {
             health(new Health.Lost("A behavior failed: " + e));
             return;
         }
-        if (stack != driving) {
-            return; // a behavior engaged another stack, or released this one
+        if (stack != driving || paused) {
+            return; // a behavior engaged another stack, released this one, or had it paused
         }
         base.command(decision.twist());
         deliver(new Stamped<>(now, frame, decision));

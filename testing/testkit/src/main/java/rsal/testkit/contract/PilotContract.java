@@ -78,6 +78,25 @@ public abstract class PilotContract extends SensorContract<Decision, Pilot> {
     }
 
     @Test
+    void pausedItLeavesTheRobotToOthersAndKeepsItsStack() {
+        wake();
+        advance(2);
+        device().pause();
+        advance(1);
+        Pose2d stopped = truth();
+        var last = device().latest();
+        drive(Twist2d.drive(-0.2, 0), 2);
+        assertThat(truth().x()).isLessThan(stopped.x() - 0.2);
+        assertThat(device().latest()).isEqualTo(last);
+        assertThat(device().paused()).isTrue();
+        assertThat(device().engaged()).isTrue();
+        Pose2d driven = truth();
+        device().resume();
+        advance(2);
+        assertThat(truth().x()).isGreaterThan(driven.x() + 0.2);
+    }
+
+    @Test
     void anotherStackTakesOver() {
         wake();
         advance(1);
