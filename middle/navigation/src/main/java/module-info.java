@@ -13,5 +13,6 @@ module rsal.navigation {
     provides rsal.robot.DeviceDriver with
             rsal.navigation.device.AmclDriver,
             rsal.navigation.device.NavigatorDriver,
+            rsal.navigation.device.OdometryLocalizerDriver,
             rsal.navigation.device.WavefrontDriver;
 }
