@@ -3,17 +3,20 @@ package rsal.scenario;
 import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.agent.message.NewGoal;
 import rsal.data.OccupancyGrid;
+import rsal.device.Device;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Clock;
@@ -94,13 +97,14 @@ final class PlanReader {
         if (world.scene().isPresent() || root.has("robots") || !mayHaveRobots) {
             roles.addAll(robotReader.read(root.section("robots"), brought));
         }
-        List<PlannedRobot> robots =
+        List<PlannedRobot> bare =
                 roles.stream().flatMap(role -> role.robots().stream()).toList();
         int before = problems.all().size();
         List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), roles, seeds));
         if (scenario.isWorld()) {
-            agents.addAll(instead(robots, world, seeds));
+            agents.addAll(instead(bare, world, seeds));
         }
+        List<PlannedRobot> robots = equipped(bare, agents);
 
         var faultReader = new FaultReader(roles, agents, problems.all().size() == before, seeds, problems);
         List<PlannedFault> faults = faultReader.read(root);
@@ -305,7 +309,7 @@ final class PlanReader {
         Optional<AgentType> type = Optional.ofNullable(catalog.agents().get(INSTEAD));
         Map<String, String> programs = world.scene().map(Scene::programs).orElse(Map.of());
         return robots.stream()
-                .filter(robot -> type.isPresent() && WorldReader.hasPilot(robot))
+                .filter(robot -> type.isPresent() && robot.spares().pilot().isPossible())
                 .filter(robot -> programs.containsKey(robot.spec().id()))
                 .map(robot -> robot.spec().id())
                 .map(id -> new PlannedAgent(
@@ -315,6 +319,20 @@ final class PlanReader {
                         Arguments.defaults(type.orElseThrow().parameters()),
                         Optional.of(id),
                         seeds.of("agent/" + id)))
+                .toList();
+    }
+
+    /// Robots of a world have what their agents need.
+    private static List<PlannedRobot> equipped(List<PlannedRobot> robots, List<PlannedAgent> agents) {
+        var needs = new HashMap<String, Set<Class<? extends Device>>>();
+        for (PlannedAgent agent : agents) {
+            agent.robot()
+                    .ifPresent(id -> needs.computeIfAbsent(id, _ -> new HashSet<>())
+                            .addAll(agent.type().needs()));
+        }
+        return robots.stream()
+                .map(robot -> Outfitter.equipped(
+                        robot, needs.getOrDefault(robot.spec().id(), Set.of())))
                 .toList();
     }
 

@@ -30,6 +30,7 @@ final class RobotReader {
             List.of("#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442");
 
     private final DeviceReader devices;
+    private final Outfitter outfitter;
     private final Optional<OccupancyGrid> map;
     private final Seeds seeds;
     private final Problems problems;
@@ -37,6 +38,7 @@ final class RobotReader {
 
     RobotReader(Catalog catalog, FileSource files, Optional<OccupancyGrid> map, Seeds seeds, Problems problems) {
         this.devices = new DeviceReader(catalog, new RobotModels(files), problems);
+        this.outfitter = new Outfitter(catalog, seeds);
         this.map = map;
         this.seeds = seeds;
         this.problems = problems;
@@ -239,7 +241,7 @@ final class RobotReader {
 
     private PlannedRobot robot(Draft draft, String id, Optional<Pose2d> mapFromBase) {
         var spec = new RobotSpec(id, draft.name, draft.equipment.model().orElseThrow(), mapFromBase, draft.color);
-        return new PlannedRobot(
+        return outfitter.robot(
                 spec,
                 draft.equipment.drivers().stream()
                         .map(d -> new PlannedDevice(

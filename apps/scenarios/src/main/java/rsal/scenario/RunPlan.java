@@ -85,7 +85,8 @@ public record RunPlan(
     }
 
     /// @param drivers of its software devices, in the order in which they are made
-    public record PlannedRobot(RobotSpec spec, List<PlannedDevice> drivers) {
+    /// @param spares what it can be given besides, when somebody wants it
+    public record PlannedRobot(RobotSpec spec, List<PlannedDevice> drivers, Spares spares) {
         public PlannedRobot {
             drivers = List.copyOf(drivers);
         }
@@ -93,6 +94,36 @@ public record RunPlan(
         /// Whether a device of that name is made from its others.
         public boolean makes(String device) {
             return drivers.stream().anyMatch(made -> made.name().equals(device));
+        }
+    }
+
+    /// Software devices that are made when they are wanted first: a robot that nobody sends anywhere pays for none.
+    ///
+    /// @param navigation its localizer and its navigator
+    public record Spares(Spare pilot, Spare navigation) {
+        public static Spares none(String why) {
+            return new Spares(Spare.none(why), Spare.none(why));
+        }
+
+        /// All of them.
+        public List<Spare> all() {
+            return List.of(pilot, navigation);
+        }
+    }
+
+    /// @param devices in the order in which they are made
+    /// @param refusal why there are none, in a sentence for people; empty when there are
+    public record Spare(List<PlannedDevice> devices, String refusal) {
+        public Spare {
+            devices = List.copyOf(devices);
+        }
+
+        public static Spare none(String why) {
+            return new Spare(List.of(), why);
+        }
+
+        public boolean isPossible() {
+            return refusal.isEmpty();
         }
     }
 

@@ -3,22 +3,18 @@ package rsal.scenario;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import rsal.behavior.Pilot;
 import rsal.device.Device;
 import rsal.device.DriveBase;
-import rsal.device.RangeSensor;
 import rsal.map.Maps;
-import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RobotReader.Role;
-import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scene.Scene;
 import rsal.scene.SceneFormat;
-import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -29,15 +25,16 @@ import rsal.settings.Suggestion;
 /// Reads where a scenario takes place: a map, or the file of a world with all that is in it.
 final class WorldReader {
     private static final int MAX_BYTES = 1 << 28;
-    private static final String PILOT = "pilot";
 
     private final Catalog catalog;
+    private final Outfitter outfitter;
     private final FileSource files;
     private final Seeds seeds;
     private final Problems problems;
 
     WorldReader(Catalog catalog, FileSource files, Seeds seeds, Problems problems) {
         this.catalog = catalog;
+        this.outfitter = new Outfitter(catalog, seeds);
         this.files = files;
         this.seeds = seeds;
         this.problems = problems;
@@ -101,49 +98,25 @@ final class WorldReader {
     private Role role(String name, List<RobotSpec> specs, Section world) {
         var robots = new ArrayList<PlannedRobot>();
         for (RobotSpec spec : specs) {
-            robots.add(new PlannedRobot(spec, pilot(spec).stream().toList()));
+            robots.add(outfitter.robot(spec, List.of()));
         }
         return new Role(name, world, robots, inCommon(robots), true);
     }
 
-    /// What drives a robot that sees something by behaviors.
-    private Optional<PlannedDevice> pilot(RobotSpec spec) {
-        return Optional.ofNullable(catalog.drivers().get(PILOT))
-                .filter(driver -> driver.refusal(spec.model()).isEmpty())
-                .filter(_ -> has(spec.model(), RangeSensor.class))
-                .map(driver -> new PlannedDevice(
-                        PILOT,
-                        driver,
-                        Arguments.defaults(driver.parameters()),
-                        seeds.of("device/" + spec.id() + "/" + PILOT)));
-    }
-
-    static boolean hasPilot(PlannedRobot robot) {
-        return robot.drivers().stream().map(PlannedDevice::driver).anyMatch(WorldReader::makesPilot);
-    }
-
-    private static boolean makesPilot(DeviceDriver driver) {
-        return driver.makes().equals(Pilot.class);
-    }
-
-    private static boolean has(RobotModel model, Class<? extends Device> type) {
-        return model.sensors().values().stream().anyMatch(part -> type.isAssignableFrom(part.makes()));
-    }
-
-    /// Types of the devices that all of them have.
+    /// Types of the devices that all of them have or can be given.
     private static List<Class<? extends Device>> inCommon(List<PlannedRobot> robots) {
         var common = new ArrayList<Class<? extends Device>>();
         common.add(DriveBase.class);
         var models = new IdentityHashMap<RobotModel, Boolean>();
         robots.forEach(robot -> models.put(robot.spec().model(), true));
         robots.getFirst().spec().model().sensors().values().forEach(part -> {
-            if (models.keySet().stream().allMatch(model -> has(model, part.makes()))) {
+            if (models.keySet().stream().allMatch(model -> Outfitter.has(model, part.makes()))) {
                 common.add(part.makes());
             }
         });
-        if (robots.stream().allMatch(WorldReader::hasPilot)) {
-            common.add(Pilot.class);
-        }
+        var given = new LinkedHashSet<>(Outfitter.gives(robots.getFirst()));
+        robots.forEach(robot -> given.retainAll(Outfitter.gives(robot)));
+        common.addAll(given);
         return common;
     }
 }

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,6 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.OccupancyGrid;
 import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.settings.InvalidSettings;
 
 /// Scenarios that take place in a world with all that is in it.
@@ -109,12 +111,43 @@ class WorldScenarioTest {
             guest: {                        | cart: {                          | The world has robots called (cart), too
             robot: cart                     | robot: crat                      | Maybe (cart)
             robot: cart                     | robot: position                  | needs a robot with a Pilot
+            {type: wander, robot: cart}     | {type: nav, robot: position}     | needs a robot with a Navigator
             """)
     void mistakesAreTold(String right, String wrong, String expected) {
         assertThat(SCENARIO).contains(right);
         assertThatThrownBy(() -> planned(SCENARIO.replace(right, wrong)))
                 .isInstanceOf(InvalidSettings.class)
                 .hasMessageContaining(expected);
+    }
+
+    @Test
+    void robotsOfTheWorldHaveWhatTheirAgentsNeed() throws IOException {
+        RunPlan plan = planned(SCENARIO.replace("roam: {type: wander, robot: cart}", "go: {type: nav, robot: cart}"));
+        assertThat(drivers(plan, "r0")).containsExactly("odometry", "navigator");
+        assertThat(drivers(plan, "blind")).isEmpty();
+        assertThat(drivers(planned(SCENARIO), "r0")).containsExactly("pilot");
+        assertThat(drivers(world(), "r0")).containsExactly("pilot");
+        assertThat(drivers(world(), "r1")).as("nobody needs any").isEmpty();
+    }
+
+    private static List<String> drivers(RunPlan plan, String robot) {
+        return plan.robots().stream()
+                .filter(planned -> planned.spec().id().equals(robot))
+                .flatMap(planned -> planned.drivers().stream())
+                .map(device -> device.driver().key())
+                .toList();
+    }
+
+    @Test
+    void everyRobotHasSparesOrAReasonWhyNot() throws IOException {
+        List<PlannedRobot> robots = planned(SCENARIO).robots();
+        assertThat(robots.getFirst().spares().navigation().devices())
+                .extracting(device -> device.driver().key())
+                .containsExactly("odometry", "navigator");
+        assertThat(robots.get(2).spares().pilot().refusal()).contains("blindly");
+        assertThat(robots.getLast().spares().navigation().devices())
+                .extracting(device -> device.driver().key())
+                .containsExactly("amcl", "navigator");
     }
 
     @Test

@@ -15,6 +15,8 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scenario.RunPlan.Spare;
+import rsal.scenario.RunPlan.Spares;
 
 /// What robots are to have that nobody planned: the software devices and agents of one that was planned, each with
 /// a random stream of its own.
@@ -60,13 +62,25 @@ final class Newcomers {
         String id = robot.id();
         String color = example.map(one -> one.spec().color()).orElse("#808080");
         var spec = new RobotSpec(id, robot.role(), robot.model(), mapFromBase, color);
-        List<PlannedDevice> drivers = example.map(PlannedRobot::drivers).orElse(List.of()).stream()
-                .map(one -> new PlannedDevice(one.name(), one.driver(), one.options(), seed(one.seed(), id)))
-                .toList();
-        var made = new PlannedRobot(spec, drivers);
+        List<PlannedDevice> drivers =
+                devicesLike(example.map(PlannedRobot::drivers).orElse(List.of()), id);
+        Spares spares = example.map(PlannedRobot::spares)
+                .map(one -> new Spares(spareLike(one.pilot(), id), spareLike(one.navigation(), id)))
+                .orElse(Spares.none("No robot like it was planned."));
+        var made = new PlannedRobot(spec, drivers, spares);
         robots.put(id, made);
         example.ifPresent(one -> agents.put(id, agentsLike(one.spec().id(), id)));
         return made;
+    }
+
+    private static Spare spareLike(Spare example, String robot) {
+        return new Spare(devicesLike(example.devices(), robot), example.refusal());
+    }
+
+    private static List<PlannedDevice> devicesLike(List<PlannedDevice> examples, String robot) {
+        return examples.stream()
+                .map(one -> new PlannedDevice(one.name(), one.driver(), one.options(), seed(one.seed(), robot)))
+                .toList();
     }
 
     private static boolean isLike(PlannedRobot one, Robot robot) {
