@@ -43,4 +43,15 @@ public record Robot(String id, String role, RobotModel model, List<Device> devic
                 java.util.stream.Stream.concat(devices.stream(), java.util.stream.Stream.of(device))
                         .toList());
     }
+
+    /// The same robot with another device in place of one.
+    public Robot replacing(Device old, Device other) {
+        return new Robot(
+                id,
+                role,
+                model,
+                devices.stream()
+                        .map(device -> device.equals(old) ? other : device)
+                        .toList());
+    }
 }

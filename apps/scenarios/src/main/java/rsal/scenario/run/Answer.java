@@ -9,6 +9,8 @@ public sealed interface Answer {
     /// @param name of it
     record Added(String name) implements Answer {}
 
+    record Able(Abilities abilities) implements Answer {}
+
     /// @param why a sentence for people
     record Refused(String why) implements Answer {}
 }

@@ -25,6 +25,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
+import rsal.data.Twist2d;
 import rsal.device.Subscription;
 import rsal.scenario.RunPlan;
 import rsal.time.AllowedToReadWallClock;
@@ -38,8 +39,8 @@ import rsal.time.WallScheduler;
 ///
 /// The run has a thread of its own, `run-<n>`, and helpers for heavy work, `run-<n>-helper-<m>`. Between two
 /// steps it takes commands and makes a snapshot if somebody wants one. How it is watched, paused and paced never
-/// changes what happens in it; placing robots, sending them somewhere and the emergency stop do, and are events
-/// of the run. A run in real time can't be paused or paced: it goes on at speed 1.
+/// changes what happens in it; placing robots, driving them, telling them what to do and the emergency stop do, and are
+/// events of the run. A run in real time can't be paused or paced: it goes on at speed 1.
 @AllowedToReadWallClock("It holds the run back to the pace that people want to watch, and says how long it took.")
 public final class LiveRun implements AutoCloseable {
     private static final Logger LOG = System.getLogger(LiveRun.class.getName());
@@ -188,9 +189,36 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.remove(entity));
     }
 
-    /// Asks a robot's agent to drive somewhere.
+    /// Has a robot drive somewhere, by its agent if that can.
     public CompletionStage<Answer> goTo(String robot, Pose2d mapFromGoal) {
         return ask(stage -> stage.goTo(robot, mapFromGoal));
+    }
+
+    /// Has a robot do something until it is told something else.
+    ///
+    /// @param behavior one of [rsal.behavior.Repertoire], `stand`, or empty to leave it to its agents again
+    public CompletionStage<Answer> behave(String robot, String behavior) {
+        return ask(stage -> stage.behave(robot, behavior));
+    }
+
+    /// What a robot can be told to do, as [Answer.Able].
+    public CompletionStage<Answer> abilities(String robot) {
+        return ask(stage -> stage.abilities(robot));
+    }
+
+    /// Drives a robot by hand, instead of whoever else would, until [#letGo]. Must be said again and again: the robot
+    /// stands still when it was not for half a second of real time, and is given back after five.
+    ///
+    /// @param driver who that is; as long as one drives, no other can
+    /// @param velocity wanted now; the base makes of it what it can
+    public CompletionStage<Answer> drive(String robot, String driver, Twist2d velocity) {
+        long now = System.nanoTime();
+        return ask(stage -> stage.drive(robot, driver, velocity, now));
+    }
+
+    /// Gives a robot back to its agents that was driven by hand.
+    public CompletionStage<Answer> letGo(String robot, String driver) {
+        return ask(stage -> stage.letGo(robot, driver));
     }
 
     /// Switches off all motors, until [#rearm].
@@ -329,6 +357,7 @@ public final class LiveRun implements AutoCloseable {
         takeAll(commands);
         if (stage != null && stage.isReady()) {
             takeAll(orders);
+            stage.beat(System.nanoTime());
         }
     }
 

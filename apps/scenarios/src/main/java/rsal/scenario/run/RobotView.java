@@ -18,7 +18,11 @@ import rsal.data.Stamped;
 /// @param truth where it really is, in the map frame; empty outside of simulated worlds
 /// @param path the way its navigator intends to take
 /// @param goal where its navigator drives to
-/// @param inCharge name of the behavior that drives it, or of its navigator; empty when an agent drives it or nobody
+/// @param inCharge name of the behavior that drives it, or of its navigator; empty when an agent drives it, or a
+/// person,
+/// or nobody
+/// @param behavior what a person told it to do, as [LiveRun#behave] has it; empty when nobody did
+/// @param driver who drives it by keys, as [LiveRun#drive] has it; empty when nobody does
 public record RobotView(
         String id,
         String role,
@@ -33,6 +37,8 @@ public record RobotView(
         Path2d path,
         Optional<Pose2d> goal,
         String inCharge,
+        String behavior,
+        String driver,
         List<DeviceView> devices) {
     public RobotView {
         devices = List.copyOf(devices);

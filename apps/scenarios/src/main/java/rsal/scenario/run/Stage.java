@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import rsal.agent.AgentHost;
@@ -32,6 +33,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.Twist2d;
 import rsal.device.Actuator;
 import rsal.device.Battery;
 import rsal.device.BlobFinder;
@@ -98,6 +100,7 @@ final class Stage implements AutoCloseable {
     private final Faults faults;
     private final Map<String, FaultyLocalizer> faultyLocalizers = new HashMap<>(); // by the device's id
     private final Map<String, Robot> robots = new LinkedHashMap<>();
+    private final Map<String, Controls> controls = new LinkedHashMap<>();
     private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
     private final Map<String, String> lastWords = new HashMap<>();
     private final Placements placements = new Placements();
@@ -175,13 +178,19 @@ final class Stage implements AutoCloseable {
     }
 
     private void equip(Robot bare, PlannedRobot planned) {
-        Robot robot = bare;
+        Optional<Helm> helm = bare.find(DriveBase.class).map(Helm::new);
+        Robot robot = helm.map(own -> own.steering(bare, Helm.Hand.AGENTS)).orElse(bare);
+        Optional<Pose2d> start = planned.spec().mapFromBase();
         for (PlannedDevice device : planned.drivers()) {
-            robot = robot.with(breakable(make(device, planned, robot)));
+            robot = robot.with(breakable(make(device, robot, start)));
         }
         robots.put(robot.id(), robot);
         include(new Teammate(planned.spec(), system.simulation().flatMap(truth -> truth.body(bare.id()))));
         robot.devices().forEach(this::watch);
+        if (helm.isPresent()) {
+            Controls.Maker spares = (device, made) -> makeSpare(device, made, start);
+            controls.put(robot.id(), new Controls(robot, helm.get(), planned.spares(), spares, journal));
+        }
     }
 
     /// One that was there before keeps its place.
@@ -192,17 +201,22 @@ final class Stage implements AutoCloseable {
         team = List.copyOf(grown.values());
     }
 
-    private Device make(PlannedDevice device, PlannedRobot planned, Robot robot) {
+    /// Makes a device in the middle of the run. It begins where the robot is now, as if somebody had placed it there.
+    ///
+    /// @param start where it was at first, for when nobody knows where it is now
+    private Device makeSpare(PlannedDevice device, Robot robot, Optional<Pose2d> start) {
+        Optional<Pose2d> now = system.simulation().flatMap(truth -> truth.truth(robot.id()));
+        Device made = make(device, robot, now.or(() -> start));
+        watch(made);
+        return made;
+    }
+
+    private Device make(PlannedDevice device, Robot robot, Optional<Pose2d> mapFromBase) {
         String name = "Device (%s/%s)".formatted(robot.id(), device.name());
         var lane = new GuardedScheduler(name, scheduler);
         lanes.computeIfAbsent(robot.id(), _ -> new ArrayList<>()).add(lane);
         var context = new DeviceDriver.Context(
-                device.name(),
-                robot,
-                plan.map(),
-                planned.spec().mapFromBase(),
-                lane,
-                new SplittableRandom(device.seed()));
+                device.name(), robot, plan.map(), mapFromBase, lane, new SplittableRandom(device.seed()));
         return named(name, () -> device.driver().create(context, device.options()));
     }
 
@@ -287,6 +301,7 @@ final class Stage implements AutoCloseable {
     /// Lets go of all that a robot had: its agents end as they would at the end of the run.
     private void leave(String id) {
         robots.remove(id);
+        controls.remove(id);
         mapFromAsked.remove(id);
         society.ifPresent(agents -> agents.directory().agents().stream()
                 .filter(agent -> agent.robot().equals(id))
@@ -403,8 +418,12 @@ final class Stage implements AutoCloseable {
     private RobotView view(RobotSpec spec, Robot robot) {
         String id = robot.id();
         boolean there = !isNowhere(id);
-        Optional<Localizer> localizer = robot.find(Localizer.class).filter(_ -> there && placements.isBeliefOfHere(id));
-        Optional<Navigator> navigator = robot.find(Navigator.class).filter(_ -> there);
+        Optional<Controls> told = Optional.ofNullable(controls.get(id));
+        Optional<Localizer> localizer = localizer(robot).filter(_ -> there && placements.isBeliefOfHere(id));
+        Optional<Navigator> navigator = told.flatMap(orders -> orders.outfit().find(Navigator.class))
+                .filter(spare -> spare.goal().isPresent())
+                .or(() -> robot.find(Navigator.class))
+                .filter(_ -> there);
         return new RobotView(
                 id,
                 robot.role(),
@@ -422,8 +441,30 @@ final class Stage implements AutoCloseable {
                         .filter(ranges -> there && placements.isOfHere(id, ranges)),
                 navigator.map(Navigator::path).orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
-                inCharge(robot),
-                robot.devices().stream().map(Stage::view).toList());
+                told.map(Controls::incharge)
+                        .orElse(Optional.of(robot))
+                        .map(Stage::inCharge)
+                        .orElse(""),
+                told.map(Controls::behavior).orElse(""),
+                told.map(Controls::driver).orElse(""),
+                devices(robot).stream().map(Stage::view).toList());
+    }
+
+    /// Its own, or else one that it was given to do what people told it.
+    private Optional<Localizer> localizer(Robot robot) {
+        return robot.find(Localizer.class)
+                .or(() -> Optional.ofNullable(controls.get(robot.id()))
+                        .flatMap(told -> told.outfit().find(Localizer.class)));
+    }
+
+    /// Its own, and those besides that are of another name.
+    private List<Device> devices(Robot robot) {
+        var all = new LinkedHashMap<String, Device>();
+        robot.devices().forEach(device -> all.put(device.info().name(), device));
+        Optional.ofNullable(controls.get(robot.id()))
+                .ifPresent(told -> told.made()
+                        .forEach(device -> all.putIfAbsent(device.info().name(), device)));
+        return List.copyOf(all.values());
     }
 
     /// Gone from the simulated world: what it believed there is not shown.
@@ -494,7 +535,7 @@ final class Stage implements AutoCloseable {
             return new Answer.Refused(why);
         }
         observer.placed(id);
-        CompletableFuture<Void> believed = robot.find(Localizer.class)
+        CompletableFuture<Void> believed = localizer(robot)
                 .map(localizer -> localizer.relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND)))
                 .map(CompletionStage::toCompletableFuture)
                 .orElse(CompletableFuture.completedFuture(null));
@@ -594,29 +635,74 @@ final class Stage implements AutoCloseable {
         return new Answer.Refused("%s simulates no world that could be changed.".formatted(systemName()));
     }
 
-    /// Asks the agent of a robot to drive somewhere.
+    /// Has a robot drive somewhere: its agent, if it has one and a navigator.
     Answer goTo(String id, Pose2d mapFromGoal) {
         Robot robot = robots.get(id);
         if (robot == null) {
             return unknown(id);
         }
         if (faults.isGone(id)) {
-            return new Answer.Refused("Robot (%s) is gone.".formatted(id));
-        }
-        if (robot.find(Navigator.class).isEmpty()) {
-            return new Answer.Refused("Robot (%s) has no navigator.".formatted(id));
-        }
-        if (society.orElseThrow().directory().agents().stream()
-                .noneMatch(agent -> agent.robot().equals(id))) {
-            return new Answer.Refused("Robot (%s) has no agent that could take it there.".formatted(id));
+            return gone(id);
         }
         if (!plan.map().isFree(mapFromGoal.x(), mapFromGoal.y())) {
             return new Answer.Refused("There is a wall or nothing known at %s.".formatted(Words.of(mapFromGoal)));
+        }
+        boolean agentDrives = robot.find(Navigator.class).isPresent()
+                && society.orElseThrow().directory().agents().stream()
+                        .anyMatch(agent -> agent.robot().equals(id));
+        return agentDrives ? askAgent(id, mapFromGoal) : tell(id, told -> told.goTo(mapFromGoal));
+    }
+
+    private Answer askAgent(String id, Pose2d mapFromGoal) {
+        Optional<Answer> refused = Optional.ofNullable(controls.get(id)).flatMap(Controls::leave);
+        if (refused.isPresent()) {
+            return refused.get();
         }
         journal.event("operator", id, "sent to " + Words.of(mapFromGoal));
         mapFromAsked.put(id, mapFromGoal);
         society.orElseThrow().publish("operator", NewGoal.TOPIC, new NewGoal(id, mapFromGoal));
         return new Answer.Done();
+    }
+
+    Answer abilities(String id) {
+        return tell(id, told -> new Answer.Able(told.abilities()));
+    }
+
+    Answer behave(String id, String behavior) {
+        return tell(id, told -> told.behave(behavior));
+    }
+
+    /// @param heard when its driver said so [ns]
+    Answer drive(String id, String driver, Twist2d velocity, long heard) {
+        return velocity.isFinite()
+                ? tell(id, told -> told.drive(driver, velocity, heard, !stopped))
+                : new Answer.Refused("A velocity must be finite, not (%s).".formatted(velocity));
+    }
+
+    Answer letGo(String id, String driver) {
+        return tell(id, told -> told.letGo(driver));
+    }
+
+    private Answer tell(String id, Function<Controls, Answer> order) {
+        if (!robots.containsKey(id)) {
+            return unknown(id);
+        }
+        if (faults.isGone(id)) {
+            return gone(id);
+        }
+        Controls told = controls.get(id);
+        return told == null ? new Answer.Refused("Robot (%s) has no drive.".formatted(id)) : order.apply(told);
+    }
+
+    private static Answer gone(String id) {
+        return new Answer.Refused("Robot (%s) is gone.".formatted(id));
+    }
+
+    /// Lets those who are driven by hand go on, as long as their drivers are heard.
+    ///
+    /// @param now [ns]
+    void beat(long now) {
+        controls.values().forEach(told -> told.beat(now));
     }
 
     private Answer unknown(String id) {
@@ -629,6 +715,9 @@ final class Stage implements AutoCloseable {
         var bases = new ArrayList<DriveBase>();
         robots.values().forEach(robot -> robot.find(DriveBase.class).ifPresent(bases::add));
         bases.forEach(base -> base.enable(!stop));
+        if (stop) {
+            controls.values().forEach(Controls::halt);
+        }
         stopped = stop;
         journal.event("operator", "", stop ? "emergency stop" : "motors on again");
         return new Answer.Done();

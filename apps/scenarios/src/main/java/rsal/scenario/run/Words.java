@@ -11,7 +11,9 @@ import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
 import rsal.agent.message.Text;
 import rsal.data.Pose2d;
+import rsal.data.Twist2d;
 import rsal.device.Health;
+import rsal.device.Navigator;
 
 /// Says things in words for people.
 final class Words {
@@ -45,6 +47,28 @@ final class Words {
     /// `(1.23, -4.50, 90°)`.
     static String of(Pose2d pose) {
         return String.format(Locale.ROOT, "(%.2f, %.2f, %.0f°)", pose.x(), pose.y(), Math.toDegrees(pose.theta()));
+    }
+
+    /// How somebody drives: `stands`, `(0.40, 0.00) m/s, 29°/s`.
+    static String of(Twist2d velocity) {
+        return velocity.equals(Twist2d.STOP)
+                ? "stands"
+                : String.format(
+                        Locale.ROOT,
+                        "(%.2f, %.2f) m/s, %.0f°/s",
+                        velocity.vx(),
+                        velocity.vy(),
+                        Math.toDegrees(velocity.omega()));
+    }
+
+    /// How a way ended.
+    static String of(Navigator.Result result) {
+        return switch (result) {
+            case Navigator.Result.Reached _ -> "reached";
+            case Navigator.Result.Cancelled _ -> "cancelled";
+            case Navigator.Result.NoPath(String why) -> "no path. " + why;
+            case Navigator.Result.Stuck _ -> "stuck";
+        };
     }
 
     static String of(Health health) {

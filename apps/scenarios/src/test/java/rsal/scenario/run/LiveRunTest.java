@@ -210,15 +210,6 @@ class LiveRunTest {
     }
 
     @Test
-    void refusesGoalsThatNobodyCanTake() throws InterruptedException {
-        try (var run = LiveRun.start(slow())) {
-            awaitRobots(snapshots(run));
-            assertThat(answer(run.goTo("prey", new Pose2d(-8, -1, 0))))
-                    .isEqualTo(new Answer.Refused("Robot (prey) has no navigator."));
-        }
-    }
-
-    @Test
     void theEmergencyStopHoldsUntilItIsLifted() throws InterruptedException {
         try (var run = LiveRun.start(plan(RunOptions.NONE.withSpeed(5)))) {
             var snapshots = snapshots(run);
