@@ -1,5 +1,15 @@
 // Generated from the Java records in rsal/server/Messages by PageTypesTest. Do not edit.
 
+export interface Abilities {
+  forward: number;
+  backward: number;
+  sideways: number;
+  turn: number;
+  behaviors: string[];
+  noBehavior: string;
+  noGoal: string;
+}
+
 export interface AgentDetails {
   name: string;
   role: string;
@@ -48,6 +58,14 @@ export interface DeviceDetails {
   reason: string;
 }
 
+export interface Drive {
+  robot: string;
+  driver: string;
+  vx: number;
+  vy: number;
+  omega: number;
+}
+
 export interface Ending {
   outcome: string;
   simulatedSeconds: number;
@@ -93,6 +111,11 @@ export interface Mistake {
   remedy: string;
 }
 
+export interface Order {
+  robot: string;
+  behavior: string;
+}
+
 export interface Plan {
   seed: string;
   arguments: ArgumentInfo[];
@@ -108,6 +131,11 @@ export interface Refused {
   problems: Mistake[];
 }
 
+export interface Release {
+  robot: string;
+  driver: string;
+}
+
 export interface Restart {
   configuration: string | null;
   arguments: Record<string, string> | null;
@@ -118,6 +146,8 @@ export interface Restart {
 export interface RobotDetails {
   id: string;
   inCharge: string;
+  behavior: string;
+  driver: string;
   devices: DeviceDetails[];
 }
 

@@ -18,8 +18,11 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.Drive;
+import rsal.server.Messages.Order;
 import rsal.server.Messages.Plan;
 import rsal.server.Messages.Refused;
+import rsal.server.Messages.Release;
 import rsal.server.Messages.Restart;
 import rsal.server.Messages.RobotPose;
 import rsal.server.Messages.RunInfo;
@@ -60,6 +63,10 @@ final class Api {
 
         routes.get("/api/run", request -> answer(request, info()));
         routes.get("/api/map/{run}", this::map);
+        routes.get("/api/abilities", request -> {
+            String robot = request.queryParam("robot");
+            answerWhenDone(request, running().abilities(robot == null ? "" : robot));
+        });
 
         command(routes, "pause", request -> running().pause());
         command(routes, "resume", request -> running().resume());
@@ -77,6 +84,19 @@ final class Api {
         command(routes, "goal", request -> {
             RobotPose to = read(request, RobotPose.class);
             answerWhenDone(request, running().goTo(to.robot(), pose(to)));
+        });
+        command(routes, "drive", request -> {
+            Drive wish = read(request, Drive.class);
+            answerWhenDone(
+                    request, running().drive(wish.robot(), Steering.driver(wish.driver()), Steering.velocity(wish)));
+        });
+        command(routes, "release", request -> {
+            Release wish = read(request, Release.class);
+            answerWhenDone(request, running().letGo(wish.robot(), Steering.driver(wish.driver())));
+        });
+        command(routes, "behavior", request -> {
+            Order wish = read(request, Order.class);
+            answerWhenDone(request, running().behave(wish.robot(), wish.behavior()));
         });
         command(routes, "estop", request -> answerWhenDone(request, running().estop()));
         command(routes, "rearm", request -> answerWhenDone(request, running().rearm()));
@@ -169,8 +189,10 @@ final class Api {
 
     private static void answerWhenDone(Context request, CompletionStage<Answer> stage) {
         request.future(() -> stage.thenAccept(answer -> {
-                    if (answer instanceof Answer.Refused(String why)) {
-                        throw new Refusal(409, why);
+                    switch (answer) {
+                        case Answer.Refused(String why) -> throw new Refusal(409, why);
+                        case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
+                        case Answer.Done _, Answer.Added _ -> {}
                     }
                 })
                 .toCompletableFuture());

@@ -144,6 +144,8 @@ final class Descriptions {
         return new RobotDetails(
                 robot.id(),
                 robot.inCharge(),
+                robot.behavior(),
+                robot.driver(),
                 robot.devices().stream().map(Descriptions::device).toList());
     }
 

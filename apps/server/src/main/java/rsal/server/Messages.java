@@ -112,7 +112,9 @@ final class Messages {
             String failure) {}
 
     /// @param inCharge behavior that drives it, or its navigator; empty when neither does
-    record RobotDetails(String id, String inCharge, List<DeviceDetails> devices) {}
+    /// @param behavior what somebody told it to do, as an [Order] does; empty when nobody did
+    /// @param driver who drives it, as [Drive] has it; empty when nobody does
+    record RobotDetails(String id, String inCharge, String behavior, String driver, List<DeviceDetails> devices) {}
 
     /// @param reason why it is not well; else empty
     record DeviceDetails(String name, String driver, String type, Condition health, String reason) {
@@ -168,6 +170,38 @@ final class Messages {
     /// @param x in the map frame [m]; boxed, since an absent `double` would be read as 0
     /// @param heading [rad]
     record RobotPose(String robot, Double x, Double y, Double heading) {}
+
+    /// What a robot can be told to do.
+    ///
+    /// @param forward fastest [m/s]
+    /// @param backward fastest [m/s]
+    /// @param sideways fastest to the left [m/s]; 0 when it can't
+    /// @param turn fastest counter-clockwise [rad/s]
+    /// @param behaviors for [Order]; those that need no sensors are there for all
+    /// @param noBehavior why it can't be given others; empty when it can
+    /// @param noGoal why it can't be sent anywhere; empty when it can
+    record Abilities(
+            double forward,
+            double backward,
+            double sideways,
+            double turn,
+            List<String> behaviors,
+            String noBehavior,
+            String noGoal) {}
+
+    /// Drives a robot by hand. To be said again and again: it stands still when that was not done for half a second.
+    ///
+    /// @param driver who drives: a name that the page makes up for itself
+    /// @param vx forward [m/s]
+    /// @param vy to the left [m/s]
+    /// @param omega counter-clockwise [rad/s]
+    record Drive(String robot, String driver, Double vx, Double vy, Double omega) {}
+
+    /// Gives a robot back that was driven by hand.
+    record Release(String robot, String driver) {}
+
+    /// @param behavior what the robot is to do from now on, one of its [Abilities]; empty to leave it to its agents
+    record Order(String robot, String behavior) {}
 
     /// Why something was not done.
     record Refused(String message, List<Mistake> problems) {}

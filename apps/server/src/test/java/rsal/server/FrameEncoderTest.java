@@ -127,6 +127,8 @@ class FrameEncoderTest {
                 new Path2d(List.of(new Point2d(-12.3, 6.8), new Point2d(0, -1.5))),
                 Optional.of(new Pose2d(0, -1.5, 0.75)),
                 "",
+                "",
+                "",
                 List.of());
     }
 
@@ -159,6 +161,8 @@ class FrameEncoderTest {
                 Optional.empty(),
                 Path2d.EMPTY,
                 Optional.empty(),
+                "",
+                "",
                 "",
                 List.of());
     }

@@ -6,7 +6,23 @@ import java.util.Random;
 /// Input that nobody meant.
 final class Fuzz {
     private static final String[] KEYS = {
-        "robot", "x", "y", "heading", "factor", "seed", "configuration", "arguments", "frame", "events", "couriers", ""
+        "robot",
+        "x",
+        "y",
+        "heading",
+        "factor",
+        "seed",
+        "configuration",
+        "arguments",
+        "frame",
+        "events",
+        "couriers",
+        "driver",
+        "vx",
+        "vy",
+        "omega",
+        "behavior",
+        ""
     };
     private static final String[] VALUES = {
         "\"courier-1\"",
@@ -28,7 +44,9 @@ final class Fuzz {
         "\"1\"",
         "[[1]]",
         "{\"couriers\":\"1\"}",
-        "\"pair\""
+        "\"pair\"",
+        "\"wander\"",
+        "\"me\""
     };
 
     private Fuzz() {}

@@ -225,7 +225,20 @@ class RunServerTest {
         @ParameterizedTest
         @ValueSource(
                 strings = {
-                    "pause", "resume", "step", "speed", "stop", "place", "goal", "estop", "rearm", "check", "restart"
+                    "pause",
+                    "resume",
+                    "step",
+                    "speed",
+                    "stop",
+                    "place",
+                    "goal",
+                    "drive",
+                    "release",
+                    "behavior",
+                    "estop",
+                    "rearm",
+                    "check",
+                    "restart"
                 })
         void openToChangesOnlyWithTheToken(String command) throws IOException {
             String path = "/api/run/" + command;
@@ -480,7 +493,7 @@ class RunServerTest {
         void ofAnyKindLeavesTheServerWell() throws IOException {
             long seed = 20_260_101;
             var random = new Random(seed);
-            String[] commands = {"speed", "place", "goal", "check", "restart"};
+            String[] commands = {"speed", "place", "goal", "drive", "release", "behavior", "check", "restart"};
             for (int i = 0; i < 300; i++) {
                 String body = Fuzz.json(random);
                 String command = commands[random.nextInt(commands.length)];
