@@ -3,9 +3,11 @@ package rsal.scenario;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Pattern;
+import rsal.scene.Touch;
 import rsal.settings.Parameter;
 import rsal.settings.Section;
 import rsal.settings.Value;
@@ -24,6 +26,12 @@ final class Format {
     static final String DEFAULT_CONFIGURATION = "default";
     static final String DEFAULT_MRS = "sim";
     static final String DEFAULT_MAS = "plain";
+
+    static final Parameter TOUCH = Parameter.choice(
+            "touch",
+            "stall",
+            words(Touch.values(), touch -> touch.name().toLowerCase(Locale.ROOT)),
+            "Whether robots that drive into something stop or slide along it; otherwise as the file of the world has it.");
 
     static final Parameter ARGUMENT_TYPE = required(Parameter.choice(
             "type", "", List.of("integer", "number", "string", "boolean"), "What kind of value the argument takes."));

@@ -132,12 +132,14 @@ public final class ScenarioSchema {
     }
 
     private Map<String, Object> world(boolean partial) {
-        var either = fields("map", map(), "file", file());
+        var touch = parameter(Format.TOUCH);
+        var either = fields("map", map(), "file", file(), "touch", touch);
         if (partial) {
             return group(either, List.of());
         }
-        return oneOf(
-                List.of(group(fields("map", map()), List.of("map")), group(fields("file", file()), List.of("file"))));
+        return oneOf(List.of(
+                group(fields("map", map(), "touch", touch), List.of("map")),
+                group(fields("file", file(), "touch", touch), List.of("file"))));
     }
 
     private Map<String, Object> file() {

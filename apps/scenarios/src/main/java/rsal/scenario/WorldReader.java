@@ -5,6 +5,7 @@ import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import rsal.device.Device;
 import rsal.device.DriveBase;
@@ -15,6 +16,7 @@ import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scene.Scene;
 import rsal.scene.SceneFormat;
+import rsal.scene.Touch;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -58,17 +60,26 @@ final class WorldReader {
         }
         String name = world.text(map ? "map" : "file");
         Location at = world.locationOf(map ? "map" : "file");
+        Optional<Touch> touch = touch(world);
         world.done();
         if (name.isEmpty()) {
             return new World("", Optional.empty(), List.of());
         }
         try {
-            Scene scene = map ? Scene.of(new Maps(files).read(name, at)) : scene(name, at);
+            Scene read = map ? Scene.of(new Maps(files).read(name, at)) : scene(name, at);
+            Scene scene = touch.map(read::with).orElse(read);
             return new World(name, Optional.of(scene), roles(scene, world));
         } catch (InvalidSettings e) {
             e.problems().forEach(problems::add);
             return new World(name, Optional.empty(), List.of());
         }
+    }
+
+    private static Optional<Touch> touch(Section world) {
+        return world.has(Format.TOUCH.name())
+                ? world.value(Format.TOUCH)
+                        .map(word -> Touch.valueOf(word.toString().toUpperCase(Locale.ROOT)))
+                : Optional.empty();
     }
 
     private Scene scene(String path, Location at) {

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.OccupancyGrid;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scene.Touch;
 import rsal.settings.InvalidSettings;
 
 /// Scenarios that take place in a world with all that is in it.
@@ -58,6 +59,17 @@ class WorldScenarioTest {
 
     private RunPlan world() {
         return Scenario.load(folder.resolve("hall.world").toString()).plan(RunOptions.NONE);
+    }
+
+    @Test
+    void robotsSlideWhereTheScenarioSaysSo() throws IOException {
+        assertThat(planned(SCENARIO).scene().touch()).isEqualTo(Touch.STALL);
+        String sliding = SCENARIO.replace("{file: hall.world}", "{file: hall.world, touch: slide}");
+        assertThat(planned(sliding).scene().touch()).isEqualTo(Touch.SLIDE);
+        assertThatThrownBy(() -> planned(sliding.replace("slide", "slip")))
+                .hasMessageContaining("visit.yaml:3:")
+                .hasMessageContaining("world.touch")
+                .hasMessageContaining("slide");
     }
 
     @Test

@@ -18,6 +18,7 @@ import rsal.settings.Problem;
 /// @param map what a robot would know of it that has been told: for localizers, planners and people
 /// @param step time between two states, when the world says so
 /// @param end how long a run of it takes, when the world says so
+/// @param touch what becomes of robots that drive into something
 /// @param walls what is solid for good, as cells
 /// @param things all else that is no robot; those that are moved don't count as walls
 /// @param robots that the world brings along
@@ -31,6 +32,7 @@ public record Scene(
         OccupancyGrid map,
         Optional<Duration> step,
         Optional<Duration> end,
+        Touch touch,
         List<Raster> walls,
         List<Entity> things,
         List<RobotSpec> robots,
@@ -58,6 +60,7 @@ public record Scene(
                 map,
                 Optional.empty(),
                 Optional.empty(),
+                Touch.STALL,
                 List.of(Raster.of(map)),
                 List.of(),
                 List.of(),
@@ -66,5 +69,23 @@ public record Scene(
                 Map.of(),
                 Collections.emptySortedMap(),
                 List.of());
+    }
+
+    /// The same, where robots that drive into something stall or slide.
+    public Scene with(Touch other) {
+        return new Scene(
+                title,
+                map,
+                step,
+                end,
+                other,
+                walls,
+                things,
+                robots,
+                robotBodies,
+                odomFromBase,
+                programs,
+                contents,
+                warnings);
     }
 }

@@ -18,7 +18,7 @@ import rsal.fault.SensorFaults;
 
 /// A simulated drive. When the robot runs into something, its wheels stop with it: odometry counts
 /// only the way made, the speeds are zero, and it says that it is stalled until a step in which the robot moves as
-/// it should or is not asked to move.
+/// it should or is not asked to move. Where robots slide along what they touch, wheels go on and slip.
 final class SimDrive extends SensorCore<Odometry> implements DriveBase {
     private static final Duration PATIENCE = Duration.ofMillis(500); // without odometry, then it is stale
 
@@ -87,7 +87,7 @@ final class SimDrive extends SensorCore<Odometry> implements DriveBase {
 
     /// What came of it.
     ///
-    /// @param made part of the way that the robot made before it touched something; 1 for all
+    /// @param made part of the way that the robot made before it touched something; 1 for all, or when it slid on
     void moved(double made) {
         part = made;
         Twist2d counted =

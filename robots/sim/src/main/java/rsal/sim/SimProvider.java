@@ -72,6 +72,7 @@ public final class SimProvider implements RobotSystemProvider {
                 scheduler,
                 config.settings().seconds(STEP.name()),
                 lineup.world(),
+                config.scene().touch(),
                 lineup.things(),
                 robots,
                 new Recruiting(lineup.world(), assembly, kinds));

@@ -7,6 +7,7 @@ import rsal.device.Device;
 import rsal.device.Health;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
+import rsal.scene.Touch;
 import rsal.sim.world.Arc;
 import rsal.sim.world.Body;
 import rsal.sim.world.World;
@@ -49,14 +50,16 @@ record SimRobot(
         return new Robot(spec.id(), spec.role(), spec.model(), all);
     }
 
-    /// Drives for a step, or until it would touch something.
+    /// Drives for a step, or until it would touch something; then it stalls or slides.
     ///
     /// @param dt [s]
-    /// @return whether it made all its way; when not, [World#obstacle] says why
-    boolean move(World world, double dt) {
+    /// @return whether it touched nothing; when it did, [World#obstacle] says what
+    boolean move(World world, double dt, Touch touch) {
         Wheels wheels = drive.turnWheels(dt);
-        double made = world.advance(body, new Arc(body.pose(), wheels.forward(), wheels.left(), wheels.turn()));
-        drive.moved(made);
+        var arc = new Arc(body.pose(), wheels.forward(), wheels.left(), wheels.turn());
+        double made = world.advance(body, arc);
+        boolean slides = made < 1 && touch == Touch.SLIDE && world.slide(body, arc, made);
+        drive.moved(slides ? 1 : made);
         return made == 1;
     }
 

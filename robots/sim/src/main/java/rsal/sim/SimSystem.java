@@ -15,6 +15,7 @@ import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.fault.FaultInjection;
 import rsal.robot.Robot;
+import rsal.scene.Touch;
 import rsal.sim.world.World;
 import rsal.system.RobotSystem;
 import rsal.time.Phase;
@@ -33,6 +34,7 @@ final class SimSystem implements RobotSystem {
     private final Scheduler scheduler;
     private final Duration step;
     private final World world;
+    private final Touch touch;
     private final Team team;
     private final Touches touches = new Touches();
     private final Listeners<Change> changes = new Listeners<>(e -> {
@@ -50,12 +52,14 @@ final class SimSystem implements RobotSystem {
             Scheduler scheduler,
             Duration step,
             World world,
+            Touch touch,
             Things things,
             List<SimRobot> robots,
             Recruiting recruiting) {
         this.scheduler = scheduler;
         this.step = step;
         this.world = world;
+        this.touch = touch;
         this.team = new Team(robots);
         this.charging = new Charging(team, things);
         this.control = new SimControl(world, things, team, recruiting, touches, changes::tell);
@@ -96,7 +100,7 @@ final class SimSystem implements RobotSystem {
         double dt = step.toNanos() * 1e-9;
         absence.retry();
         for (SimRobot robot : team.robots()) {
-            if (!robot.move(world, dt)) {
+            if (!robot.move(world, dt, touch)) {
                 touches.ranInto(robot.body(), world.obstacle(), now);
             }
         }

@@ -10,6 +10,8 @@ import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.SimulationControl.Contact;
+import rsal.scene.Scene;
+import rsal.scene.Touch;
 
 class SimDriveTest {
     private final SimRun run = SimRun.of(SimRun.room(10, 4), robot("r1", Models.box(), new Pose2d(2, 2, 0)));
@@ -71,6 +73,25 @@ class SimDriveTest {
         assertThat(run.truth("r1")).isEqualTo(before); // commands that were ignored stay so
         drive(Twist2d.drive(0.4, 0), 1);
         assertThat(run.truth("r1").x()).isGreaterThan(before.x());
+    }
+
+    @Test
+    void slidesAlongAWallWhereTheWorldSaysSo() {
+        var scene = Scene.of(SimRun.room(10, 4)).with(Touch.SLIDE);
+        var sliding = SimRun.in(scene, robot("r1", Models.box(), new Pose2d(2, 3, Math.toRadians(20))));
+        for (int i = 0; i < 80; i++) {
+            sliding.base("r1").command(Twist2d.drive(0.5, 0));
+            sliding.advance(0.1);
+        }
+        Odometry odometry = sliding.base("r1").latest().orElseThrow().value();
+        Pose2d truth = sliding.truth("r1");
+        assertThat(truth.x()).as("goes on along the wall").isBetween(4.5, 6.0);
+        assertThat(truth.y()).as("at the wall").isBetween(3.4, 3.8);
+        assertThat(odometry.stalled()).isFalse();
+        assertThat(odometry.odomFromBase().x())
+                .as("wheels slip")
+                .isGreaterThan(truth.distanceTo(new Pose2d(2, 3, 0)) + 0.1);
+        assertThat(sliding.simulation.contacts()).as("one touch").hasSize(1);
     }
 
     @Test

@@ -44,6 +44,10 @@ final class SimRun {
         return new SimRun(Scene.of(map), settings, 1, Runnable::run, List.of(robots));
     }
 
+    static SimRun in(Scene scene, RobotSpec... robots) {
+        return new SimRun(scene, Map.of(), 1, Runnable::run, List.of(robots));
+    }
+
     /// In a world with things.
     static SimRun of(OccupancyGrid map, List<Entity> things, RobotSpec... robots) {
         Scene bare = Scene.of(map);
@@ -52,6 +56,7 @@ final class SimRun {
                 map,
                 Optional.empty(),
                 Optional.empty(),
+                bare.touch(),
                 bare.walls(),
                 things,
                 List.of(),
@@ -60,7 +65,7 @@ final class SimRun {
                 Map.of(),
                 bare.contents(),
                 List.of());
-        return new SimRun(scene, Map.of(), 1, Runnable::run, List.of(robots));
+        return in(scene, robots);
     }
 
     static SimRun of(OccupancyGrid map, RobotSpec... robots) {

@@ -18,6 +18,7 @@ import rsal.scene.MapPainter;
 import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
+import rsal.scene.Touch;
 import rsal.scene.Upright;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -67,6 +68,7 @@ final class SceneMaker {
                     new MapPainter(walls, things, List.copyOf(robotBodies.values())).map(),
                     Optional.of(step),
                     world.quitTime(),
+                    Touch.STALL,
                     walls,
                     things,
                     robots,

@@ -228,7 +228,8 @@ public final class World {
         return made;
     }
 
-    private double sweep(Body body, Arc arc) {
+    /// As [#advance], of which others do not know yet.
+    double sweep(Body body, Arc arc) {
         double way = arc.longestWay(body.figure.radius());
         double reach = Math.clamp(way, HAIR, LOOK_AHEAD);
         double made = way > 0 ? 0 : 1;
@@ -250,6 +251,21 @@ public final class World {
             body.figure.placeAt(body.trial);
         }
         return made;
+    }
+
+    /// Lets a body that touched something on its way go on along that, as [Sliding] says.
+    ///
+    /// @param arc on which it was stopped; [#obstacle] stays what it was then
+    /// @param made part of the arc that it made
+    /// @return whether it moved
+    public boolean slide(Body body, Arc arc, double made) {
+        Body touched = obstacle;
+        boolean moved = new Sliding(this, body).goOn(arc, made);
+        if (moved) {
+            arrive(body);
+        }
+        obstacle = touched;
+        return moved;
     }
 
     /// Who was in the way last; empty when it was a wall.
@@ -400,7 +416,7 @@ public final class World {
     /// How much room a figure has [m], no more than `reach`.
     ///
     /// @param itself who is not in its own way; null for one that is not there yet
-    private double clearance(Figure figure, @Nullable Body itself, double reach) {
+    double clearance(Figure figure, @Nullable Body itself, double reach) {
         double fromWalls = clearanceOfWalls(figure, reach);
         obstacle = null;
         return clearanceOfBodies(figure, itself, fromWalls);

@@ -1,6 +1,7 @@
 package rsal.sim.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.geom.Area;
 import java.awt.geom.Path2D;
@@ -13,6 +14,7 @@ import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.scene.Surface;
 import rsal.testkit.DrawnMap;
 
 class WorldTest {
@@ -53,6 +55,78 @@ class WorldTest {
         }
         assertThat(free).isGreaterThan(10);
         assertThat(blocked).isGreaterThan(speed < 0.4 ? 0 : 10);
+    }
+
+    /// @param speed way of one step [m]
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 0.1, 3})
+    void aRobotThatSlidesGoesOnAlongWhatItTouchesAndThroughNothing(double speed) {
+        int slid = 0;
+        for (long seed = 0; seed < 400; seed++) {
+            var random = new RandomWorld(seed, 0.05, 0.01);
+            var world = new World(Walls.of(random.map));
+            Pose2d start = random.anywhere();
+            if (!world.hasRoom(Chunk.of(BOX), start, 0)) {
+                continue;
+            }
+            Body body = world.add("r1", Chunk.of(BOX), start, 0);
+            for (int step = 0; step < 40; step++) {
+                Pose2d from = body.pose();
+                var arc = Arc.ahead(from, speed, random.random.nextDouble(-0.2, 0.2));
+                double made = world.advance(body, arc);
+                if (made < 1 && world.slide(body, arc, made)) {
+                    slid++;
+                }
+                assertThat(random.hits(RandomWorld.shape(BOX, body.pose())))
+                        .as("seed %d, step %d, from %s to %s", seed, step, from, body.pose())
+                        .isFalse();
+                assertThat(body.pose().distanceTo(from)).isLessThanOrEqualTo(speed * 1.01);
+            }
+        }
+        assertThat(slid).isGreaterThan(500);
+    }
+
+    @Test
+    void aRobotSlidesAlongAWallAsFarAsItsWayLeadsPastIt() {
+        var world = new World(
+                Walls.of(DrawnMap.grid(1, "#######\n.......\n.......\n#######").grid()));
+        double angle = Math.toRadians(30);
+        var start = new Pose2d(1, 2, angle);
+        Body body = world.add("r1", Chunk.of(Footprint.box(0.4, 0.4, new Point2d(0, 0))), start, 0);
+        var arc = Arc.ahead(start, 4, 0);
+        double made = world.advance(body, arc);
+        assertThat(made).isBetween(0.1, 0.9);
+        assertThat(world.slide(body, arc, made)).isTrue();
+        assertThat(body.pose().x()).isCloseTo(1 + 4 * Math.cos(angle), within(0.001));
+        assertThat(body.pose().y()).isCloseTo(3 - 0.2 * (Math.cos(angle) + Math.sin(angle)), within(0.005));
+        assertThat(body.pose().theta()).isEqualTo(angle);
+        assertThat(world.obstacle()).as("a wall").isEmpty();
+    }
+
+    @Test
+    void aRobotThatDrivesStraightIntoAWallDoesNotSlide() {
+        var world = new World(Walls.of(DrawnMap.grid(1, "....#").grid()));
+        for (double angle : new double[] {0, 0.05, -0.05}) {
+            var start = new Pose2d(2, 0.5, angle);
+            Body body = world.add("r", Chunk.of(Footprint.box(0.4, 0.3, new Point2d(0, 0))), start, 0);
+            var arc = Arc.ahead(start, 4, 0);
+            double made = world.advance(body, arc);
+            Pose2d there = body.pose();
+            assertThat(world.slide(body, arc, made)).as("%s rad", angle).isFalse();
+            assertThat(body.pose()).isEqualTo(there);
+            world.remove(body);
+        }
+    }
+
+    @Test
+    void aRobotThatDrivesIntoAWallCanStillTurn() {
+        var world = new World(Walls.of(DrawnMap.grid(1, "....#").grid()));
+        var start = new Pose2d(2, 0.5, 0);
+        Body body = world.add("r", List.of(new Chunk.Cylinder(new Point2d(0, 0), 0.2, 0, 1, Surface.PLAIN)), start, 0);
+        var arc = Arc.ahead(start, 4, 0.5);
+        double made = world.advance(body, arc);
+        assertThat(world.slide(body, arc, made)).isTrue();
+        assertThat(body.pose().theta()).isCloseTo(0.5, within(1e-9));
     }
 
     @Test
