@@ -525,6 +525,9 @@ final class Stage implements AutoCloseable {
         if (robot == null) {
             return placeThing(id, mapFromBase);
         }
+        if (isNowhere(id)) {
+            return new Answer.Refused("Robot (%s) is gone.".formatted(id));
+        }
         OccupancyGrid map = plan.map();
         if (!mapFromBase.isFinite() || !map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))) {
             return new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromBase)));

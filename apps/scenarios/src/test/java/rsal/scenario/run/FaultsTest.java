@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Pose2d;
 import rsal.device.Health;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -222,6 +223,18 @@ class FaultsTest {
                 .isEmpty();
         assertThat(run.shown("chat-2", "heard")).isBetween(38, 40);
         assertThat(run.shown("chat-1", "heard")).isBetween(38, 40);
+    }
+
+    @Test
+    void anOperatorCanNotReachIt() {
+        var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1}");
+        try (var run = LiveRun.start(plan)) {
+            var gone = new Answer.Refused("Robot (hunter-1) is gone.");
+            var there = new Pose2d(-8, -1, 0);
+            assertThat(run.place("hunter-1", there).toCompletableFuture().join())
+                    .isEqualTo(gone);
+            assertThat(run.goTo("hunter-1", there).toCompletableFuture().join()).isEqualTo(gone);
+        }
     }
 
     @Test
