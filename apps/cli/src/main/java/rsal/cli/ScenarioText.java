@@ -116,7 +116,8 @@ final class ScenarioText {
 
     private static String when(ShownScenario.Fault fault) {
         String begins = fault.every()
-                .map(mean -> "about every %s s".formatted(mean) + (fault.at() > 0 ? " from %s s".formatted(fault.at()) : ""))
+                .map(mean ->
+                        "about every %s s".formatted(mean) + (fault.at() > 0 ? " from %s s".formatted(fault.at()) : ""))
                 .orElse("at %s s".formatted(fault.at()));
         String lasts = fault.lasts()
                 .map(span -> span.getFirst().equals(span.getLast())

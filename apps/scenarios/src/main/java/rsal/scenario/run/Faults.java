@@ -31,7 +31,7 @@ final class Faults {
     private final Observer observer;
     private final Breaker breaker;
     private final Mishaps mishaps;
-    private final List<String> gone = new ArrayList<>(); // robots, once for each fault
+    private final Tally gone = new Tally(); // robots
 
     /// Breaks robots and their devices.
     interface Breaker {
@@ -169,12 +169,12 @@ final class Faults {
         gone.add(lost.robot());
         Subscription silence = mishaps.silence(agentsOf(lost.robot()));
         Subscription absence = breaker.begin(lost, random);
-        observer.gone(gone);
+        observer.gone(gone.names());
         return () -> {
             gone.remove(lost.robot());
             absence.cancel();
             silence.cancel();
-            observer.gone(gone);
+            observer.gone(gone.names());
         };
     }
 

@@ -226,6 +226,16 @@ class FaultsTest {
     }
 
     @Test
+    void oneThatStaysIsShownWithoutWhatItSensed() {
+        RobotView gone =
+                run(plan("{kind: gone, robots: prey, at: 4, stays: true}")).robot("prey");
+        assertThat(gone.truth()).isPresent();
+        assertThat(gone.odometry()).isEmpty();
+        assertThat(gone.scan()).isEmpty();
+        assertThat(gone.estimate()).isEmpty();
+    }
+
+    @Test
     void anOperatorCanNotReachIt() {
         var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1}");
         try (var run = LiveRun.start(plan)) {
