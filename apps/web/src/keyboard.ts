@@ -10,6 +10,7 @@ export type Action =
         | 'goal'
         | 'follow'
         | 'fit'
+        | 'menu'
         | 'restart'
         | 'help'
         | 'cancel';
@@ -33,6 +34,7 @@ export const keys: [string, string][] = [
   ['← ↑ ↓ →', 'move the map'],
   ['I  O', 'zoom in, out'],
   ['0', 'show the whole map'],
+  ['M', 'add something in the middle of the map, or remove what is there'],
   ['R', 'restart'],
   ['Esc', 'let go, close'],
   ['?', 'this help'],
@@ -53,6 +55,7 @@ const actions: Record<string, Action> = {
   '0': { kind: 'fit' },
   i: { kind: 'zoom', factor: ZOOM },
   o: { kind: 'zoom', factor: 1 / ZOOM },
+  m: { kind: 'menu' },
   r: { kind: 'restart' },
   '?': { kind: 'help' },
   Escape: { kind: 'cancel' },

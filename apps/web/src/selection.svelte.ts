@@ -2,14 +2,25 @@
 class Selection {
   /** Index of a robot of the run. */
   robot = $state<number | null>(null);
+  /** Number of a thing; never while a robot is selected. */
+  thing = $state<number | null>(null);
+  /** Name of something that will be there soon, to be selected then. */
+  wanted = $state<string | null>(null);
   following = $state(false);
   /** The next click on the map sends the selected robot there. */
   aiming = $state(false);
 
   select(robot: number | null) {
     this.robot = robot;
+    this.thing = null;
+    this.wanted = null;
     this.following = this.following && robot !== null;
     this.aiming = false;
+  }
+
+  selectThing(thing: number | null) {
+    this.select(null);
+    this.thing = thing;
   }
 
   toggleFollowing() {
@@ -22,7 +33,7 @@ class Selection {
     } else if (this.following) {
       this.following = false;
     } else {
-      this.robot = null;
+      this.select(null);
     }
   }
 }

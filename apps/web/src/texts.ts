@@ -57,8 +57,10 @@ export const texts = {
   },
   map: {
     title: 'Map',
-    label: (robots: number) =>
-      `Map with ${robots} robots. Arrow keys move it, I and O zoom, number keys select robots, G sends the selected one.`,
+    label: (robots: number, things: number) =>
+      `Map with ${robots} robots and ${things} things. Arrow keys move it, I and O zoom, number keys select robots, G sends the selected one, M opens a menu to add and remove.`,
+    add: 'Add…',
+    addHint: 'Add or remove something in the simulated world (M, or a right click on the map)',
     layers: 'Layers',
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
@@ -66,6 +68,19 @@ export const texts = {
     loading: 'Loading the map…',
     goalHint: (robot: string) => `Click where ${robot} shall go; drag to set its heading. Esc cancels.`,
     place: (x: string, y: string, heading: string) => `${x}, ${y} m, ${heading}`,
+  },
+  menu: {
+    label: 'Add or remove',
+    box: 'Add a box here',
+    ball: 'Add a ball here',
+    copy: (robot: string) => `Add a copy of ${robot} here`,
+    remove: (name: string) => `Remove ${name}`,
+  },
+  things: {
+    title: 'Things',
+    placeHint: 'Put it there, in the simulation',
+    remove: 'Remove',
+    more: (count: number) => `${count} more are not listed; click them on the map.`,
   },
   layers: {
     grid: 'Grid',
@@ -100,6 +115,10 @@ export const texts = {
     sendHint: 'Send it to this pose',
     placeThere: 'Place',
     placeHint: 'Put it there, in the simulation and in the belief of its localizer',
+    copyThere: 'Copy',
+    copyHint: 'Put another robot like it there, with the same devices and agents',
+    remove: 'Remove',
+    removeHint: 'Take it and its agents out of the simulation',
     allWork: 'all work',
     someWork: (sick: number) => `${sick} ill`,
     health: { OK: 'works', STALE: 'stale', LOST: 'lost' },
@@ -145,6 +164,8 @@ export const texts = {
       ['Click a robot', 'select it'],
       ['Drag a robot', 'put it somewhere else (simulation and localizer)'],
       ['Drag its handle', 'turn it'],
+      ['Click, drag a thing', 'the same: select, put somewhere else, turn'],
+      ['Right click', 'add something there, or remove what is there'],
     ] as [string, string][],
   },
   dismiss: 'Dismiss',

@@ -1,4 +1,4 @@
-import type { Mistake, Plan, Refused, Restart, RobotPose, RunInfo } from './messages';
+import type { Added, Addition, Mistake, Plan, Refused, Restart, RobotPose, RunInfo } from './messages';
 import { access } from './access.svelte';
 
 /** The server understood, and will not; `problems` says what is wrong with settings. */
@@ -19,6 +19,9 @@ export const api = {
   speed: (factor: string) => post('speed', { factor }),
   stop: () => post('stop'),
   place: (to: RobotPose) => post('place', to),
+  add: (wish: Addition) => post('add', wish) as Promise<Added>,
+  addRobot: (wish: RobotPose) => post('add-robot', wish) as Promise<Added>,
+  remove: (name: string) => post('remove', { name }),
   goal: (to: RobotPose) => post('goal', to),
   emergencyStop: () => post('estop'),
   rearm: () => post('rearm'),

@@ -10,6 +10,17 @@ export interface Abilities {
   noGoal: string;
 }
 
+export interface Added {
+  name: string;
+}
+
+export interface Addition {
+  kind: PropKind;
+  x: number;
+  y: number;
+  heading: number;
+}
+
 export interface AgentDetails {
   name: string;
   role: string;
@@ -96,6 +107,7 @@ export interface MapInfo {
   resolution: number;
   originX: number;
   originY: number;
+  colors: string[];
 }
 
 export interface MeasureInfo {
@@ -111,15 +123,30 @@ export interface Mistake {
   remedy: string;
 }
 
+export interface Newcomers {
+  run: number;
+  robots: RobotInfo[];
+}
+
 export interface Order {
   robot: string;
   behavior: string;
+}
+
+export interface PieceInfo {
+  color: string | null;
+  corners: number[][];
+  radius: number;
+  low: number;
+  high: number;
 }
 
 export interface Plan {
   seed: string;
   arguments: ArgumentInfo[];
 }
+
+export type PropKind = 'BOX' | 'BALL';
 
 export interface Receipt {
   frame: number | null;
@@ -134,6 +161,10 @@ export interface Refused {
 export interface Release {
   robot: string;
   driver: string;
+}
+
+export interface Removal {
+  name: string;
 }
 
 export interface Restart {
@@ -157,6 +188,7 @@ export interface RobotInfo {
   color: string;
   model: string;
   footprint: number[][];
+  pieces: PieceInfo[];
 }
 
 export interface RobotPose {
@@ -183,6 +215,8 @@ export interface RunInfo {
 
 export interface ServerMessage {
   run: RunInfo | null;
+  newcomers: Newcomers | null;
+  things: Things | null;
   details: Details | null;
   events: Events | null;
 }
@@ -192,3 +226,20 @@ export interface Speed {
 }
 
 export type Status = 'RUNNING' | 'ENDED' | 'FAILED';
+
+export interface ThingInfo {
+  number: number;
+  name: string;
+  x: number;
+  y: number;
+  heading: number;
+  height: number;
+  pieces: PieceInfo[];
+}
+
+export interface Things {
+  run: number;
+  came: ThingInfo[];
+  gone: number[];
+  left: number;
+}

@@ -61,6 +61,14 @@ describe('a frame', () => {
     expect(values[3]! / values[7]!).toBeCloseTo(1 / 3, 3);
   });
 
+  it('has things that were moved, and how high they are', () => {
+    expect(frame.things.map(({ number }) => number)).toEqual([4, 70000]);
+    expect(frame.things[0]?.pose.x).toBeCloseTo(-1.5, 3);
+    expect(frame.things[0]?.pose.y).toBeCloseTo(2.25, 3);
+    expect(frame.things[0]?.pose.heading).toBeCloseTo(1, 3);
+    expect(frame.things.map(({ height }) => height)).toEqual([0.125, 65.535]);
+  });
+
   it('leaves out what is not known', () => {
     expect(bare).toMatchObject({
       pose: { x: 1, y: 2, heading: 0 },

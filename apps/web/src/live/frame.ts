@@ -6,6 +6,7 @@
 const MAGIC = 0x4c415352;
 const HEADER_BYTES = 40;
 const ROBOT_BYTES = 16;
+const THINGS_AT = 36;
 const TURN = 2 * Math.PI;
 
 const PAUSED = 1;
@@ -88,6 +89,14 @@ export interface RobotState {
   particles: Particles | null;
 }
 
+/** A thing that is elsewhere than the server told when it came. */
+export interface MovedThing {
+  number: number;
+  pose: Pose;
+  /** Of its underside above the floor [m]. */
+  height: number;
+}
+
 export interface Frame {
   run: number;
   sequence: number;
@@ -103,6 +112,7 @@ export interface Frame {
   rate: number;
   /** In the order of the run's robots. */
   robots: RobotState[];
+  things: MovedThing[];
 }
 
 /** @throws RangeError or Error when the bytes are no frame */
@@ -118,6 +128,10 @@ export function decodeFrame(bytes: ArrayBuffer): Frame {
   for (let i = 0; i < count; i++) {
     robots.push(robotAt(view, HEADER_BYTES + i * ROBOT_BYTES, reader));
   }
+  const things: MovedThing[] = [];
+  for (let left = view.getUint32(THINGS_AT, true); left > 0; left--) {
+    things.push({ number: reader.uint32(), pose: reader.pose(), height: reader.uint16() / 1000 });
+  }
   return {
     run: view.getUint32(4, true),
     sequence: view.getUint32(8, true),
@@ -128,6 +142,7 @@ export function decodeFrame(bytes: ArrayBuffer): Frame {
     speed: view.getFloat32(24, true),
     rate: view.getFloat32(28, true),
     robots,
+    things,
   };
 }
 

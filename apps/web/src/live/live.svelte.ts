@@ -1,7 +1,8 @@
-import type { Details, EventInfo, RunInfo, ServerMessage } from '../api/messages';
+import type { Details, EventInfo, RobotInfo, RunInfo, ServerMessage } from '../api/messages';
 import { connect, type Listener } from './connection';
 import { withShades } from '../shades';
 import { decodeFrame, type Frame } from './frame';
+import { Things } from './things';
 
 const MOST_EVENTS = 5000;
 /** How often the panels follow the frames; the map follows each one. */
@@ -12,6 +13,8 @@ class Live implements Listener {
   connection = $state<'connecting' | 'open' | 'gone'>('connecting');
   info = $state.raw<RunInfo | null>(null);
   details = $state.raw<Details | null>(null);
+  /** What of the simulated world is no robot. */
+  things = $state.raw(Things.NONE);
   /** Oldest first. */
   events = $state.raw<EventInfo[]>([]);
   /** The newest frame, for panels: a few times a second. */
@@ -24,6 +27,7 @@ class Live implements Listener {
   /** Called with what happens while this page looks on, not with what happened before. */
   onNews: (event: EventInfo) => void = () => {};
 
+  private robots: RobotInfo[] = []; // in the colors of their roles
   private joined = Infinity; // simulated seconds
   private panelsFollowed = 0;
   private catchUp: number | undefined;
@@ -42,13 +46,20 @@ class Live implements Listener {
 
   onMessage(message: ServerMessage) {
     if (message.run) {
-      this.info = { ...message.run, robots: withShades(message.run.robots) };
+      this.robots = message.run.robots;
+      this.info = { ...message.run, robots: withShades(this.robots) };
+      this.things = Things.NONE;
       this.details = null;
       this.events = [];
       this.frame = null;
       this.newest = null;
       this.previous = null;
       this.joined = Infinity;
+    } else if (message.newcomers) {
+      this.robots = this.robots.concat(message.newcomers.robots);
+      this.info = { ...this.info!, robots: withShades(this.robots) };
+    } else if (message.things) {
+      this.things = this.things.after(message.things);
     } else if (message.details) {
       this.details = message.details;
     } else if (message.events) {
@@ -75,6 +86,18 @@ class Live implements Listener {
     } else {
       this.catchUp = window.setTimeout(() => this.tellPanels(), wait);
     }
+  }
+
+  /** Whether a robot is there: it may have been removed, and keeps its index. */
+  isThere(robot: number): boolean {
+    const id = this.info?.robots[robot]?.id;
+    return this.details === null || this.details.robots.some((other) => other.id === id);
+  }
+
+  /** Indices of the robots that are there. */
+  get present(): number[] {
+    const there = this.details && new Set(this.details.robots.map(({ id }) => id));
+    return (this.info?.robots ?? []).flatMap(({ id }, i) => (there === null || there.has(id) ? [i] : []));
   }
 
   /** Whether it goes on by itself. */

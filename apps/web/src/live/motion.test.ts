@@ -3,7 +3,7 @@ import type { Frame, Pose } from './frame';
 import { blend, isBlending, wrap } from './motion';
 
 function arrived(at: number, pose: Pose | null) {
-  return { at, frame: { robots: [{ pose }] } as unknown as Frame };
+  return { at, frame: { robots: [{ pose }], things: [] } as unknown as Frame };
 }
 
 describe('between two frames', () => {

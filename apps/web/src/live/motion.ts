@@ -33,12 +33,17 @@ export function isBlending(previous: Arrived | null, newest: Arrived, now: numbe
   return previous !== null && share01(previous.at, newest.at, now) < 1;
 }
 
+/** How much of the way from the frame before to the newest one is to be drawn. */
+export function shareOf(previous: Arrived | null, newest: Arrived, now: number): number {
+  return previous === null ? 1 : share01(previous.at, newest.at, now);
+}
+
 function share01(previous: number, newest: number, now: number): number {
   const gap = newest - previous;
   return gap <= 0 || gap > LONGEST_BLEND ? 1 : Math.min(1, (now - newest) / gap);
 }
 
-function between(from: Pose, to: Pose, share: number): Pose {
+export function between(from: Pose, to: Pose, share: number): Pose {
   if (share >= 1 || Math.hypot(to.x - from.x, to.y - from.y) > FARTHEST_BLEND) {
     return to;
   }

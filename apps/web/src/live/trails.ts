@@ -22,9 +22,12 @@ export class Trails {
   private time = 0; // of the frame before
 
   add(frame: Frame) {
-    if (frame.run !== this.run || frame.robots.length !== this.trails.length) {
+    if (frame.run !== this.run) {
       this.run = frame.run;
-      this.trails = frame.robots.map(() => ({ x: [], y: [], time: [], driven: [] }));
+      this.trails = [];
+    }
+    while (this.trails.length < frame.robots.length) {
+      this.trails.push({ x: [], y: [], time: [], driven: [] });
     }
     const farthest = Math.max(JUMP, FASTEST * (frame.time - this.time));
     this.time = frame.time;

@@ -1,29 +1,32 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { Draft } from './draft';
+import type { Draft, Target } from './draft';
 import { Gestures, type Stage } from './gestures';
 import { View, type Pixel } from './view';
 
 const robot = { x: 1, y: 1, heading: 0.5 };
 const onRobot = { px: 20, py: -20 };
 const onHandle = { px: 40, py: -20 };
+const onThing = { px: 60, py: -60 };
+const thing = { x: 3, y: 3, heading: 1 };
 const onFloor = { px: 200, py: -200 };
 
 class FakeStage implements Stage {
   shown = new View(20, 0, 0);
   aimed: number | null = null;
   allowed = true;
-  selected: (number | null)[] = [];
+  selected: (Target | null)[] = [];
   drafts: (Draft | null)[] = [];
   asked: Draft[] = [];
 
   view = () => this.shown;
   show = (view: View) => void (this.shown = view);
-  robotAt = (at: Pixel) => (at === onRobot ? 0 : null);
-  handleAt = (at: Pixel) => (at === onHandle ? 0 : null);
-  poseOf = () => robot;
+  bodyAt = (at: Pixel): Target | null =>
+    at === onRobot ? { robot: 0 } : at === onThing ? { thing: 7 } : null;
+  handleAt = (at: Pixel): Target | null => (at === onHandle ? { robot: 0 } : null);
+  poseOf = (target: Target) => (target.thing === undefined ? robot : thing);
   aiming = () => this.aimed;
   mayAct = () => this.allowed;
-  select = (index: number | null) => void this.selected.push(index);
+  select = (target: Target | null) => void this.selected.push(target);
   draft = (draft: Draft | null) => void this.drafts.push(draft);
   ask = (draft: Draft) => void this.asked.push(draft);
 }
@@ -46,7 +49,7 @@ describe('a pointer', () => {
   it('clicks a robot to select it, and the floor to let go', () => {
     drag(onRobot, { px: 22, py: -21 });
     drag(onFloor, { px: 201, py: -200 });
-    expect(stage.selected).toEqual([0, null]);
+    expect(stage.selected).toEqual([{ robot: 0 }, null]);
     expect(stage.asked).toEqual([]);
   });
 
@@ -58,13 +61,24 @@ describe('a pointer', () => {
 
   it('drags a robot to place it, heading as it was', () => {
     drag(onRobot, { px: 60, py: -40 });
-    expect(stage.asked).toEqual([{ kind: 'place', robot: 0, pose: { x: 3, y: 2, heading: 0.5 } }]);
+    expect(stage.asked).toEqual([
+      { kind: 'place', target: { robot: 0 }, pose: { x: 3, y: 2, heading: 0.5 } },
+    ]);
     expect(stage.drafts.at(-1)).toBeNull();
+  });
+
+  it('clicks and drags things as it does robots', () => {
+    drag(onThing, { px: 62, py: -60 });
+    expect(stage.selected).toEqual([{ thing: 7 }]);
+    drag(onThing, { px: 80, py: -60 });
+    expect(stage.asked).toEqual([{ kind: 'place', target: { thing: 7 }, pose: { x: 4, y: 3, heading: 1 } }]);
   });
 
   it('drags a handle to turn a robot where it stands', () => {
     drag(onHandle, { px: 20, py: -60 });
-    expect(stage.asked).toEqual([{ kind: 'place', robot: 0, pose: { x: 1, y: 1, heading: Math.PI / 2 } }]);
+    expect(stage.asked).toEqual([
+      { kind: 'place', target: { robot: 0 }, pose: { x: 1, y: 1, heading: Math.PI / 2 } },
+    ]);
   });
 
   it('moves no robot when it may only watch', () => {
@@ -77,13 +91,17 @@ describe('a pointer', () => {
   it('clicks where a robot is to go, arriving as it came', () => {
     stage.aimed = 0;
     drag({ px: 80, py: -80 }, { px: 81, py: -80 });
-    expect(stage.asked).toEqual([{ kind: 'goal', robot: 0, pose: { x: 4, y: 4, heading: Math.PI / 4 } }]);
+    expect(stage.asked).toEqual([
+      { kind: 'goal', target: { robot: 0 }, pose: { x: 4, y: 4, heading: Math.PI / 4 } },
+    ]);
   });
 
   it('drags from a goal to set its heading', () => {
     stage.aimed = 0;
     drag({ px: 80, py: -80 }, { px: 80, py: 0 });
-    expect(stage.asked).toEqual([{ kind: 'goal', robot: 0, pose: { x: 4, y: 4, heading: -Math.PI / 2 } }]);
+    expect(stage.asked).toEqual([
+      { kind: 'goal', target: { robot: 0 }, pose: { x: 4, y: 4, heading: -Math.PI / 2 } },
+    ]);
   });
 
   it('asks for nothing that was cancelled', () => {

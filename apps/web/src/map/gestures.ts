@@ -1,19 +1,19 @@
 import type { Pose } from '../live/frame';
-import type { Draft } from './draft';
+import type { Draft, Target } from './draft';
 import type { Pixel, View } from './view';
 
 /** What gestures see and do; the map, or a test. */
 export interface Stage {
   view(): View;
   show(view: View): void;
-  robotAt(at: Pixel): number | null;
-  /** The robot whose handle for turning is there. */
-  handleAt(at: Pixel): number | null;
-  poseOf(robot: number): Pose | null;
+  bodyAt(at: Pixel): Target | null;
+  /** What has its handle for turning there. */
+  handleAt(at: Pixel): Target | null;
+  poseOf(target: Target): Pose | null;
   /** The robot that the next click sends somewhere. */
   aiming(): number | null;
   mayAct(): boolean;
-  select(robot: number | null): void;
+  select(target: Target | null): void;
   draft(draft: Draft | null): void;
   /** The person let go of a draft: ask the server for it. */
   ask(draft: Draft): void;
@@ -21,7 +21,7 @@ export interface Stage {
 
 type Gesture =
   | { kind: 'pan'; from: Pixel; moved: boolean }
-  | { kind: 'robot'; from: Pixel; robot: number; start: Pose; draft: Draft | null }
+  | { kind: 'body'; from: Pixel; target: Target; start: Pose; draft: Draft | null }
   | { kind: 'turn'; draft: Draft; moved: boolean }
   | { kind: 'aim'; from: Pixel; draft: Draft };
 
@@ -49,8 +49,9 @@ export class Gestures {
     const { stage } = this;
     const sent = stage.aiming();
     if (sent !== null && stage.mayAct()) {
-      const draft: Draft = { kind: 'goal', robot: sent, pose: { ...stage.view().toMap(at), heading: 0 } };
-      const from = stage.poseOf(sent);
+      const target: Target = { robot: sent };
+      const draft: Draft = { kind: 'goal', target, pose: { ...stage.view().toMap(at), heading: 0 } };
+      const from = stage.poseOf(target);
       if (from !== null) {
         draft.pose.heading = Math.atan2(draft.pose.y - from.y, draft.pose.x - from.x); // arrives as it came
       }
@@ -58,14 +59,14 @@ export class Gestures {
       return { kind: 'aim', from: at, draft };
     }
     const turned = stage.handleAt(at);
-    const held = turned ?? stage.robotAt(at);
+    const held = turned ?? stage.bodyAt(at);
     const start = held === null ? null : stage.poseOf(held);
     if (held === null || start === null) {
       return { kind: 'pan', from: at, moved: false };
     }
     return turned === null
-      ? { kind: 'robot', from: at, robot: held, start, draft: null }
-      : { kind: 'turn', draft: { kind: 'place', robot: held, pose: start }, moved: false };
+      ? { kind: 'body', from: at, target: held, start, draft: null }
+      : { kind: 'turn', draft: { kind: 'place', target: held, pose: start }, moved: false };
   }
 
   move(pointer: number, at: Pixel) {
@@ -90,13 +91,13 @@ export class Gestures {
           stage.show(stage.view().panned(at.px - before.px, at.py - before.py));
         }
         break;
-      case 'robot':
+      case 'body':
         if (stage.mayAct() && (gesture.draft !== null || distance(gesture.from, at) > DRAG)) {
           const from = stage.view().toMap(gesture.from);
           const to = stage.view().toMap(at);
           const { start } = gesture;
           const pose = { x: start.x + to.x - from.x, y: start.y + to.y - from.y, heading: start.heading };
-          gesture.draft = { kind: 'place', robot: gesture.robot, pose };
+          gesture.draft = { kind: 'place', target: gesture.target, pose };
           stage.draft(gesture.draft);
         }
         break;
@@ -131,9 +132,9 @@ export class Gestures {
           stage.select(null);
         }
         break;
-      case 'robot':
+      case 'body':
         if (gesture.draft === null) {
-          stage.select(gesture.robot);
+          stage.select(gesture.target);
         } else {
           stage.ask(gesture.draft);
         }

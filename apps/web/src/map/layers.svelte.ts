@@ -7,20 +7,23 @@ import { drawParticles } from './layers/particles';
 import { drawPaths } from './layers/paths';
 import { drawRobots } from './layers/robots';
 import { drawScans } from './layers/scans';
+import { drawMovedThings, drawThingsOverhead } from './layers/things';
 import { drawTrails } from './layers/trails';
 import type { Layer } from './scene';
 
 export type Switchable =
   'grid' | 'scans' | 'cones' | 'particles' | 'trails' | 'paths' | 'goals' | 'estimates' | 'names';
 
-/** From the floor up. The grid is drawn with the floor. */
+/** From the floor up. The grid, and things that were not moved, are drawn with the floor. */
 const order: [Switchable | null, Layer][] = [
+  [null, drawMovedThings],
   ['scans', drawScans],
   ['cones', drawCones],
   ['trails', drawTrails],
   ['paths', drawPaths],
   ['goals', drawGoals],
   [null, drawRobots],
+  [null, drawThingsOverhead],
   ['particles', drawParticles],
   ['estimates', drawEstimates],
   ['names', drawNames],

@@ -6,6 +6,10 @@ export interface Palette {
   grid: string;
   text: string;
   halo: string;
+  /** Around things. */
+  edge: string;
+  /** Of what is selected. */
+  accent: string;
 }
 
 export function readPalette(element: Element): Palette {
@@ -18,6 +22,8 @@ export function readPalette(element: Element): Palette {
     grid: color('grid'),
     text: color('text'),
     halo: color('halo'),
+    edge: color('edge'),
+    accent: color('accent'),
   };
 }
 

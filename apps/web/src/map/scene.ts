@@ -1,5 +1,6 @@
 import type { RunInfo } from '../api/messages';
-import type { Frame, Pose } from '../live/frame';
+import type { Frame, MovedThing, Pose } from '../live/frame';
+import type { Things } from '../live/things';
 import type { Trails } from '../live/trails';
 import type { Draft } from './draft';
 import type { Palette } from './palette';
@@ -11,10 +12,14 @@ export interface Scene {
   frame: Frame;
   /** Where robots are drawn, in the order of the run's robots. */
   poses: (Pose | null)[];
+  things: Things;
+  /** Things that are elsewhere than was told, by number. */
+  moved: ReadonlyMap<number, MovedThing>;
   trails: Trails;
   view: View;
   palette: Palette;
   selected: number | null;
+  selectedThing: number | null;
   draft: Draft | null;
 }
 

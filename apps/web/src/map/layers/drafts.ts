@@ -1,18 +1,24 @@
 import type { Layer } from '../scene';
 import { drawGoal } from './goals';
 import { drawRobot } from './robots';
+import { drawThing } from './things';
 
 /** What a person is about to ask for. */
-export const drawDraft: Layer = (context, { info, draft, view, palette }) => {
+export const drawDraft: Layer = (context, { info, things, draft, view, palette }) => {
   if (draft === null) {
     return;
   }
-  const { color, footprint } = info.robots[draft.robot]!;
+  const { target, pose } = draft;
   context.globalAlpha = 0.6;
-  if (draft.kind === 'goal') {
-    drawGoal(context, draft.pose, color, view.scale);
+  if (target.thing !== undefined) {
+    const thing = things.all.get(target.thing);
+    if (thing) {
+      drawThing(context, { ...thing, pose }, view.scale, palette);
+    }
+  } else if (draft.kind === 'goal') {
+    drawGoal(context, pose, info.robots[target.robot]!.color, view.scale);
   } else {
-    drawRobot(context, draft.pose, footprint, color, view.scale, palette.halo);
+    drawRobot(context, pose, info.robots[target.robot]!, view.scale, palette);
   }
   context.globalAlpha = 1;
 };

@@ -1,9 +1,12 @@
 import type { MapInfo } from '../../api/messages';
+import { toOklab } from '../../shades';
 import { rgb, type Palette } from '../palette';
 import type { View } from '../view';
 
 const FREE = 0;
-const OCCUPIED = 100;
+const OCCUPIED = 100; // and colored walls up from there
+/** Walls of at least this much color (chroma, of OKLab) keep it. */
+const COLORFUL = 0.05;
 const UNKNOWN = 255;
 
 /** A picture of a map; of a map seen from afar, one pixel is `pool` × `pool` cells. */
@@ -18,14 +21,23 @@ export function poolOf(map: MapInfo, view: View): number {
   return Math.max(1, Math.floor(1 / (map.resolution * view.scale)));
 }
 
+/** Whether walls keep a color; else they have that of walls, which is seen on light and dark floors. */
+export function isColorful(color: string): boolean {
+  const [, a, b] = toOklab(color);
+  return Math.hypot(a, b) >= COLORFUL;
+}
+
 /** Pictures a map, upper row first. */
 export function paintFloor(map: MapInfo, cells: Uint8Array, pool: number, palette: Palette): Floor {
   const pooled = poolCells(cells, map.width, map.height, pool);
-  const colors = {
-    [FREE]: rgb(palette.free),
-    [OCCUPIED]: rgb(palette.occupied),
-    [UNKNOWN]: rgb(palette.unknown),
-  };
+  const colors = new Map([
+    [FREE, rgb(palette.free)],
+    [OCCUPIED, rgb(palette.occupied)],
+    [UNKNOWN, rgb(palette.unknown)],
+  ]);
+  map.colors.forEach((color, i) => {
+    colors.set(OCCUPIED + 1 + i, rgb(isColorful(color) ? color : palette.occupied));
+  });
   const width = Math.ceil(map.width / pool);
   const height = Math.ceil(map.height / pool);
   const picture = new OffscreenCanvas(width, height);
@@ -34,7 +46,7 @@ export function paintFloor(map: MapInfo, cells: Uint8Array, pool: number, palett
   for (let row = 0; row < height; row++) {
     let to = 4 * (height - 1 - row) * width;
     for (let column = 0; column < width; column++, to += 4) {
-      image.data.set(colors[pooled[row * width + column] as keyof typeof colors], to);
+      image.data.set(colors.get(pooled[row * width + column]!)!, to);
       image.data[to + 3] = 255;
     }
   }
@@ -54,8 +66,8 @@ export function poolCells(cells: Uint8Array, width: number, height: number, pool
     for (let column = 0; column < width; column++) {
       const value = cells[row * width + column]!;
       const to = start + Math.floor(column / pool);
-      if (value === OCCUPIED) {
-        pooled[to] = OCCUPIED;
+      if (value !== FREE && value !== UNKNOWN) {
+        pooled[to] = value;
       } else if (value === FREE && pooled[to] === UNKNOWN) {
         pooled[to] = FREE;
       }

@@ -1,20 +1,27 @@
+import type { PieceInfo, RobotInfo } from '../../api/messages';
 import type { Pose } from '../../live/frame';
 import type { Layer } from '../scene';
 import type { Point } from '../view';
+import { toOklab } from '../../shades';
+import type { Palette } from '../palette';
+import { drawBody } from './bodies';
 import { enter } from './frames';
 
 /** A robot is drawn at least this long [px], so that it is seen on a large map. */
 const LEAST_PIXELS = 18;
+/** Robots of at least this lightness (of OKLab) have dark arrows. */
+const LIGHT = 0.72;
 export const HANDLE_PIXELS = 5;
 
 /** Robots: outline and heading. */
 export const drawRobots: Layer = (context, { info, frame, poses, view, palette, selected }) => {
-  info.robots.forEach(({ color, footprint }, i) => {
+  info.robots.forEach((robot, i) => {
     const pose = poses[i];
     if (!pose) {
       return;
     }
-    drawRobot(context, pose, footprint, color, view.scale, palette.halo);
+    const { color, footprint } = robot;
+    drawRobot(context, pose, robot, view.scale, palette);
     if (frame.robots[i]!.stalled) {
       drawRing(context, pose, footprint, view.scale, palette.text, [4, 4]);
     }
@@ -28,25 +35,17 @@ export const drawRobots: Layer = (context, { info, frame, poses, view, palette, 
 export function drawRobot(
   context: CanvasRenderingContext2D,
   pose: Pose,
-  footprint: number[][],
-  color: string,
+  { footprint, pieces, color }: RobotInfo,
   scale: number,
-  halo: string,
+  { halo, edge }: Palette,
 ) {
   const grown = magnification(footprint, scale);
+  const shape = pieces.length > 0 ? pieces : [plain(footprint)];
+  drawBody(context, pose, shape, { color, line: edge, lineWidth: 1.75 }, scale, grown); // seen on floors of its color
+  drawBody(context, pose, shape, { color, line: halo, lineWidth: 1 }, scale, grown);
   context.save();
   enter(context, pose);
   context.scale(grown, grown);
-  const pixel = 1 / (scale * grown);
-  context.beginPath();
-  footprint.forEach(([x, y]) => context.lineTo(x!, y!));
-  context.closePath();
-  context.lineJoin = 'round';
-  context.fillStyle = color;
-  context.strokeStyle = halo;
-  context.lineWidth = 2 * pixel;
-  context.stroke();
-  context.fill();
   const front = Math.max(...footprint.map(([x]) => x!));
   context.beginPath(); // an arrow head
   context.moveTo(0.8 * front, 0);
@@ -54,9 +53,18 @@ export function drawRobot(
   context.lineTo(-0.1 * front, 0);
   context.lineTo(-0.35 * front, -0.55 * front);
   context.closePath();
-  context.fillStyle = halo;
+  context.fillStyle = toOklab(shape.at(-1)!.color ?? color)[0] > LIGHT ? '#10151d' : '#ffffff';
   context.fill();
   context.restore();
+}
+
+const plains = new WeakMap<number[][], PieceInfo>();
+
+/** A body that is its footprint. */
+function plain(footprint: number[][]): PieceInfo {
+  const piece = plains.get(footprint) ?? { color: null, corners: footprint, radius: 0, low: 0, high: 0 };
+  plains.set(footprint, piece);
+  return piece;
 }
 
 function drawRing(
@@ -76,7 +84,7 @@ function drawRing(
   context.setLineDash([]);
 }
 
-function drawHandle(
+export function drawHandle(
   context: CanvasRenderingContext2D,
   { x, y }: Point,
   color: string,
@@ -94,7 +102,12 @@ function drawHandle(
 
 /** Where the handle is that turns a robot, in front of it. */
 export function handleOf(pose: Pose, footprint: number[][], scale: number): Point {
-  const ahead = radius(footprint, scale) + 18 / scale;
+  return handleAhead(pose, radius(footprint, scale), scale);
+}
+
+/** The same of something that reaches so far [m]. */
+export function handleAhead(pose: Pose, reach: number, scale: number): Point {
+  const ahead = reach + 18 / scale;
   return { x: pose.x + ahead * Math.cos(pose.heading), y: pose.y + ahead * Math.sin(pose.heading) };
 }
 

@@ -17,12 +17,16 @@ import rsal.data.Pose2d;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.Prop;
 import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.Added;
+import rsal.server.Messages.Addition;
 import rsal.server.Messages.Drive;
 import rsal.server.Messages.Order;
 import rsal.server.Messages.Plan;
 import rsal.server.Messages.Refused;
 import rsal.server.Messages.Release;
+import rsal.server.Messages.Removal;
 import rsal.server.Messages.Restart;
 import rsal.server.Messages.RobotPose;
 import rsal.server.Messages.RunInfo;
@@ -81,6 +85,21 @@ final class Api {
             RobotPose to = read(request, RobotPose.class);
             answerWhenDone(request, running().place(to.robot(), pose(to)));
         });
+        command(routes, "add", request -> {
+            Addition wish = read(request, Addition.class);
+            Pose2d there = pose(wish.x(), wish.y(), wish.heading());
+            Prop prop = Prop.valueOf(wish.kind().name());
+            answerWhenDone(request, running().add(prop, there));
+        });
+        command(routes, "add-robot", request -> {
+            RobotPose wish = read(request, RobotPose.class);
+            answerWhenDone(request, running().addRobot(wish.robot(), pose(wish)));
+        });
+        command(
+                routes,
+                "remove",
+                request -> answerWhenDone(
+                        request, running().remove(read(request, Removal.class).name())));
         command(routes, "goal", request -> {
             RobotPose to = read(request, RobotPose.class);
             answerWhenDone(request, running().goTo(to.robot(), pose(to)));
@@ -140,7 +159,8 @@ final class Api {
 
     private RunInfo info() {
         Numbered now = current.now();
-        return Descriptions.run(now.number(), now.run().plan());
+        return Descriptions.run(
+                now.number(), now.run().plan(), now.team(now.run().snapshot()));
     }
 
     /// What the wish asks for; otherwise as the run is now.
@@ -150,10 +170,14 @@ final class Api {
     }
 
     private static Pose2d pose(RobotPose to) {
-        if (!(Math.abs(to.x()) <= FARTHEST && Math.abs(to.y()) <= FARTHEST && Double.isFinite(to.heading()))) {
-            throw new Refusal(400, "(%s, %s) with heading %s is not a place.".formatted(to.x(), to.y(), to.heading()));
+        return pose(to.x(), to.y(), to.heading());
+    }
+
+    private static Pose2d pose(double x, double y, double heading) {
+        if (!(Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST && Double.isFinite(heading))) {
+            throw new Refusal(400, "(%s, %s) with heading %s is not a place.".formatted(x, y, heading));
         }
-        return new Pose2d(to.x(), to.y(), to.heading());
+        return new Pose2d(x, y, heading);
     }
 
     private void map(Context request) throws IOException {
@@ -163,7 +187,7 @@ final class Api {
         }
         var packed = new ByteArrayOutputStream();
         try (var gzip = new GZIPOutputStream(packed)) {
-            gzip.write(now.run().plan().map().cells());
+            gzip.write(FloorPlan.cells(now.run().plan().scene()));
         }
         request.header(Header.CONTENT_ENCODING, "gzip");
         request.contentType("application/octet-stream").result(packed.toByteArray());
@@ -190,9 +214,10 @@ final class Api {
     private static void answerWhenDone(Context request, CompletionStage<Answer> stage) {
         request.future(() -> stage.thenAccept(answer -> {
                     switch (answer) {
-                        case Answer.Refused(String why) -> throw new Refusal(409, why);
+                        case Answer.Done _ -> answer(request, Map.of());
+                        case Answer.Added(String name) -> answer(request, new Added(name));
                         case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
-                        case Answer.Done _, Answer.Added _ -> {}
+                        case Answer.Refused(String why) -> throw new Refusal(409, why);
                     }
                 })
                 .toCompletableFuture());

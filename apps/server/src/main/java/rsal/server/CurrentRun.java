@@ -1,8 +1,14 @@
 package rsal.server;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Teammate;
+import rsal.scene.Entity;
 
 /// The run that is shown, and its successors: one at a time. All methods may be called from any thread.
 final class CurrentRun implements AutoCloseable {
@@ -14,6 +20,19 @@ final class CurrentRun implements AutoCloseable {
     record Numbered(int number, LiveRun run) {
         boolean isOver() {
             return run.result().toCompletableFuture().isDone();
+        }
+
+        /// All robots that are or were there; before they are, those that are planned.
+        List<Teammate> team(Snapshot snapshot) {
+            List<RunPlan.PlannedRobot> planned = run.plan().robots();
+            return snapshot.team().size() < planned.size()
+                    ? planned.stream().map(robot -> mate(robot.spec())).toList()
+                    : snapshot.team();
+        }
+
+        private Teammate mate(RobotSpec spec) {
+            Entity body = run.plan().scene().robotBodies().get(spec.id());
+            return new Teammate(spec, body == null ? Optional.of(spec.model().body()) : Entity.look(body.blocks()));
         }
     }
 

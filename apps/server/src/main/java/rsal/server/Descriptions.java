@@ -8,10 +8,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.Society;
-import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
+import rsal.data.Rgb;
 import rsal.device.Health;
-import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.AgentView;
@@ -20,6 +19,8 @@ import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Teammate;
+import rsal.scene.Scene;
 import rsal.server.Messages.AgentDetails;
 import rsal.server.Messages.ArgumentInfo;
 import rsal.server.Messages.ConfigurationInfo;
@@ -30,7 +31,6 @@ import rsal.server.Messages.EventInfo;
 import rsal.server.Messages.MapInfo;
 import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.RobotDetails;
-import rsal.server.Messages.RobotInfo;
 import rsal.server.Messages.RunInfo;
 import rsal.settings.Parameter;
 
@@ -38,7 +38,8 @@ import rsal.settings.Parameter;
 final class Descriptions {
     private Descriptions() {}
 
-    static RunInfo run(int number, RunPlan plan) {
+    /// @param team all robots that are or were there
+    static RunInfo run(int number, RunPlan plan, List<Teammate> team) {
         Scenario scenario = plan.scenario();
         return new RunInfo(
                 number,
@@ -52,8 +53,8 @@ final class Descriptions {
                 arguments(plan),
                 Long.toString(plan.seed()),
                 plan.step().toNanos() / 1e9,
-                map(plan.mapName(), plan.map()),
-                plan.robots().stream().map(robot -> robot(robot.spec())).toList(),
+                map(plan.mapName(), plan.scene()),
+                team.stream().map(Looks::robot).toList(),
                 plan.measures().stream().map(Descriptions::measure).toList());
     }
 
@@ -84,23 +85,16 @@ final class Descriptions {
         return new MeasureInfo(measured.name(), measured.unit(), finite(measured.min()), finite(measured.max()));
     }
 
-    private static MapInfo map(String name, OccupancyGrid map) {
-        return new MapInfo(name, map.width(), map.height(), map.resolution(), map.originX(), map.originY());
-    }
-
-    private static RobotInfo robot(RobotSpec spec) {
-        return new RobotInfo(
-                spec.id(),
-                spec.role(),
-                spec.color(),
-                spec.model().title(),
-                corners(spec.model().footprint()));
-    }
-
-    private static List<List<Double>> corners(Footprint footprint) {
-        return footprint.corners().stream()
-                .map(corner -> List.of(corner.x(), corner.y()))
-                .toList();
+    private static MapInfo map(String name, Scene scene) {
+        OccupancyGrid map = scene.map();
+        return new MapInfo(
+                name,
+                map.width(),
+                map.height(),
+                map.resolution(),
+                map.originX(),
+                map.originY(),
+                FloorPlan.colors(scene).stream().map(Rgb::toString).toList());
     }
 
     static Details details(int number, Snapshot snapshot, CompletableFuture<RunResult> result) {

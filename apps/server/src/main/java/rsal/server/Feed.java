@@ -11,6 +11,17 @@ interface Feed {
     /// The run's [Messages.RunInfo] as JSON.
     String info();
 
+    /// How many robots the run has or had, in the order of frames. [#info] has them all.
+    int robots();
+
+    /// The [Messages.Newcomers] as JSON.
+    ///
+    /// @param known how many robots the viewer knows
+    String newcomers(int known);
+
+    /// What of the world is no robot; the same until something comes or goes.
+    Roster things();
+
     /// [Messages.Details] as JSON.
     String details();
 

@@ -17,6 +17,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
+import rsal.device.SimulationControl.Standing;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.Snapshot;
 
@@ -28,6 +29,7 @@ final class FrameEncoder {
     static final int MAGIC = 0x4c415352; // "RSAL"
     static final int HEADER_BYTES = 40;
     static final int ROBOT_BYTES = 16;
+    static final int THING_BYTES = 16;
 
     static final int PAUSED = 1;
     static final int STOPPED = 1 << 1;
@@ -57,13 +59,14 @@ final class FrameEncoder {
 
     /// @param robots ids, in the order in which the frame has them
     /// @param sequence of the frame, to be acknowledged by
-    byte[] encode(int run, long sequence, Snapshot snapshot, List<String> robots) {
+    /// @param moved things that are elsewhere than viewers were told
+    byte[] encode(int run, long sequence, Snapshot snapshot, List<String> robots, List<Standing> moved) {
         Map<String, RobotView> views = HashMap.newHashMap(snapshot.robots().size());
         for (RobotView view : snapshot.robots()) {
             views.put(view.id(), view);
         }
         out.clear();
-        header(run, sequence, snapshot, robots.size());
+        header(run, sequence, snapshot, robots.size(), moved.size());
         for (String robot : robots) {
             robot(Optional.ofNullable(views.get(robot)));
         }
@@ -73,12 +76,13 @@ final class FrameEncoder {
                 blocks(view);
             }
         }
+        moved.forEach(this::thing);
         byte[] frame = new byte[out.position()];
         out.flip().get(frame);
         return frame;
     }
 
-    private void header(int run, long sequence, Snapshot snapshot, int robots) {
+    private void header(int run, long sequence, Snapshot snapshot, int robots, int moved) {
         reserve(HEADER_BYTES);
         out.putInt(MAGIC);
         out.putInt(run);
@@ -90,7 +94,7 @@ final class FrameEncoder {
         out.putFloat((float) snapshot.speed());
         out.putFloat((float) snapshot.rate());
         out.putInt(robots);
-        out.putInt(0); // keeps what follows on a multiple of 8
+        out.putInt(moved);
     }
 
     private void robot(Optional<RobotView> view) {
@@ -107,6 +111,13 @@ final class FrameEncoder {
         out.putShort(milli(odometry.map(o -> o.velocity().omega()).orElse(0.0)));
         out.putShort(
                 (short) (flags(robot) | (odometry.isPresent() && odometry.get().stalled() ? STALLED : 0)));
+    }
+
+    private void thing(Standing thing) {
+        reserve(THING_BYTES);
+        out.putInt(thing.number());
+        pose(thing.mapFromThing());
+        out.putShort((short) Math.clamp(Math.round(thing.height() * 1000), 0, 0xffff));
     }
 
     private static int flags(RobotView robot) {

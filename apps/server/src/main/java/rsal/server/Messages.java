@@ -13,17 +13,38 @@ final class Messages {
 
     /// What comes over the WebSocket beside frames: exactly one of these, the others are left out.
     @JsonInclude(JsonInclude.Include.NON_ABSENT)
-    record ServerMessage(Optional<RunInfo> run, Optional<Details> details, Optional<Events> events) {
+    record ServerMessage(
+            Optional<RunInfo> run,
+            Optional<Newcomers> newcomers,
+            Optional<Things> things,
+            Optional<Details> details,
+            Optional<Events> events) {
+        private static final ServerMessage NOTHING = new ServerMessage(
+                Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
+
         static ServerMessage of(RunInfo run) {
-            return new ServerMessage(Optional.of(run), Optional.empty(), Optional.empty());
+            return new ServerMessage(
+                    Optional.of(run), NOTHING.newcomers, NOTHING.things, NOTHING.details, NOTHING.events);
+        }
+
+        static ServerMessage of(Newcomers newcomers) {
+            return new ServerMessage(
+                    NOTHING.run, Optional.of(newcomers), NOTHING.things, NOTHING.details, NOTHING.events);
+        }
+
+        static ServerMessage of(Things things) {
+            return new ServerMessage(
+                    NOTHING.run, NOTHING.newcomers, Optional.of(things), NOTHING.details, NOTHING.events);
         }
 
         static ServerMessage of(Details details) {
-            return new ServerMessage(Optional.empty(), Optional.of(details), Optional.empty());
+            return new ServerMessage(
+                    NOTHING.run, NOTHING.newcomers, NOTHING.things, Optional.of(details), NOTHING.events);
         }
 
         static ServerMessage of(Events events) {
-            return new ServerMessage(Optional.empty(), Optional.empty(), Optional.of(events));
+            return new ServerMessage(
+                    NOTHING.run, NOTHING.newcomers, NOTHING.things, NOTHING.details, Optional.of(events));
         }
     }
 
@@ -75,18 +96,56 @@ final class Messages {
         }
     }
 
-    /// Cells are at `/api/map/<run>`, a byte each (0 free, 100 occupied, 255 unknown), row by row from the lower
-    /// left one.
+    /// Cells are at `/api/map/<run>`, a byte each, row by row from the lower left one: 0 free, 100 a wall, 101 and
+    /// more a wall of the first of the colors and so on, 255 unknown. Things don't count as walls.
     ///
+    /// @param colors of walls, `#rrggbb`
     /// @param resolution side of a cell [m]
     /// @param originX of the lower left corner, in the map frame [m]
     /// @param originY likewise [m]
-    record MapInfo(String name, int width, int height, double resolution, double originX, double originY) {}
+    record MapInfo(
+            String name,
+            int width,
+            int height,
+            double resolution,
+            double originX,
+            double originY,
+            List<String> colors) {}
 
     /// @param color `#rrggbb`
     /// @param model for people: `Pioneer 2-DX`
     /// @param footprint corners in its base frame, x and y [m]
-    record RobotInfo(String id, String role, String color, String model, List<List<Double>> footprint) {}
+    /// @param pieces of its body, in its base frame, the lowest first; none when it looks like its footprint
+    record RobotInfo(
+            String id, String role, String color, String model, List<List<Double>> footprint, List<PieceInfo> pieces) {}
+
+    /// A piece of a body as seen from above.
+    ///
+    /// @param color `#rrggbb`; absent when it is the robot's own
+    /// @param corners of its outline, x and y [m]; of a disc its middle alone
+    /// @param radius of a disc [m]; 0 of an outline
+    /// @param low its underside, above that of the body [m]
+    /// @param high its top, likewise [m]
+    record PieceInfo(Optional<String> color, List<List<Double>> corners, double radius, double low, double high) {}
+
+    /// Robots that have joined the run. They come after all that were told before in the order of frames.
+    record Newcomers(int run, List<RobotInfo> robots) {}
+
+    /// What of the simulated world is no robot: changes to what was told before.
+    ///
+    /// @param gone numbers
+    /// @param left how many more there are than can be told
+    record Things(int run, List<ThingInfo> came, List<Integer> gone, int left) {}
+
+    /// A thing. It is here unless the frame says otherwise.
+    ///
+    /// @param number of no other thing of the run
+    /// @param x in the map frame [m]
+    /// @param heading [rad]
+    /// @param height of its underside above the floor [m]
+    /// @param pieces in its own frame, the lowest first
+    record ThingInfo(
+            int number, String name, double x, double y, double heading, double height, List<PieceInfo> pieces) {}
 
     /// @param unit `m`, `s`; empty when it has none
     /// @param min the least value that is still right
@@ -167,6 +226,7 @@ final class Messages {
     /// @param factor 0.1 to 1000 times real time, or `max`
     record Speed(String factor) {}
 
+    /// @param robot its id; where things can be placed, too, the name of one
     /// @param x in the map frame [m]; boxed, since an absent `double` would be read as 0
     /// @param heading [rad]
     record RobotPose(String robot, Double x, Double y, Double heading) {}
@@ -202,6 +262,23 @@ final class Messages {
 
     /// @param behavior what the robot is to do from now on, one of its [Abilities]; empty to leave it to its agents
     record Order(String robot, String behavior) {}
+
+    /// Asks for something new in the simulated world.
+    ///
+    /// @param x in the map frame [m]
+    /// @param heading [rad]
+    record Addition(PropKind kind, Double x, Double y, Double heading) {
+        enum PropKind {
+            BOX,
+            BALL
+        }
+    }
+
+    /// @param name that what was added has
+    record Added(String name) {}
+
+    /// @param name of a robot or thing to take out of the simulated world
+    record Removal(String name) {}
 
     /// Why something was not done.
     record Refused(String message, List<Mistake> problems) {}

@@ -3,7 +3,9 @@ package rsal.server;
 import java.util.List;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Teammate;
 import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.Newcomers;
 import rsal.server.Messages.ServerMessage;
 
 /// Shows a run, encoded once for all viewers. For one thread.
@@ -11,8 +13,10 @@ final class RunFeed implements Feed {
     private static final int LOOKS_PER_DETAILS = 4;
 
     private final Numbered run;
-    private final String info;
-    private final List<String> robots;
+    private final Surveyor surveyor;
+    private String info = "";
+    private List<Teammate> team = List.of();
+    private List<String> robots = List.of();
     private final FrameEncoder encoder = new FrameEncoder();
     private long looks;
     private long shown = -1; // sequence of the snapshot
@@ -22,11 +26,15 @@ final class RunFeed implements Feed {
 
     RunFeed(Numbered run) {
         this.run = run;
+        surveyor = new Surveyor(run.number());
+        tell(run.team(run.run().snapshot()));
+    }
+
+    private void tell(List<Teammate> all) {
+        team = all;
+        robots = all.stream().map(mate -> mate.spec().id()).toList();
         info = Json.write(
-                ServerMessage.of(Descriptions.run(run.number(), run.run().plan())));
-        robots = run.run().plan().robots().stream()
-                .map(robot -> robot.spec().id())
-                .toList();
+                ServerMessage.of(Descriptions.run(run.number(), run.run().plan(), all)));
     }
 
     Numbered run() {
@@ -37,6 +45,10 @@ final class RunFeed implements Feed {
     void look() {
         Snapshot snapshot = run.run().snapshot();
         boolean changed = snapshot.sequence() != shown;
+        if (snapshot.team().size() > robots.size()) {
+            tell(snapshot.team());
+        }
+        surveyor.look(snapshot.things());
         if (looks++ % LOOKS_PER_DETAILS == 0) {
             String before = details;
             details = Json.write(ServerMessage.of(Descriptions.details(
@@ -45,7 +57,7 @@ final class RunFeed implements Feed {
         }
         if (changed) {
             shown = snapshot.sequence();
-            frame = encoder.encode(run.number(), ++sequence, snapshot, robots);
+            frame = encoder.encode(run.number(), ++sequence, snapshot, robots, surveyor.moved());
         }
     }
 
@@ -57,6 +69,22 @@ final class RunFeed implements Feed {
     @Override
     public String info() {
         return info;
+    }
+
+    @Override
+    public int robots() {
+        return robots.size();
+    }
+
+    @Override
+    public String newcomers(int known) {
+        var some = team.subList(known, team.size()).stream().map(Looks::robot).toList();
+        return Json.write(ServerMessage.of(new Newcomers(run.number(), some)));
+    }
+
+    @Override
+    public Roster things() {
+        return surveyor.roster();
     }
 
     @Override

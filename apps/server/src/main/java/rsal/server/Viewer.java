@@ -2,11 +2,16 @@ package rsal.server;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import rsal.scenario.run.RunEvent;
 import rsal.server.Messages.Events;
 import rsal.server.Messages.Receipt;
 import rsal.server.Messages.ServerMessage;
+import rsal.server.Messages.Things;
 
 /// One browser that watches. It is sent no more than it takes: at most [#FRAMES] frames and one batch of events
 /// are under way, the rest waits where it is anyway, frames as the newest snapshot and events in the run's log.
@@ -35,6 +40,9 @@ final class Viewer {
     private int run; // 0 is none
     private long newestFrame;
     private String details = "";
+    private int robots;
+    private final Set<Integer> things = new HashSet<>(); // their numbers
+    private @Nullable Roster told; // all of it
     private long eventsSent;
     private long eventsTaken;
     private int offersWaited; // since it last took something
@@ -51,6 +59,7 @@ final class Viewer {
             if (run != feed.number()) {
                 begin(feed);
             }
+            sendNews(feed);
             sendFrame(feed);
             sendEvents(feed);
         }
@@ -58,6 +67,20 @@ final class Viewer {
 
     private boolean isWaitedFor() {
         return !line.isClear() || !framesUnderWay.isEmpty() || eventsTaken < eventsSent;
+    }
+
+    /// Who and what has come, before the frame that has them.
+    private void sendNews(Feed feed) {
+        if (robots < feed.robots()) {
+            line.send(feed.newcomers(robots));
+            robots = feed.robots();
+        }
+        Roster roster = feed.things();
+        if (!roster.equals(told)) {
+            Optional<Things> news = roster.news(things);
+            news.ifPresent(some -> line.send(Json.write(ServerMessage.of(some))));
+            told = news.isPresent() ? null : roster;
+        }
     }
 
     private void sendFrame(Feed feed) {
@@ -78,6 +101,9 @@ final class Viewer {
         framesUnderWay.clear();
         newestFrame = 0;
         details = "";
+        robots = feed.robots();
+        things.clear();
+        told = null;
         eventsSent = 0;
         eventsTaken = 0;
         line.send(feed.info());

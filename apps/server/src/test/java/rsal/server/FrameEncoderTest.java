@@ -21,8 +21,11 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
+import rsal.data.Shape;
+import rsal.data.Solid;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
+import rsal.device.SimulationControl.Standing;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.Snapshot;
 
@@ -34,13 +37,25 @@ class FrameEncoderTest {
     /// The page's tests decode the same bytes. `-Drsal.update=true` writes them anew.
     @Test
     void writesWhatThePageReads() throws IOException {
-        byte[] frame = encoder.encode(3, 17, snapshot(List.of(full(), bare())), List.of("full", "bare", "gone"));
+        byte[] frame = encoder.encode(
+                3,
+                17,
+                snapshot(List.of(full(), bare())),
+                List.of("full", "bare", "gone"),
+                List.of(moved(4, 0.125), moved(70_000, 1e9)));
         Path golden = FIXTURES.resolve("frame.bin");
         if (Boolean.getBoolean("rsal.update")) {
             Files.createDirectories(FIXTURES);
             Files.write(golden, frame);
         }
         assertThat(frame).isEqualTo(Files.readAllBytes(golden));
+    }
+
+    @Test
+    void needs16BytesAThingThatWasMoved() {
+        List<Standing> moved = java.util.Collections.nCopies(1000, moved(1, 0));
+        assertThat(encoder.encode(1, 1, snapshot(List.of()), List.of(), moved))
+                .hasSize(FrameEncoder.HEADER_BYTES + 16 * 1000);
     }
 
     @Test
@@ -62,7 +77,7 @@ class FrameEncoderTest {
     void growsForLargeTeams() {
         List<RobotView> robots = java.util.Collections.nCopies(2000, scanning(682));
         List<String> ids = java.util.Collections.nCopies(2000, "scanning");
-        byte[] frame = encoder.encode(1, 1, snapshot(robots), ids);
+        byte[] frame = encoder.encode(1, 1, snapshot(robots), ids, List.of());
         assertThat(frame).hasSize(FrameEncoder.HEADER_BYTES + 2000 * (16 + 32 + 2 * 682));
     }
 
@@ -84,7 +99,7 @@ class FrameEncoderTest {
 
     private byte[] encode(List<RobotView> robots) {
         return encoder.encode(
-                1, 1, snapshot(robots), robots.stream().map(RobotView::id).toList());
+                1, 1, snapshot(robots), robots.stream().map(RobotView::id).toList(), List.of());
     }
 
     private static Snapshot snapshot(List<RobotView> robots) {
@@ -100,6 +115,11 @@ class FrameEncoderTest {
                 List.of(),
                 List.of(),
                 List.of());
+    }
+
+    private static Standing moved(int number, double height) {
+        var body = Solid.standing(new Shape.Disc(new Point2d(0, 0), 1), 1);
+        return new Standing(number, "thing", body, new Pose2d(-1.5, 2.25, 1), height);
     }
 
     /// A robot with one of everything; the page's `frame.test.ts` knows these numbers.

@@ -22,6 +22,8 @@ final class Fuzz {
         "vy",
         "omega",
         "behavior",
+        "kind",
+        "name",
         ""
     };
     private static final String[] VALUES = {
@@ -46,7 +48,9 @@ final class Fuzz {
         "{\"couriers\":\"1\"}",
         "\"pair\"",
         "\"wander\"",
-        "\"me\""
+        "\"me\"",
+        "\"BOX\"",
+        "\"box-1\""
     };
 
     private Fuzz() {}

@@ -235,6 +235,9 @@ class RunServerTest {
                     "drive",
                     "release",
                     "behavior",
+                    "add",
+                    "add-robot",
+                    "remove",
                     "estop",
                     "rearm",
                     "check",
@@ -347,6 +350,53 @@ class RunServerTest {
             Response wall = post("place", "{\"robot\":\"courier-1\",\"x\":900,\"y\":-1,\"heading\":0}");
             assertThat(wall.status()).isEqualTo(409);
             assertThat(wall.body()).contains("900");
+        }
+
+        @Test
+        void addMoveAndRemoveThings() throws Exception {
+            await(server.run(), snapshot -> !snapshot.robots().isEmpty());
+            assertThat(post("add", "{\"kind\":\"BOX\",\"x\":3,\"y\":-1,\"heading\":0}")
+                            .body())
+                    .isEqualTo("{\"name\":\"box-1\"}");
+            assertThat(post("place", "{\"robot\":\"box-1\",\"x\":5,\"y\":-1,\"heading\":1}")
+                            .body())
+                    .isEqualTo("{}");
+            await(
+                    server.run(),
+                    snapshot -> snapshot.things().size() == 1
+                            && snapshot.things().getFirst().mapFromThing().x() == 5);
+            assertThat(post("remove", "{\"name\":\"box-1\"}").body()).isEqualTo("{}");
+            await(server.run(), snapshot -> snapshot.things().isEmpty());
+        }
+
+        @Test
+        void addAndRemoveRobots() throws Exception {
+            await(server.run(), snapshot -> !snapshot.robots().isEmpty());
+            assertThat(post("add-robot", "{\"robot\":\"courier-1\",\"x\":3,\"y\":-1,\"heading\":0}")
+                            .body())
+                    .isEqualTo("{\"name\":\"courier-2\"}");
+            await(server.run(), snapshot -> snapshot.agents().size() == 2);
+            assertThat(get("/api/run").body()).contains("\"id\":\"courier-2\"");
+            assertThat(post("remove", "{\"name\":\"courier-1\"}").body()).isEqualTo("{}");
+            await(server.run(), snapshot -> snapshot.robots().size() == 1);
+        }
+
+        @ParameterizedTest
+        @CsvSource(delimiter = '|', textBlock = """
+                add       | {"kind":"BOX","x":900,"y":-1,"heading":0}           | 409 | outside
+                add       | {"kind":"CAT","x":3,"y":-1,"heading":0}             | 400 | (kind) is missing or wrong
+                add       | {"x":3,"y":-1,"heading":0}                          | 400 | kind
+                add       | {"kind":"BALL","x":1e9,"y":-1,"heading":0}          | 400 | is not a place
+                add-robot | {"robot":"nobody","x":3,"y":-1,"heading":0}         | 409 | There is no (nobody)
+                add-robot | {"robot":"courier-1","x":900,"y":-1,"heading":0}    | 409 | outside
+                remove    | {"name":"nobody"}                                   | 409 | There is no (nobody)
+                remove    | {}                                                  | 400 | name
+                """)
+        void sayWhatCantBeAddedOrRemoved(String command, String body, int status, String why) throws Exception {
+            await(server.run(), snapshot -> !snapshot.robots().isEmpty());
+            Response response = post(command, body);
+            assertThat(response.status()).isEqualTo(status);
+            assertThat(response.body()).contains(why);
         }
 
         @Test
@@ -493,7 +543,19 @@ class RunServerTest {
         void ofAnyKindLeavesTheServerWell() throws IOException {
             long seed = 20_260_101;
             var random = new Random(seed);
-            String[] commands = {"speed", "place", "goal", "drive", "release", "behavior", "check", "restart"};
+            String[] commands = {
+                "speed",
+                "place",
+                "goal",
+                "drive",
+                "release",
+                "behavior",
+                "check",
+                "restart",
+                "add",
+                "add-robot",
+                "remove"
+            };
             for (int i = 0; i < 300; i++) {
                 String body = Fuzz.json(random);
                 String command = commands[random.nextInt(commands.length)];

@@ -4,16 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import rsal.scenario.run.RunEvent;
 import rsal.server.Messages.Receipt;
+import rsal.server.Messages.ThingInfo;
 
 class ViewerTest {
     private final FakeLine line = new FakeLine();
     private final Viewer viewer = new Viewer(line);
+    private int robots = 2;
+    private Roster roster = new Roster(1, Map.of(), 0);
 
     @Test
     void isToldEverythingWhenItComes() {
@@ -120,6 +126,50 @@ class ViewerTest {
         assertThat(line.cut).isFalse();
     }
 
+    @Test
+    void isToldWhoHasComeBeforeTheFrameThatHasThem() {
+        viewer.offer(feed(1, 1, 0));
+        line.takeAll();
+        robots = 5;
+        viewer.offer(feed(1, 2, 0));
+        viewer.offer(feed(1, 2, 0));
+        assertThat(line.takeAll()).containsExactly("robots from 2", "details of 2", "frame 2");
+        viewer.offer(feed(2, 1, 0));
+        assertThat(line.takeAll()).containsExactly("run 2", "details of 1", "frame 1");
+    }
+
+    @Test
+    void isToldOfEachThingOnceAndOfEachThatGoes() {
+        roster = things(1, 2, 3);
+        viewer.offer(feed(1, 1, 0));
+        assertThat(line.takeAll()).containsExactly("run 1", "things +[1, 2, 3] -[]", "details of 1", "frame 1");
+        roster = things(2, 4);
+        viewer.offer(feed(1, 1, 0));
+        viewer.offer(feed(1, 1, 0));
+        assertThat(line.takeAll()).containsExactly("things +[4] -[1, 3]");
+        viewer.offer(feed(2, 1, 0));
+        assertThat(line.takeAll()).contains("things +[2, 4] -[]");
+    }
+
+    @Test
+    void isToldOfManyThingsLittleByLittle() {
+        roster = things(IntStream.rangeClosed(1, 2 * Roster.BATCH + 1).toArray());
+        for (int offers = 0; offers < 5; offers++) {
+            viewer.offer(feed(1, 1, 0));
+        }
+        assertThat(line.takeAll())
+                .filteredOn(message -> message.startsWith("things"))
+                .hasSize(3);
+    }
+
+    private static Roster things(int... numbers) {
+        var all = new LinkedHashMap<Integer, ThingInfo>();
+        for (int number : numbers) {
+            all.put(number, new ThingInfo(number, "thing", 0, 0, 0, 0, List.of()));
+        }
+        return new Roster(1, all, 0);
+    }
+
     private static Receipt frame(long sequence) {
         return new Receipt(Optional.of(sequence), Optional.empty());
     }
@@ -128,7 +178,7 @@ class ViewerTest {
         return new Receipt(Optional.empty(), Optional.of(sequence));
     }
 
-    private static Feed feed(int run, long frame, int events) {
+    private Feed feed(int run, long frame, int events) {
         return new Feed() {
             @Override
             public int number() {
@@ -138,6 +188,21 @@ class ViewerTest {
             @Override
             public String info() {
                 return "run " + run;
+            }
+
+            @Override
+            public int robots() {
+                return robots;
+            }
+
+            @Override
+            public String newcomers(int known) {
+                return "robots from " + known;
+            }
+
+            @Override
+            public Roster things() {
+                return roster;
             }
 
             @Override
@@ -179,6 +244,14 @@ class ViewerTest {
                         .map(match -> match.group(1))
                         .toList();
                 sent.add("events " + sequences.getFirst() + "-" + sequences.getLast());
+            } else if (text.startsWith("{\"things\"")) {
+                List<Integer> came = java.util.regex.Pattern.compile("\"number\":(\\d+)")
+                        .matcher(text)
+                        .results()
+                        .map(match -> Integer.valueOf(match.group(1)))
+                        .toList();
+                String gone = text.replaceAll(".*\"gone\":(\\[[^]]*]).*", "$1").replace(",", ", ");
+                sent.add("things +" + came + " -" + gone);
             } else {
                 sent.add(text);
             }

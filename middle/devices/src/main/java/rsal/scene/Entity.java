@@ -1,6 +1,7 @@
 package rsal.scene;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Solid;
@@ -23,5 +24,14 @@ public record Entity(String name, List<Block> blocks, Pose2d mapFromEntity, doub
         return body.pieces().stream()
                 .map(piece -> new Block(piece, Surface.PLAIN.in(piece.color().orElse(color))))
                 .toList();
+    }
+
+    /// What blocks look like, each piece in its color; empty when there are none.
+    public static Optional<Solid> look(List<Block> blocks) {
+        return blocks.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new Solid(blocks.stream()
+                        .map(block -> block.prism().in(block.surface().color()))
+                        .toList()));
     }
 }

@@ -12,6 +12,7 @@ import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.SimulationControl;
 import rsal.scene.Block;
+import rsal.scene.Entity;
 import rsal.scene.Surface;
 import rsal.sim.world.Body;
 import rsal.sim.world.Chunk;
@@ -67,7 +68,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
                 .flatMap(robot -> recruiting.kind(robot.id()))
                 .map(Recruiting.Kind::blocks)
                 .or(() -> things.find(entity).map(Things.Item::blocks))
-                .flatMap(Things::look);
+                .flatMap(Entity::look);
     }
 
     @Override

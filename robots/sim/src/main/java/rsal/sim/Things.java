@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.data.Solid;
 import rsal.device.SimulationControl.Standing;
 import rsal.scene.Block;
+import rsal.scene.Entity;
 import rsal.sim.world.Body;
 
 /// What is in the world that is neither a wall nor a robot, by name, in the order in which it came.
@@ -49,7 +50,7 @@ final class Things {
         private Standing standing() {
             Standing now = shown;
             if (now == null || !now.mapFromThing().equals(body.pose()) || now.height() != body.height()) {
-                Solid solid = now == null ? look(blocks).orElseThrow() : now.body();
+                Solid solid = now == null ? Entity.look(blocks).orElseThrow() : now.body();
                 now = new Standing(number, body.name(), solid, body.pose(), body.height());
                 shown = now;
             }
@@ -97,14 +98,5 @@ final class Things {
         var all = new ArrayList<Standing>(items.size());
         items.values().forEach(item -> all.add(item.standing()));
         return List.copyOf(all);
-    }
-
-    /// How people see a body.
-    static Optional<Solid> look(List<Block> blocks) {
-        return blocks.isEmpty()
-                ? Optional.empty()
-                : Optional.of(new Solid(blocks.stream()
-                        .map(block -> block.prism().in(block.surface().color()))
-                        .toList()));
     }
 }

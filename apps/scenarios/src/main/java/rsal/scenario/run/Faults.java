@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
@@ -31,7 +30,7 @@ final class Faults {
     private final Observer observer;
     private final Breaker breaker;
     private final Mishaps mishaps;
-    private final Tally gone = new Tally(); // robots
+    private final List<String> gone = new ArrayList<>(); // robots, once for each fault
 
     /// Breaks robots and their devices.
     interface Breaker {
@@ -144,16 +143,15 @@ final class Faults {
     private Subscription begin(Target target, Optional<Duration> length, RandomGenerator random) {
         Optional<String> refusal = target instanceof OfRobot broken ? breaker.refusal(broken) : Optional.empty();
         if (refusal.isPresent()) {
-            journal.event("fault", target.name(), "not %s: %s".formatted(target.words(), refusal.get()));
+            journal.event("fault", target.name(), "not %s: %s".formatted(FaultWords.of(target), refusal.get()));
             return () -> {};
         }
         observer.faultBegan();
         journal.event(
                 "fault",
                 target.name(),
-                target.words()
-                        + length.map(time -> String.format(Locale.ROOT, " for %.2f s", time.toNanos() / 1e9))
-                                .orElse(""));
+                FaultWords.of(target)
+                        + length.map(time -> " for " + FaultWords.of(time)).orElse(""));
         Subscription begun = switch (target) {
             case OfMessages messages -> mishaps.begin(messages, random);
             case OfRobot broken when broken.fault() instanceof Fault.Gone -> gone(broken, random);
@@ -161,7 +159,7 @@ final class Faults {
         };
         return () -> {
             begun.cancel();
-            journal.event("fault", target.name(), "no longer " + target.words());
+            journal.event("fault", target.name(), "no longer " + FaultWords.of(target));
         };
     }
 
@@ -169,12 +167,12 @@ final class Faults {
         gone.add(lost.robot());
         Subscription silence = mishaps.silence(agentsOf(lost.robot()));
         Subscription absence = breaker.begin(lost, random);
-        observer.gone(gone.names());
+        observer.gone(gone);
         return () -> {
             gone.remove(lost.robot());
             absence.cancel();
             silence.cancel();
-            observer.gone(gone.names());
+            observer.gone(gone);
         };
     }
 

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -157,8 +158,8 @@ final class Observer implements Facts {
     }
 
     /// Robots that are gone now.
-    void gone(Set<String> robots) {
-        gone = robots;
+    void gone(Collection<String> robots) {
+        gone = Set.copyOf(robots);
     }
 
     /// A robot is going to be put elsewhere.

@@ -1,4 +1,4 @@
-package rsal.scenario;
+package rsal.scenario.run;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -10,6 +10,7 @@ import rsal.scenario.PlannedFault.Mishap;
 import rsal.scenario.PlannedFault.OfMessages;
 import rsal.scenario.PlannedFault.OfRobot;
 import rsal.scenario.PlannedFault.Target;
+import rsal.scenario.Span;
 
 /// Says for people what goes wrong, so that it can stand after `no longer`, too.
 final class FaultWords {
@@ -80,7 +81,8 @@ final class FaultWords {
                 : String.format(Locale.ROOT, "%.2f to %s", seconds(span.least()), of(span.most()));
     }
 
-    private static String of(Duration time) {
+    /// `2.50 s`.
+    static String of(Duration time) {
         return String.format(Locale.ROOT, "%.2f s", seconds(time));
     }
 

@@ -1,0 +1,87 @@
+package rsal.server;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import rsal.data.Footprint;
+import rsal.data.Point2d;
+import rsal.data.Prism;
+import rsal.data.Shape;
+import rsal.data.Solid;
+import rsal.device.SimulationControl.Standing;
+import rsal.scenario.run.Teammate;
+import rsal.server.Messages.PieceInfo;
+import rsal.server.Messages.RobotInfo;
+import rsal.server.Messages.ThingInfo;
+
+/// Puts what bodies look like into messages.
+final class Looks {
+    private static final int MOST_CORNERS = 400; // of a robot
+    private static final double PLACES = 1e4; // tenths of millimetres
+
+    private Looks() {}
+
+    static RobotInfo robot(Teammate mate) {
+        var spec = mate.spec();
+        List<PieceInfo> pieces = mate.body()
+                .map(body -> pieces(body, spec.color()))
+                .filter(all -> all.stream()
+                                .map(PieceInfo::corners)
+                                .mapToInt(Collection::size)
+                                .sum()
+                        <= MOST_CORNERS)
+                .orElse(List.of());
+        return new RobotInfo(
+                spec.id(),
+                spec.role(),
+                spec.color(),
+                spec.model().title(),
+                corners(spec.model().footprint()),
+                pieces);
+    }
+
+    static ThingInfo thing(Standing thing) {
+        var pose = thing.mapFromThing();
+        return new ThingInfo(
+                thing.number(),
+                thing.name(),
+                pose.x(),
+                pose.y(),
+                pose.theta(),
+                thing.height(),
+                pieces(thing.body(), ""));
+    }
+
+    private static List<PieceInfo> pieces(Solid body, String own) {
+        return body.pieces().stream()
+                .sorted(Comparator.comparingDouble(Prism::top))
+                .map(piece -> piece(piece, own))
+                .toList();
+    }
+
+    private static PieceInfo piece(Prism piece, String own) {
+        Optional<String> color = piece.color().map(Object::toString).filter(other -> !other.equals(own));
+        double low = rounded(piece.bottom());
+        double high = rounded(piece.top());
+        return switch (piece.shape()) {
+            case Shape.Disc disc ->
+                new PieceInfo(color, List.of(corner(disc.center())), rounded(disc.radius()), low, high);
+            case Shape.Polygon polygon ->
+                new PieceInfo(
+                        color, polygon.corners().stream().map(Looks::corner).toList(), 0, low, high);
+        };
+    }
+
+    private static List<List<Double>> corners(Footprint footprint) {
+        return footprint.corners().stream().map(Looks::corner).toList();
+    }
+
+    private static List<Double> corner(Point2d corner) {
+        return List.of(rounded(corner.x()), rounded(corner.y()));
+    }
+
+    private static double rounded(double meters) {
+        return Math.round(meters * PLACES) / PLACES;
+    }
+}
