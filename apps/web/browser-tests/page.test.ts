@@ -467,6 +467,16 @@ describe.skipIf(!chromium)('the page', () => {
     await eventually(async () => (await time()) > 0, 'the next run goes on');
   });
 
+  it('tells what goes wrong', async () => {
+    await rsal.post('restart', { configuration: 'faulty', arguments: {}, seed: SEED });
+    await rsal.post('speed', { factor: '20' });
+    const fault = page.locator('li', { hasText: 'gone, but in the way' });
+    await fault.waitFor();
+    expect(await fault.locator('.kind').innerText()).toBe('fault');
+    const robot = (await fault.locator('.subject').innerText()).trim();
+    await page.locator(`tr[data-robot="${robot}"]`).getByText('ill').waitFor();
+  });
+
   it('moves, zooms and follows by keyboard', async () => {
     const map = page.locator('#map');
     const scale = async () => Number(await map.getAttribute('data-scale'));

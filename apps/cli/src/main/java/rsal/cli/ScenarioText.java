@@ -9,6 +9,8 @@ import rsal.scenario.Configuration;
 
 /// A scenario as `rsal show` puts it to people.
 final class ScenarioText {
+    private static final int MOST_TARGETS = 5;
+
     private ScenarioText() {}
 
     static String of(ShownScenario shown) {
@@ -27,6 +29,7 @@ final class ScenarioText {
         section(text, "Robots, with their devices in the order in which these are made", robots(shown.robots()));
         section(text, "Where they start with seed " + shown.run().seed(), starts(shown.robots()));
         section(text, "Agents", agents(shown.agents()));
+        section(text, "What goes wrong", faults(shown.faults()));
         section(text, "Ends when", ends(shown.ends()));
         section(text, "Measures", measures(shown.measures()));
         return text.toString();
@@ -96,6 +99,32 @@ final class ScenarioText {
         agents.forEach(a ->
                 table.row(a.name(), a.type(), a.robot().map(r -> "for " + r).orElse(""), settings(a.arguments())));
         return table;
+    }
+
+    private static Table faults(List<ShownScenario.Fault> faults) {
+        var table = new Table("  ");
+        faults.forEach(f -> table.row(f.kind(), f.words(), whom(f), when(f)));
+        return table;
+    }
+
+    private static String whom(ShownScenario.Fault fault) {
+        int all = fault.targets().size();
+        String some = fault.targets().stream().limit(MOST_TARGETS).collect(Collectors.joining(", "));
+        String rest = all > MOST_TARGETS ? " and %d more".formatted(all - MOST_TARGETS) : "";
+        return fault.pick().filter(n -> n < all).map("%d of "::formatted).orElse("") + some + rest;
+    }
+
+    private static String when(ShownScenario.Fault fault) {
+        String begins = fault.every()
+                .map(mean ->
+                        "about every %s s".formatted(mean) + (fault.at() > 0 ? " from %s s".formatted(fault.at()) : ""))
+                .orElse("at %s s".formatted(fault.at()));
+        String lasts = fault.lasts()
+                .map(span -> span.getFirst().equals(span.getLast())
+                        ? " for %s s".formatted(span.getFirst())
+                        : " for %s to %s s".formatted(span.getFirst(), span.getLast()))
+                .orElse(" for good");
+        return begins + lasts;
     }
 
     private static Table ends(List<ShownScenario.End> ends) {

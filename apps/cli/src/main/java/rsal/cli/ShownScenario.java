@@ -1,5 +1,6 @@
 package rsal.cli;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,6 +10,7 @@ import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.scenario.Configuration;
+import rsal.scenario.PlannedFault;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedDevice;
@@ -28,6 +30,7 @@ record ShownScenario(
         World world,
         List<Role> robots,
         List<ShownAgent> agents,
+        List<Fault> faults,
         Run run,
         List<End> ends,
         List<Measured> measures) {
@@ -43,6 +46,7 @@ record ShownScenario(
                 World.of(plan),
                 roles(plan),
                 plan.agents().stream().map(ShownAgent::of).toList(),
+                plan.faults().stream().map(Fault::of).toList(),
                 new Run(plan.seed(), plan.clock() == RunPlan.Clock.WALL ? "wall" : "simulated"),
                 plan.stops().stream().map(End::of).toList(),
                 plan.measures().stream().map(Measured::of).toList());
@@ -114,6 +118,36 @@ record ShownScenario(
                     agent.type().key(),
                     agent.robot(),
                     agent.arguments().asMap());
+        }
+    }
+
+    /// @param words what is wrong then: `biased by 0.10 m`
+    /// @param targets what can have it
+    /// @param pick how many of them have it at a time; empty when all have
+    /// @param at when it begins [s]
+    /// @param every mean time until it begins at random [s]; empty when it does at `at`
+    /// @param lasts least and most time [s]; empty for good
+    record Fault(
+            String kind,
+            String words,
+            List<String> targets,
+            Optional<Integer> pick,
+            double at,
+            Optional<Double> every,
+            Optional<List<Double>> lasts) {
+        static Fault of(PlannedFault fault) {
+            return new Fault(
+                    fault.kind(),
+                    fault.targets().getFirst().words(),
+                    fault.targets().stream().map(PlannedFault.Target::name).toList(),
+                    fault.pick(),
+                    seconds(fault.at()),
+                    fault.every().map(Fault::seconds),
+                    fault.lasts().map(span -> List.of(seconds(span.least()), seconds(span.most()))));
+        }
+
+        private static double seconds(Duration time) {
+            return time.toNanos() / 1e9;
         }
     }
 

@@ -124,6 +124,8 @@ class CommandLineIT {
                 new Mistake("    - {when: tim > 20, outcome: success}", 12, "tim"),
                 new Mistake("    - {when: time > 20, outcome: sucess}", 12, "(sucess)", "Maybe (success)"),
                 new Mistake("  - {name: collisions, from: sum(collisions)}", 14, "sum"),
+                new Mistake("faults: [{kind: gone, robots: gard}]\nworld: {map: office}", 6, "(gard)", "Maybe (guard)"),
+                new Mistake("faults: [{kind: late, delay: -2}]\nworld: {map: office}", 6, "(faults.delay)", "not (-2)"),
                 new Mistake("world: {map: [office}", 6, "YAML"),
                 new Mistake("world: !!java.net.URL [x]", 6, "Tags"));
     }
@@ -379,6 +381,19 @@ class CommandLineIT {
         assertThat(json.get("configuration").stringValue()).isEqualTo("late");
         assertThat(json.get("robots").get(0).get("model").stringValue()).isEqualTo("pioneer2dx");
         assertThat(json.get("ends").get(0).get("when").stringValue()).isEqualTo("time > 5");
+    }
+
+    @Test
+    void showTellsWhatGoesWrong() throws Exception {
+        Ended text = rsal.run("show", "hunt-and-prey:faulty");
+        JsonNode json = JsonMapper.shared()
+                .readTree(rsal.run("show", "hunt-and-prey:faulty", "--json").out());
+        assertThat(text.out())
+                .contains("What goes wrong", "gone, but in the way", "lost (20 %, about pose)")
+                .containsPattern("1 of hunter-1, hunter-2, hunter-3 +at 15.0 s for good");
+        assertThat(json.get("faults").get(0).get("pick").intValue()).isEqualTo(1);
+        assertThat(json.get("faults").get(1).get("targets").get(0).stringValue())
+                .isEqualTo("messages");
     }
 
     @Test

@@ -41,6 +41,14 @@ class TutorialIT {
     }
 
     @Test
+    void faultsAreAsTheirReferenceShows() throws Exception {
+        String reference = Files.readString(TUTORIALS.resolve("../reference/faults.md"));
+        Files.writeString(
+                folder.resolve("bad-day.yaml"), blocks(reference, "yaml").getFirst());
+        follow(reference, new Rsal(folder));
+    }
+
+    @Test
     void theMistakeItProposesIsExplained() throws Exception {
         String patrol = blocks(tutorial("first-scenario.md"), "yaml").getFirst();
         Files.writeString(folder.resolve("patrol.yaml"), patrol.replace("model:", "modle:"));

@@ -35,6 +35,7 @@ final class FaultReader {
     private static final String ALL = "all";
     private static final String ANY = "any";
     private static final String BASE = "base";
+    private static final String OPERATOR = "operator"; // who speaks for people
 
     private final List<Role> roles;
     private final List<PlannedAgent> agents;
@@ -313,7 +314,8 @@ final class FaultReader {
             var found = agents.stream()
                     .filter(agent -> isCalled(word, called(agent)))
                     .toList();
-            if (found.isEmpty() && !word.text.equals("operator") && allAgents) {
+            boolean operator = isCalled(word, OPERATOR);
+            if (found.isEmpty() && !operator && allAgents) {
                 var known = agents.stream()
                         .flatMap(agent -> List.of(called(agent)).stream())
                         .collect(Collectors.toCollection(LinkedHashSet::new));
@@ -323,7 +325,9 @@ final class FaultReader {
                                 .formatted(section.path(key), word.text),
                         Suggestion.among(word.text, known));
             }
-            names.add(word.text);
+            if (operator) {
+                names.add(OPERATOR);
+            }
             found.forEach(agent -> names.add(agent.name()));
         }
         return Optional.of(names);

@@ -33,6 +33,11 @@ public record PlannedFault(
     public sealed interface Target {
         /// Unique among the targets of a fault: `hunter-1/laser`.
         String name();
+
+        /// What is wrong with it, for people: `biased by 0.10 m`.
+        default String words() {
+            return FaultWords.of(this);
+        }
     }
 
     /// A robot or one of its devices.

@@ -22,6 +22,7 @@ import tools.jackson.databind.json.JsonMapper;
 public final class ScenarioSchema {
     private static final String ARGUMENT = "#/$defs/argument";
     private static final String DEVICE = "#/$defs/device";
+    private static final String FAULT = "#/$defs/fault";
 
     private final Catalog catalog;
 
@@ -76,6 +77,7 @@ public final class ScenarioSchema {
             devices.add(fields("allOf", List.of(driver(key), fields("required", List.of("type")))));
         });
         definitions.put("device", anyOf(devices));
+        definitions.put("fault", fault());
         return definitions;
     }
 
@@ -126,7 +128,7 @@ public final class ScenarioSchema {
                                 partial,
                                 Format.DEFAULT_MRS,
                                 parameters(catalog.systems(), RobotSystemProvider::parameters)),
-                "faults", list(fault()),
+                "faults", list(fields("$ref", FAULT)),
                 "run", run(),
                 "measure", list(measure()));
     }

@@ -86,6 +86,19 @@ class WorldScenarioTest {
     }
 
     @Test
+    void robotsOfTheWorldCanHaveFaults() throws IOException {
+        RunPlan plan = planned(SCENARIO
+                + "faults: [{kind: dead, robots: [cart, guest], devices: RangeSensor}, {kind: lost, from: cart}]\n");
+        assertThat(plan.faults().getFirst().targets())
+                .extracting(PlannedFault.Target::name)
+                .containsExactly("r0/laser", "r1/laser", "guest/sonar", "guest/laser");
+        assertThat(plan.faults().getLast().targets())
+                .singleElement()
+                .extracting(PlannedFault.Target::words)
+                .isEqualTo("lost (from roam-r0, roam-r1)");
+    }
+
+    @Test
     void aStepOfTheScenarioComesFirst() throws IOException {
         assertThat(planned(SCENARIO + "mrs: {step: 0.1}\n").step()).isEqualTo(Duration.ofMillis(100));
     }

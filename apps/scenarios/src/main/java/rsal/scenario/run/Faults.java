@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
@@ -30,7 +31,7 @@ final class Faults {
     private final Observer observer;
     private final Breaker breaker;
     private final Mishaps mishaps;
-    private final List<String> gone = new ArrayList<>(); // robots, once for each fault
+    private final Tally gone = new Tally(); // robots
 
     /// Breaks robots and their devices.
     interface Breaker {
@@ -143,15 +144,16 @@ final class Faults {
     private Subscription begin(Target target, Optional<Duration> length, RandomGenerator random) {
         Optional<String> refusal = target instanceof OfRobot broken ? breaker.refusal(broken) : Optional.empty();
         if (refusal.isPresent()) {
-            journal.event("fault", target.name(), "not %s: %s".formatted(FaultWords.of(target), refusal.get()));
+            journal.event("fault", target.name(), "not %s: %s".formatted(target.words(), refusal.get()));
             return () -> {};
         }
         observer.faultBegan();
         journal.event(
                 "fault",
                 target.name(),
-                FaultWords.of(target)
-                        + length.map(time -> " for " + FaultWords.of(time)).orElse(""));
+                target.words()
+                        + length.map(time -> String.format(Locale.ROOT, " for %.2f s", time.toNanos() / 1e9))
+                                .orElse(""));
         Subscription begun = switch (target) {
             case OfMessages messages -> mishaps.begin(messages, random);
             case OfRobot broken when broken.fault() instanceof Fault.Gone -> gone(broken, random);
@@ -159,7 +161,7 @@ final class Faults {
         };
         return () -> {
             begun.cancel();
-            journal.event("fault", target.name(), "no longer " + FaultWords.of(target));
+            journal.event("fault", target.name(), "no longer " + target.words());
         };
     }
 
@@ -167,12 +169,12 @@ final class Faults {
         gone.add(lost.robot());
         Subscription silence = mishaps.silence(agentsOf(lost.robot()));
         Subscription absence = breaker.begin(lost, random);
-        observer.gone(gone);
+        observer.gone(gone.names());
         return () -> {
             gone.remove(lost.robot());
             absence.cancel();
             silence.cancel();
-            observer.gone(gone);
+            observer.gone(gone.names());
         };
     }
 

@@ -15,7 +15,7 @@ import rsal.scenario.PlannedFault.OfMessages;
 final class Mishaps implements Delivery {
     private final Lost lost;
     private final List<Active> active = new ArrayList<>();
-    private final List<Set<String>> silent = new ArrayList<>(); // agents
+    private final Tally silent = new Tally(); // agents
 
     /// Told of each message that an agent does not hear.
     @FunctionalInterface
@@ -54,12 +54,12 @@ final class Mishaps implements Delivery {
     ///
     /// @return ends it
     Subscription silence(Set<String> agents) {
-        silent.add(agents);
-        return () -> silent.remove(agents); // which of equal ones does not matter
+        agents.forEach(silent::add);
+        return () -> agents.forEach(silent::remove);
     }
 
     boolean isSilent(String agent) {
-        return silent.stream().anyMatch(agents -> agents.contains(agent));
+        return silent.contains(agent);
     }
 
     @Override

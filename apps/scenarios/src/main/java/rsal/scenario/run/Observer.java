@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -158,8 +157,8 @@ final class Observer implements Facts {
     }
 
     /// Robots that are gone now.
-    void gone(Collection<String> robots) {
-        gone = Set.copyOf(robots);
+    void gone(Set<String> robots) {
+        gone = robots;
     }
 
     /// A robot is going to be put elsewhere.

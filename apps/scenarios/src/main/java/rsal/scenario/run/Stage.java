@@ -17,6 +17,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
+import java.util.stream.Collectors;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
@@ -57,6 +58,7 @@ import rsal.fault.FaultyLocalizer;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
+import rsal.scenario.PlannedFault;
 import rsal.scenario.PlannedFault.OfRobot;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
@@ -98,6 +100,7 @@ final class Stage implements AutoCloseable {
     private final Observer observer;
     private final RobotSystem system;
     private final Faults faults;
+    private final Set<String> breaking; // all that faults can strike, by name
     private final Map<String, FaultyLocalizer> faultyLocalizers = new HashMap<>(); // by the device's id
     private final Map<String, Robot> robots = new LinkedHashMap<>();
     private final Map<String, Controls> controls = new LinkedHashMap<>();
@@ -129,6 +132,10 @@ final class Stage implements AutoCloseable {
                         .create(
                                 plan.mrs().config(plan.scene(), plan.robots()),
                                 new GuardedScheduler(systemName(), scheduler)));
+        this.breaking = plan.faults().stream()
+                .flatMap(fault -> fault.targets().stream())
+                .map(PlannedFault.Target::name)
+                .collect(Collectors.toSet());
         this.faults = new Faults(plan, scheduler, journal, observer, new Faults.Breaker() {
             @Override
             public Optional<String> refusal(OfRobot broken) {
@@ -223,10 +230,7 @@ final class Stage implements AutoCloseable {
     /// A localizer that can have a fault later, if there will be one.
     private Device breakable(Device device) {
         String id = device.info().id();
-        boolean willBreak = plan.faults().stream()
-                .flatMap(fault -> fault.targets().stream())
-                .anyMatch(target -> target.name().equals(id));
-        if (willBreak && device instanceof Localizer localizer) {
+        if (breaking.contains(id) && device instanceof Localizer localizer) {
             var faulty = new FaultyLocalizer(localizer);
             faultyLocalizers.put(id, faulty);
             return faulty;
@@ -417,7 +421,7 @@ final class Stage implements AutoCloseable {
 
     private RobotView view(RobotSpec spec, Robot robot) {
         String id = robot.id();
-        boolean there = !isNowhere(id);
+        boolean there = !faults.isGone(id) && !isNowhere(id);
         Optional<Controls> told = Optional.ofNullable(controls.get(id));
         Optional<Localizer> localizer = localizer(robot).filter(_ -> there && placements.isBeliefOfHere(id));
         Optional<Navigator> navigator = told.flatMap(orders -> orders.outfit().find(Navigator.class))
@@ -430,7 +434,7 @@ final class Stage implements AutoCloseable {
                 spec.color(),
                 robot.model().name(),
                 system.simulation().flatMap(truth -> truth.truth(id)),
-                robot.find(DriveBase.class).flatMap(DriveBase::latest),
+                robot.find(DriveBase.class).filter(_ -> there).flatMap(DriveBase::latest),
                 localizer.flatMap(Localizer::latest).filter(estimate -> placements.isOfHere(id, estimate)),
                 localizer.flatMap(Localizer::particles).filter(cloud -> placements.isOfHere(id, cloud)),
                 robot.find(LaserScanner.class)
@@ -524,6 +528,9 @@ final class Stage implements AutoCloseable {
         Robot robot = robots.get(id);
         if (robot == null) {
             return placeThing(id, mapFromBase);
+        }
+        if (isNowhere(id)) {
+            return new Answer.Refused("Robot (%s) is gone.".formatted(id));
         }
         OccupancyGrid map = plan.map();
         if (!mapFromBase.isFinite() || !map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))) {

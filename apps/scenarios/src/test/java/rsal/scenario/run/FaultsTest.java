@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Pose2d;
 import rsal.device.Health;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -222,6 +223,28 @@ class FaultsTest {
                 .isEmpty();
         assertThat(run.shown("chat-2", "heard")).isBetween(38, 40);
         assertThat(run.shown("chat-1", "heard")).isBetween(38, 40);
+    }
+
+    @Test
+    void oneThatStaysIsShownWithoutWhatItSensed() {
+        RobotView gone =
+                run(plan("{kind: gone, robots: prey, at: 4, stays: true}")).robot("prey");
+        assertThat(gone.truth()).isPresent();
+        assertThat(gone.odometry()).isEmpty();
+        assertThat(gone.scan()).isEmpty();
+        assertThat(gone.estimate()).isEmpty();
+    }
+
+    @Test
+    void anOperatorCanNotReachIt() {
+        var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1}");
+        try (var run = LiveRun.start(plan)) {
+            var gone = new Answer.Refused("Robot (hunter-1) is gone.");
+            var there = new Pose2d(-8, -1, 0);
+            assertThat(run.place("hunter-1", there).toCompletableFuture().join())
+                    .isEqualTo(gone);
+            assertThat(run.goTo("hunter-1", there).toCompletableFuture().join()).isEqualTo(gone);
+        }
     }
 
     @Test

@@ -1,18 +1,28 @@
 package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
+import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 
 @Timeout(300)
 class HuntAndPreyIT {
+    @TempDir
+    private Path folder;
+
     private static final Scenario HUNT = Scenario.load("hunt-and-prey");
 
     private record Hunt(RunResult result, List<RunEvent> events) {}
@@ -61,6 +71,41 @@ class HuntAndPreyIT {
         Hunt second = hunt("virtual", 3, 4);
         assertThat(second.events).isEqualTo(first.events);
         assertThat(second.result.eventHash()).isEqualTo(first.result.eventHash());
+    }
+
+    @Test
+    void theHuntGoesOnWithoutAHunterAndSomeMessages() {
+        var caught = new ArrayList<Long>();
+        var lost = new HashSet<String>();
+        for (long seed = 1; seed <= 6; seed++) {
+            Hunt hunt = hunt("faulty", seed);
+            if (hunt.result.outcome().equals("success")) {
+                caught.add(seed);
+            }
+            hunt.events.stream()
+                    .filter(event ->
+                            event.kind().equals("fault") && event.text().startsWith("gone"))
+                    .forEach(event -> lost.add(event.subject()));
+            assertThat(hunt.events)
+                    .as("seed %d", seed)
+                    .filteredOn(event -> event.kind().equals("fault"))
+                    .extracting(event -> event.time().toSeconds(), RunEvent::text)
+                    .containsExactly(tuple(0L, "lost (20 %, about pose)"), tuple(15L, "gone, but in the way"));
+        }
+        assertThat(caught).hasSizeGreaterThanOrEqualTo(5);
+        assertThat(lost).hasSizeGreaterThan(1).isSubsetOf("hunter-1", "hunter-2", "hunter-3");
+    }
+
+    @Test
+    void withoutAnyHuntersItEndsWhenTimeIsUp() throws IOException {
+        String scenario = Files.readString(Path.of("src/main/resources/rsal/scenarios/hunt-and-prey/scenario.yaml"))
+                .replace("pick: 1, at: 15, stays: true", "at: 5")
+                .replace("time > 300", "time > 60");
+        Path file = Files.writeString(folder.resolve("hunt.yaml"), scenario);
+        var options = RunOptions.NONE.withConfiguration("faulty").withSeed(4).withSpeed(Double.POSITIVE_INFINITY);
+        RunResult result = Runs.result(Scenario.load(file.toString()).plan(options));
+        assertThat(result.outcome()).isEqualTo("timeout");
+        assertThat(result.simulatedSeconds()).isCloseTo(60, within(0.2));
     }
 
     @Test

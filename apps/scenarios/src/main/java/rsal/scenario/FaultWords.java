@@ -1,4 +1,4 @@
-package rsal.scenario.run;
+package rsal.scenario;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -10,7 +10,6 @@ import rsal.scenario.PlannedFault.Mishap;
 import rsal.scenario.PlannedFault.OfMessages;
 import rsal.scenario.PlannedFault.OfRobot;
 import rsal.scenario.PlannedFault.Target;
-import rsal.scenario.Span;
 
 /// Says for people what goes wrong, so that it can stand after `no longer`, too.
 final class FaultWords {
@@ -81,8 +80,7 @@ final class FaultWords {
                 : String.format(Locale.ROOT, "%.2f to %s", seconds(span.least()), of(span.most()));
     }
 
-    /// `2.50 s`.
-    static String of(Duration time) {
+    private static String of(Duration time) {
         return String.format(Locale.ROOT, "%.2f s", seconds(time));
     }
 
