@@ -11,6 +11,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.device.Device;
 import rsal.map.FreeSpace;
+import rsal.robot.RobotColors;
 import rsal.robot.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.scenario.DeviceReader.Equipment;
@@ -24,10 +25,6 @@ import rsal.settings.Value;
 /// Reads the robots of a scenario: what they are, what they carry, where they start.
 final class RobotReader {
     private static final Pattern COLOR = Pattern.compile("#[0-9a-fA-F]{6}");
-
-    /// For roles without a color of their own: told apart by the color-blind, too (Okabe and Ito 2008).
-    private static final List<String> COLORS =
-            List.of("#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442");
 
     private final DeviceReader devices;
     private final Outfitter outfitter;
@@ -144,7 +141,7 @@ final class RobotReader {
         Equipment equipment = devices.read(section);
         Free free = section.isMapping("pose") ? free(section.section("pose")) : null;
         List<Pose2d> fixed = free == null ? poses(section, ids.size()) : List.of();
-        String color = section.text("color", COLORS.get(index % COLORS.size()));
+        String color = section.text("color", RobotColors.of(index));
         if (!COLOR.matcher(color).matches()) {
             section.problem(
                     "color", "(%s) must be like #1f77b4, not (%s).".formatted(section.path("color"), color), "");

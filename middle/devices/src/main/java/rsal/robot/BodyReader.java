@@ -12,86 +12,100 @@ import rsal.data.Solid;
 import rsal.settings.Section;
 import rsal.settings.Value;
 
-/// Reads the `body` of a model file: a box, a disc, an outline, or `pieces` of those.
-final class BodyReader {
-    private static final int MAX_PIECES = 100;
-    private static final int MAX_CORNERS = 200;
+/// Reads bodies: boxes, discs, outlines, or `pieces` of those. What is wrong is noted, and something harmless taken.
+public final class BodyReader {
+    /// For the bodies of robots.
+    static final BodyReader ROBOTS = new BodyReader(new Limits(100, 200, Numbers.MOST, 0, RobotModel.HEIGHT));
+
+    private static final double THINNEST = 1e-9; // [m]
     private static final Shape HARMLESS = new Shape.Disc(new Point2d(0, 0), 1);
 
-    private BodyReader() {}
+    private final Limits limits;
 
-    static Solid read(Section body) {
+    public BodyReader(Limits limits) {
+        this.limits = limits;
+    }
+
+    /// What bodies can be.
+    ///
+    /// @param pieces at most
+    /// @param corners of an outline, at most
+    /// @param most that anything can be long or away from the middle [m]
+    /// @param lowest underside above the floor [m]
+    /// @param height of pieces for which none is told [m]
+    public record Limits(int pieces, int corners, double most, double lowest, double height) {}
+
+    Solid read(Section body) {
         if (!body.has("pieces")) {
             return new Solid(List.of(piece(body)));
         }
-        var pieces = new ArrayList<Prism>();
+        List<Prism> pieces = pieces(body).stream().map(this::piece).toList();
+        body.done();
+        return pieces.isEmpty() ? new Solid(List.of(Prism.standing(HARMLESS, 1))) : new Solid(pieces);
+    }
+
+    /// The groups that `pieces` lists; none when there are too few or too many.
+    public List<Section> pieces(Section body) {
+        var pieces = new ArrayList<Section>();
         for (Value item : body.list("pieces").orElse(List.of())) {
             if (item instanceof Value.Mapping mapping) {
-                pieces.add(piece(new Section(body.path("pieces"), mapping, body.problems())));
+                pieces.add(new Section(body.path("pieces"), mapping, body.problems()));
             } else {
                 body.expected("pieces", "a list of groups such as {radius: 0.2}", item);
             }
         }
-        body.done();
-        if (pieces.isEmpty() || pieces.size() > MAX_PIECES) {
-            body.problem("pieces", "(body.pieces) must list 1 to %d pieces.".formatted(MAX_PIECES), "");
-            return new Solid(List.of(Prism.standing(HARMLESS, 1)));
+        if (pieces.isEmpty() || pieces.size() > limits.pieces) {
+            body.problem("pieces", "(%s) must list 1 to %d pieces.".formatted(body.path("pieces"), limits.pieces), "");
+            return List.of();
         }
-        return new Solid(pieces);
+        return pieces;
     }
 
-    private static Prism piece(Section piece) {
+    /// Reads all that is left of a group as one piece.
+    public Prism piece(Section piece) {
         Shape shape = shape(piece);
-        double bottom = piece.has("bottom") ? Numbers.notNegative(piece, "bottom") : 0;
-        double height = piece.has("height") ? Numbers.positive(piece, "height") : RobotModel.HEIGHT;
+        double bottom = piece.has("bottom") ? Numbers.checked(piece, "bottom", limits.lowest, limits.most) : 0;
+        double height = piece.has("height") ? Numbers.checked(piece, "height", THINNEST, limits.most) : limits.height;
         Optional<Rgb> color = piece.has("color") ? Optional.of(color(piece, "color")) : Optional.empty();
         piece.done();
-        return new Prism(shape, bottom, bottom + height, color);
+        return new Prism(shape, bottom, Math.max(bottom + height, Math.nextUp(bottom)), color);
     }
 
-    private static Shape shape(Section piece) {
+    /// A box, a disc or an outline.
+    public Shape shape(Section piece) {
         if (piece.has("outline")) {
             return outline(piece);
         }
         if (piece.has("radius")) {
-            return new Shape.Disc(center(piece), Numbers.positive(piece, "radius"));
+            return new Shape.Disc(center(piece), length(piece, "radius"));
         }
-        double length = Numbers.positive(piece, "length");
-        double width = Numbers.positive(piece, "width");
-        return Shape.Polygon.of(Footprint.box(length, width, center(piece)));
+        double length = length(piece, "length");
+        double width = length(piece, "width");
+        Point2d center = center(piece);
+        try {
+            return Shape.Polygon.of(Footprint.box(length, width, center));
+        } catch (IllegalArgumentException _) { // too thin for numbers so far away
+            piece.problem(piece.location(), "(%s) is too thin.".formatted(piece.path("")), "");
+            return HARMLESS;
+        }
     }
 
-    private static Point2d center(Section piece) {
+    private double length(Section piece, String key) {
+        return Numbers.checked(piece, key, Numbers.LEAST, limits.most);
+    }
+
+    private Point2d center(Section piece) {
         double[] center = piece.numbers("center", 2).orElse(new double[2]);
-        if (Math.abs(center[0]) > Numbers.MOST || Math.abs(center[1]) > Numbers.MOST) {
-            piece.problem("center", "(%s) must be at most %s away.".formatted(piece.path("center"), Numbers.MOST), "");
+        if (Math.abs(center[0]) > limits.most || Math.abs(center[1]) > limits.most) {
+            piece.problem("center", "(%s) must be at most %s away.".formatted(piece.path("center"), limits.most), "");
             return new Point2d(0, 0);
         }
         return new Point2d(center[0], center[1]);
     }
 
-    private static Shape outline(Section piece) {
-        List<Value> items = piece.list("outline").orElse(List.of());
-        List<Point2d> corners = items.stream()
-                .limit(MAX_CORNERS)
-                .flatMap(item -> piece.numbers("outline", item, 2).stream())
-                .map(xy -> new Point2d(xy[0], xy[1]))
-                .toList();
-        if (corners.size() < items.size()) {
-            if (items.size() > MAX_CORNERS) {
-                piece.problem(
-                        "outline",
-                        "(%s) must have at most %d corners, not %d."
-                                .formatted(piece.path("outline"), MAX_CORNERS, items.size()),
-                        "");
-            }
-            return HARMLESS;
-        }
-        if (corners.stream().anyMatch(c -> Math.max(Math.abs(c.x()), Math.abs(c.y())) > Numbers.MOST)) {
-            piece.problem(
-                    "outline",
-                    "Corners of (%s) must be at most %s away.".formatted(piece.path("outline"), Numbers.MOST),
-                    "");
+    private Shape outline(Section piece) {
+        List<Point2d> corners = points(piece, "outline");
+        if (corners.isEmpty()) {
             return HARMLESS;
         }
         try {
@@ -102,8 +116,32 @@ final class BodyReader {
         }
     }
 
+    /// `[[x, y], …]`; none when a mistake was noted.
+    public List<Point2d> points(Section piece, String key) {
+        List<Value> items = piece.list(key).orElse(List.of());
+        if (items.isEmpty() || items.size() > limits.corners) {
+            piece.problem(
+                    key,
+                    items.isEmpty()
+                            ? "(%s) must list corners [x, y].".formatted(piece.path(key))
+                            : "(%s) must have at most %d corners, not %d."
+                                    .formatted(piece.path(key), limits.corners, items.size()),
+                    "");
+            return List.of();
+        }
+        List<Point2d> points = items.stream()
+                .flatMap(item -> piece.numbers(key, item, 2).stream())
+                .map(xy -> new Point2d(xy[0], xy[1]))
+                .toList();
+        if (points.stream().anyMatch(c -> Math.max(Math.abs(c.x()), Math.abs(c.y())) > limits.most)) {
+            piece.problem(key, "Corners of (%s) must be at most %s away.".formatted(piece.path(key), limits.most), "");
+            return List.of();
+        }
+        return points.size() < items.size() ? List.of() : points;
+    }
+
     /// A color, or black when it can't be read.
-    static Rgb color(Section section, String key) {
+    public static Rgb color(Section section, String key) {
         String text = section.text(key);
         Optional<Rgb> color = Rgb.parse(text);
         if (color.isEmpty() && !text.isEmpty()) {

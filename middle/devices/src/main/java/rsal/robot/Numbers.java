@@ -1,5 +1,6 @@
 package rsal.robot;
 
+import java.math.BigDecimal;
 import java.util.Optional;
 import rsal.data.Interval;
 import rsal.settings.Section;
@@ -10,7 +11,7 @@ final class Numbers {
     /// No length, speed or time of a robot is beyond this.
     static final double MOST = 1000;
 
-    private static final double LEAST = 1e-3;
+    static final double LEAST = 1e-6;
 
     private Numbers() {}
 
@@ -35,9 +36,14 @@ final class Numbers {
         }
         section.problem(
                 key,
-                "(%s) must be a number from %s to %s, not (%s).".formatted(section.path(key), least, most, value),
+                "(%s) must be a number from %s to %s, not (%s)."
+                        .formatted(section.path(key), plain(least), plain(most), value),
                 "");
         return harmless;
+    }
+
+    private static String plain(double value) {
+        return BigDecimal.valueOf(value).toPlainString();
     }
 
     static int whole(Section section, String key, int least, int most) {

@@ -26,10 +26,18 @@ public final class RobotModels {
     private static final FileSource PARTS = FileSource.resources(RobotModels.class, "/rsal/robot/parts/");
 
     private final FileSource files;
+    private final Map<String, Value.Mapping> ownParts;
 
     /// @param files where a person's own models and parts are
     public RobotModels(FileSource files) {
+        this(files, Map.of());
+    }
+
+    /// @param files where a person's own models and parts are
+    /// @param ownParts by name, each like a part file; they come before those that come with the program
+    public RobotModels(FileSource files, Map<String, Value.Mapping> ownParts) {
         this.files = files;
+        this.ownParts = Map.copyOf(ownParts);
     }
 
     /// Names of the models that come with the program.
@@ -72,7 +80,22 @@ public final class RobotModels {
         Value.Mapping file = find("robot model", name, builtIn(), MODELS, askedAt);
         var section = new Section("", file, problems);
         String title = section.text("title");
-        Solid body = BodyReader.read(section.section("body"));
+        Solid body = BodyReader.ROBOTS.read(section.section("body"));
+        return read(name, title, body, section, choices);
+    }
+
+    /// A model that is told elsewhere than in a file of its own.
+    ///
+    /// @param body that was read already
+    /// @param section of which all but the `body` is read, like a model file
+    /// @throws InvalidSettings with its mistakes, and those that were noted before
+    public RobotModel read(String name, Solid body, Section section, Map<String, Choice> choices) {
+        section.has("body");
+        return read(name, section.text("title", name), body, section, choices);
+    }
+
+    private RobotModel read(String name, String title, Solid body, Section section, Map<String, Choice> choices) {
+        Problems problems = section.problems();
         Drive drive = DriveReader.read(section.section("drive"));
         Map<String, Mount> mounts = mounts(section.section("mounts"));
         Map<String, Choice> chosen = own(section.section("sensors"));
@@ -156,7 +179,8 @@ public final class RobotModels {
 
     private Part part(String name, Pose2d mount, Location askedAt) {
         var problems = new Problems();
-        var section = new Section("", find("part", name, builtInParts(), PARTS, askedAt), problems);
+        Value.Mapping own = ownParts.get(name);
+        var section = new Section("", own != null ? own : find("part", name, builtInParts(), PARTS, askedAt), problems);
         Part part = PartReader.read(name, mount, section);
         problems.throwIfAny();
         return part;

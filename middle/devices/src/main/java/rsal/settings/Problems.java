@@ -9,14 +9,28 @@ import java.util.Set;
 public final class Problems {
     private final List<Problem> problems = new ArrayList<>();
     private final Set<Location> settled = new HashSet<>();
+    private final int most;
+
+    public Problems() {
+        this(Integer.MAX_VALUE);
+    }
+
+    /// @param most after which nothing more is looked for
+    public Problems(int most) {
+        this.most = most;
+    }
 
     public void add(Location location, String message, String remedy) {
         add(new Problem(location, message, remedy));
     }
 
+    /// @throws InvalidSettings with all of them when they are as many as can be
     public void add(Problem problem) {
         if (!settled.contains(problem.location())) {
             problems.add(problem);
+        }
+        if (problems.size() >= most) {
+            throwIfAny();
         }
     }
 

@@ -25,28 +25,41 @@ public final class Yaml {
     public static final int MAX_CHARACTERS = 1 << 20;
 
     private static final int MAX_DEPTH = 32;
-    private static final int MAX_VALUES = 20_000;
+    private static final Limits USUAL = new Limits(MAX_CHARACTERS, 20_000);
 
     private final String file;
+    private final Limits limits;
     private int values;
 
-    private Yaml(String file) {
+    private Yaml(String file, Limits limits) {
         this.file = file;
+        this.limits = limits;
     }
+
+    /// How large a file may be.
+    ///
+    /// @param values how many texts, numbers, lists and groups
+    public record Limits(int characters, int values) {}
 
     /// @param file what to call it in messages
     /// @throws InvalidSettings when it isn't YAML, isn't a group of settings at the top, or is too much
     public static Value.Mapping read(String file, String text) {
-        if (text.length() > MAX_CHARACTERS) {
+        return read(file, text, USUAL);
+    }
+
+    /// @param file what to call it in messages
+    /// @throws InvalidSettings when it isn't YAML, isn't a group of settings at the top, or is too much
+    public static Value.Mapping read(String file, String text, Limits limits) {
+        if (text.length() > limits.characters) {
             throw new InvalidSettings(
                     Location.of(file),
-                    "The file has %d characters; at most %d are read.".formatted(text.length(), MAX_CHARACTERS),
+                    "The file has %d characters; at most %d are read.".formatted(text.length(), limits.characters),
                     "Maybe this isn't a settings file?");
         }
         var settings = LoadSettings.builder()
                 .setLabel(file)
                 .setSchema(new CoreSchema())
-                .setCodePointLimit(MAX_CHARACTERS)
+                .setCodePointLimit(limits.characters)
                 .setAllowRecursiveKeys(false)
                 .build();
         Optional<Node> root;
@@ -68,7 +81,7 @@ public final class Yaml {
                     "This is not YAML: %s.".formatted(firstLine(e.getMessage())),
                     "Maybe it is another kind of file.");
         }
-        var yaml = new Yaml(file);
+        var yaml = new Yaml(file, limits);
         if (root.isEmpty()) {
             throw new InvalidSettings(Location.of(file), "The file is empty.", "");
         }
@@ -83,10 +96,10 @@ public final class Yaml {
 
     private Value convert(Node node, int depth) {
         Location place = location(file, node.getStartMark().orElse(null));
-        if (++values > MAX_VALUES) {
+        if (++values > limits.values) {
             throw new InvalidSettings(
                     place,
-                    "The file holds more than %d values.".formatted(MAX_VALUES),
+                    "The file holds more than %d values.".formatted(limits.values),
                     "Maybe its aliases (*name) multiply.");
         }
         if (depth > MAX_DEPTH) {
