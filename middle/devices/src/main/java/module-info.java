@@ -13,6 +13,7 @@ module rsal.devices {
     exports rsal.map;
     exports rsal.robot;
     exports rsal.scene;
+    exports rsal.scene.yaml;
     exports rsal.settings;
     exports rsal.system;
     exports rsal.time;
@@ -23,4 +24,6 @@ module rsal.devices {
 
     provides rsal.robot.DeviceDriver with
             rsal.behavior.PilotDriver;
+    provides rsal.scene.SceneFormat with
+            rsal.scene.yaml.YamlFormat;
 }

@@ -13,6 +13,8 @@ import rsal.data.Shape;
 public final class MapPainter {
     private static final double FINEST = 0.05; // side of a cell [m]
     private static final long MOST_CELLS = 16_000_000;
+    private static final long MOST_WORK = 20_000_000_000L; // cells drawn, of bodies one upon another
+    private static final long PER_STEP = 50; // a step along an edge takes as long as so many cells in a row
     private static final double MARGIN = 0.5; // around all that is there [m]
     private static final double FLAT = 0.05; // [m]; lasers look over what is lower
     private static final double HAIR = 1e-6; // [cells]; what only touches a cell does not reach into it
@@ -23,17 +25,18 @@ public final class MapPainter {
     private final List<Entity> things;
     private final List<Entity> robots;
     private final double reach;
+    private long work;
     private double left = Double.POSITIVE_INFINITY;
     private double bottom = Double.POSITIVE_INFINITY;
     private double right = Double.NEGATIVE_INFINITY;
     private double top = Double.NEGATIVE_INFINITY;
 
-    /// The world reaches too far.
+    /// The world reaches too far, or there is too much in it.
     public static final class TooLarge extends RuntimeException {
         private static final long serialVersionUID = 1;
 
-        TooLarge(double extent) {
-            super("The world is %.3g m large; at most %.0f m can be simulated.".formatted(extent, FARTHEST));
+        TooLarge(String message) {
+            super(message);
         }
     }
 
@@ -52,11 +55,25 @@ public final class MapPainter {
                 .orElse(1);
     }
 
+    /// Makes the map reach as far as other things that it does not show.
+    public MapPainter around(List<Entity> others) {
+        others.forEach(this::include);
+        return this;
+    }
+
+    /// Makes the map reach as far as an area [m].
+    public MapPainter around(double left, double bottom, double right, double top) {
+        include(left, bottom);
+        include(right, top);
+        return this;
+    }
+
     /// @throws TooLarge when there can be no map of all that is there
     public OccupancyGrid map() {
         measure();
         if (!(right - left <= FARTHEST && top - bottom <= FARTHEST)) {
-            throw new TooLarge(Math.max(right - left, top - bottom));
+            throw new TooLarge("The world is %.3g m large; at most %.0f m can be simulated."
+                    .formatted(Math.max(right - left, top - bottom), FARTHEST));
         }
         double resolution = resolution(right - left + 3 * MARGIN, top - bottom + 3 * MARGIN);
         Pose2d aligned = aligned();
@@ -113,16 +130,17 @@ public final class MapPainter {
                     raster.left() + raster.width() * raster.cellX(),
                     raster.bottom() + raster.height() * raster.cellY());
         }
-        for (List<Entity> some : List.of(things, robots)) {
-            for (Entity entity : some) {
-                include(entity.mapFromEntity().x(), entity.mapFromEntity().y());
-                for (Block block : entity.blocks()) {
-                    include(block.prism().shape(), entity.mapFromEntity());
-                }
-            }
-        }
+        things.forEach(this::include);
+        robots.forEach(this::include);
         if (left > right) {
             include(0, 0); // an empty world
+        }
+    }
+
+    private void include(Entity entity) {
+        include(entity.mapFromEntity().x(), entity.mapFromEntity().y());
+        for (Block block : entity.blocks()) {
+            include(block.prism().shape(), entity.mapFromEntity());
         }
     }
 
@@ -149,7 +167,7 @@ public final class MapPainter {
         top = Math.max(top, y);
     }
 
-    private static void paint(OccupancyGrid map, Raster raster) {
+    private void paint(OccupancyGrid map, Raster raster) {
         BitSet solid = raster.solid();
         for (int row = 0; row < raster.height(); row++) {
             double low = raster.bottom() + row * raster.cellY();
@@ -165,19 +183,18 @@ public final class MapPainter {
         }
     }
 
-    private static void fill(OccupancyGrid map, double left, double bottom, double right, double top) {
+    private void fill(OccupancyGrid map, double left, double bottom, double right, double top) {
         double r = map.resolution();
         int firstColumn = Math.max(0, (int) Math.floor((left - map.originX()) / r + HAIR));
         int lastColumn = Math.min(map.width() - 1, (int) Math.ceil((right - map.originX()) / r - HAIR) - 1);
         int firstRow = Math.max(0, (int) Math.floor((bottom - map.originY()) / r + HAIR));
         int lastRow = Math.min(map.height() - 1, (int) Math.ceil((top - map.originY()) / r - HAIR) - 1);
         for (int row = firstRow; row <= lastRow && firstColumn <= lastColumn; row++) {
-            int begin = row * map.width();
-            Arrays.fill(map.cells(), begin + firstColumn, begin + lastColumn + 1, OccupancyGrid.OCCUPIED);
+            occupy(map, row, firstColumn, lastColumn);
         }
     }
 
-    private static void paint(OccupancyGrid map, Shape shape, Pose2d mapFromEntity) {
+    private void paint(OccupancyGrid map, Shape shape, Pose2d mapFromEntity) {
         switch (shape) {
             case Shape.Polygon polygon -> {
                 List<Point2d> corners =
@@ -190,7 +207,7 @@ public final class MapPainter {
     }
 
     /// All cells of which the nearest point to the middle is inside.
-    private static void paintDisc(OccupancyGrid map, Point2d center, double radius) {
+    private void paintDisc(OccupancyGrid map, Point2d center, double radius) {
         double r = map.resolution();
         int lastRow = Math.min(map.height() - 1, map.row(center.y() + radius));
         for (int row = Math.max(0, map.row(center.y() - radius)); row <= lastRow; row++) {
@@ -202,7 +219,7 @@ public final class MapPainter {
     }
 
     /// All cells that the outline passes, a hair inside of it.
-    private static void paintEdges(OccupancyGrid map, List<Point2d> corners) {
+    private void paintEdges(OccupancyGrid map, List<Point2d> corners) {
         double hair = HAIR * map.resolution();
         for (int i = 0; i < corners.size(); i++) {
             Point2d from = corners.get(i);
@@ -211,6 +228,7 @@ public final class MapPainter {
             double dx = (to.x() - from.x()) / length;
             double dy = (to.y() - from.y()) / length;
             int steps = (int) Math.ceil(length / (map.resolution() / 4));
+            count(PER_STEP * steps);
             for (int k = 0; k <= steps; k++) {
                 double along =
                         Math.clamp(length * k / steps, Math.min(hair, length / 2), Math.max(length - hair, length / 2));
@@ -223,8 +241,21 @@ public final class MapPainter {
         }
     }
 
+    private void occupy(OccupancyGrid map, int row, int first, int last) {
+        count(PER_STEP + last - first);
+        int begin = row * map.width();
+        Arrays.fill(map.cells(), begin + first, begin + last + 1, OccupancyGrid.OCCUPIED);
+    }
+
+    private void count(long more) {
+        work += more;
+        if (work > MOST_WORK) {
+            throw new TooLarge("There is more in the world than a map of it can be drawn of.");
+        }
+    }
+
     /// All cells whose middle is inside.
-    private static void paintInside(OccupancyGrid map, List<Point2d> corners) {
+    private void paintInside(OccupancyGrid map, List<Point2d> corners) {
         double lowest = corners.stream().mapToDouble(Point2d::y).min().orElseThrow();
         double highest = corners.stream().mapToDouble(Point2d::y).max().orElseThrow();
         int lastRow = Math.min(map.height() - 1, map.row(highest));
@@ -235,8 +266,7 @@ public final class MapPainter {
                 int last = Math.min(map.width() - 1, (int)
                         Math.floor((crossings[k + 1] - map.originX()) / map.resolution() - 0.5));
                 if (first <= last) {
-                    int begin = row * map.width();
-                    Arrays.fill(map.cells(), begin + first, begin + last + 1, OccupancyGrid.OCCUPIED);
+                    occupy(map, row, first, last);
                 }
             }
         }

@@ -17,13 +17,15 @@ public final class Upright {
     /// @param cellLength along a row, above 0 [m]
     /// @param cellWidth along a column, above 0 [m]
     /// @param heights of underside and top above the floor [m]
+    /// @param fenced whether no robot leaves it
     public static Optional<Raster> of(
             Bitmap bitmap,
             Pose2d mapFromCorner,
             double cellLength,
             double cellWidth,
             Interval heights,
-            Surface surface) {
+            Surface surface,
+            boolean fenced) {
         long quarters = Math.round(mapFromCorner.theta() / (Math.PI / 2));
         if (Math.abs(mapFromCorner.theta() - quarters * (Math.PI / 2)) > EXACT) {
             return Optional.empty();
@@ -43,7 +45,7 @@ public final class Upright {
                 across ? cellLength : cellWidth,
                 heights.least(),
                 heights.most(),
-                false,
+                fenced,
                 surface));
     }
 }

@@ -132,7 +132,8 @@ final class SceneMaker {
                 new rsal.data.Interval(
                         worldFromModel.z() + raster.heights().min(),
                         worldFromModel.z() + raster.heights().max()),
-                surface);
+                surface,
+                false);
     }
 
     private void addThing(StageModel model, Body body, Color color) {
