@@ -27,6 +27,7 @@ import rsal.scene.Entity;
 import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.SceneFormat;
+import rsal.scene.Touch;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 
@@ -105,6 +106,17 @@ class YamlFormatTest {
         assertThat(scene.things()).isEmpty();
         assertThat(scene.step()).isEmpty();
         assertThat(scene.map().cells()).containsOnly(OccupancyGrid.FREE);
+    }
+
+    @Test
+    void robotsStallUnlessTheWorldSaysOtherwise() {
+        assertThat(scene("").touch()).isEqualTo(Touch.STALL);
+        assertThat(scene("touch: slide").touch()).isEqualTo(Touch.SLIDE);
+        assertThat(SceneWriter.write(scene("touch: slide"), "a").yaml()).contains("touch: slide");
+        assertThat(Worlds.of("touch: slid").mistakes())
+                .singleElement()
+                .asString()
+                .contains("Maybe (slide)");
     }
 
     @Test

@@ -89,7 +89,7 @@ final class RobotMaker {
                 .map(piece -> new Block(piece.prism(), piece.surface()))
                 .toList()); // a copy, as that is what lists of robots share
         return new Made(
-                model(base, solid(body), parts.devices()),
+                model(base, solid(body, base.traits().color()), parts.devices()),
                 List.copyOf(body),
                 drawn ? Optional.empty() : Optional.of(blocks));
     }
@@ -107,7 +107,10 @@ final class RobotMaker {
     }
 
     /// What it takes for itself when it keeps out of the way: what runs into things, if anything does.
-    private static Solid solid(List<Piece> body) {
+    ///
+    /// @param color of the robot, which its pieces need not tell
+    private static Solid solid(List<Piece> body, Optional<Color> color) {
+        Optional<Rgb> own = color.map(c -> Rgb.of(c.rgb()));
         List<Piece> solid =
                 body.stream().filter(piece -> piece.surface().obstacle()).toList();
         List<Prism> prisms = (solid.isEmpty() ? body : solid)
@@ -117,6 +120,8 @@ final class RobotMaker {
                                 piece.prism().bottom(),
                                 piece.prism().top(),
                                 piece.drawn()
+                                                || own.equals(Optional.of(
+                                                        piece.surface().color()))
                                         ? Optional.empty()
                                         : Optional.of(piece.surface().color())))
                         .toList();

@@ -1,0 +1,132 @@
+package rsal.sim.stage;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.scene.Scene;
+import rsal.scene.yaml.SceneWriter;
+import rsal.scene.yaml.YamlFormat;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+
+/// A world of Stage that is written as one of our own is the same world.
+class ConversionTest {
+    private static Scene stage(Worlds worlds) {
+        return new StageFormat().read("test.world", worlds.source(), 1);
+    }
+
+    /// Written and read again.
+    private static Scene converted(Scene scene) {
+        SceneWriter.Written written = SceneWriter.write(scene, "test");
+        FileSource files = (path, most, askedAt) -> {
+            byte[] bytes = path.equals("test.world.yaml")
+                    ? written.yaml().getBytes(StandardCharsets.UTF_8)
+                    : written.images().get(path);
+            if (bytes == null) {
+                throw new InvalidSettings(askedAt, "There is no file (%s).".formatted(path), "");
+            }
+            return bytes;
+        };
+        return new YamlFormat().read("test.world.yaml", files, 2);
+    }
+
+    private static void assertConverted(Scene scene) {
+        SceneComparison.assertSame(converted(scene), scene);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "name \"hall: 1\" interval_sim 50 quit_time 30",
+                "model ( name \"no: 1, {#}\" pose [1 2 0.5 77] size [2 1 0.4] color \"blue\" obstacle_return 0 )",
+                "model ( ranger_return 0.5 blob_return 0 fiducial_return 7 fiducial_key 3 gripper_return 1 )",
+                "model ( size [4 4 1] boundary 1 pose [0.1 0.2 0 33.3] )",
+                """
+                model ( block ( points 3 point[0] [0 0] point[1] [1 0] point[2] [0 1] z [0.1 0.7] color "green" )
+                        block ( points 2 point[0] [0 0] point[1] [3 1] ) size [1 1 1] color "red" )
+                """,
+                """
+                define cart position ( size [0.4 0.3 0.2] origin [-0.05 0 0 0]
+                  ranger ( pose [0.1 0 0 10] sensor ( range [0.1 8] fov 270 samples 271 noise [0.001 0 0] ) )
+                  ranger ( sensor ( pose [0.1 0.1 0 37] ) sensor ( pose [0.1 -0.1 0 -37] ) sensor ( range [0 3] ) ) )
+                cart ( name "r0" pose [-2 0 0 33] ctrl "wander" color "random" )
+                cart ( name "r1" pose [2 0 0 180] color "blue" localization "odom" localization_origin [1 2 0 30] )
+                cart ( name "r2" pose [2 2 0.1 270] color "yellow" ctrl "other" )
+                """,
+                """
+                position ( drive "omni" velocity_bounds [-1 2 -0.5 0.5 0 0 -77 90]
+                  acceleration_bounds [-1.1 0.9 -1 1 0 0 -45 45] localization "odom" odom_error [0.02 0.02 0 0.05]
+                  blobfinder ( colors_count 2 colors [ "red" "green" ] image [60 20] fov 70 range 7 pan 11 )
+                  fiducial ( range_max 5 range_max_id 3 fov 123 fiducial_key 2 )
+                  gripper ( pose [0.2 0 0 0] size [0.2 0.3 0.1 ] )
+                  bumper ( bcount 2 bpose[0] [0.2 0 0 0] bpose[1] [-0.2 0 0 180] blength 0.3 )
+                  actuator ( type "rotational" min_position -50 max_position 50 max_speed 30 start_position 7 )
+                  blinkenlight ( period 500 dutycycle 0.3 ) joules 1000 joules_capacity 4000 take_watts 3 )
+                position ( drive "car" wheelbase 0.7 actuator ( axis [1 1 0] ) )
+                """,
+                "define a position ( ) a ( ranger ( sensor ( samples 5 ) ) ) a ( ranger ( sensor ( samples 7 ) ) ) a ( )"
+            })
+    void whatIsThereStays(String world) {
+        assertConverted(stage(Worlds.of(world)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0", "90", "180", "-90", "30"})
+    void imagesStay(String degrees) {
+        StringBuilder drawn = new StringBuilder();
+        for (int row = 0; row < 101; row++) {
+            for (int column = 0; column < 103; column++) {
+                drawn.append((row * 31 + column * 17) % 16 == 0 ? '#' : '.');
+            }
+            drawn.append('\n');
+        }
+        Scene scene =
+                stage(Worlds.of("model ( bitmap \"a.pgm\" size [20.3 17.1 0.8] pose [1.1 2.7 0.1 %s] color \"gray30\" )"
+                                .formatted(degrees))
+                        .andImage("a.pgm", drawn.toString()));
+        assertThat(scene.walls()).hasSize(degrees.equals("30") ? 0 : 1);
+        assertConverted(scene);
+    }
+
+    @Test
+    void robotsOfOneMakeShareTheirModel() {
+        Scene scene = stage(Worlds.of("""
+                define cart position ( ranger ( sensor ( samples 5 ) ) )
+                cart ( color "red" ) cart ( pose [3 0 0 0] color "blue" ) cart ( pose [6 0 0 0] color "random" )
+                """));
+        assertThat(SceneWriter.write(scene, "test").yaml())
+                .containsOnlyOnce("type: laser")
+                .doesNotContain("cart-2");
+    }
+
+    static List<Path> realWorlds() throws IOException {
+        try (Stream<Path> all = Files.walk(Path.of(System.getProperty("rsal.worlds", ".")))) {
+            return all.filter(path -> path.toString().endsWith(".world"))
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("realWorlds")
+    @EnabledIfSystemProperty(named = "rsal.worlds", matches = ".+", disabledReason = "a folder of worlds to try")
+    void realWorldsStay(Path world) {
+        Scene scene;
+        try {
+            scene = new StageFormat().read(world.toString(), FileSource.disk(), 1);
+        } catch (InvalidSettings _) {
+            return; // broken ones can't be converted
+        }
+        assertConverted(scene);
+    }
+}
