@@ -39,6 +39,7 @@ import rsal.settings.Suggestion;
             ListCommand.class,
             ShowCommand.class,
             ValidateCommand.class,
+            ConvertCommand.class,
             DoctorCommand.class,
             BenchCommand.class,
             TestCommand.class

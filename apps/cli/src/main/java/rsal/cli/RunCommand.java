@@ -44,8 +44,8 @@ final class RunCommand extends Subcommand {
             arity = "0..1",
             defaultValue = ScenarioReference.DEFAULT,
             description =
-                    "A built-in scenario ('rsal list'), a file, or a Stage world (FILE.world); ${DEFAULT-VALUE} when"
-                            + " left out.")
+                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, or Stage's FILE.world);"
+                            + " ${DEFAULT-VALUE} when left out.")
     private String scenario = "";
 
     @Option(

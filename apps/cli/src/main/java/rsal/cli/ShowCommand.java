@@ -27,9 +27,9 @@ import rsal.settings.Suggestion;
                         + " and measures), what is in a world, with a picture of it, or what can be set of an agent, a device driver or a back end.")
 final class ShowCommand extends Subcommand {
     @Parameters(
-            paramLabel = "SCENARIO[:CONFIGURATION]|FILE.world|NAME",
+            paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|NAME",
             description =
-                    "A built-in scenario ('rsal list'), a file, or a Stage world (FILE.world); or what 'rsal list agents', 'drivers', 'mas' or"
+                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, or Stage's FILE.world); or what 'rsal list agents', 'drivers', 'mas' or"
                             + " 'mrs' names.")
     private String name = "";
 
@@ -46,7 +46,7 @@ final class ShowCommand extends Subcommand {
             return Exit.SUCCESS;
         }
         if (image != null) {
-            throw new ParameterException(spec.commandLine(), "Only worlds (FILE.world) are drawn.");
+            throw new ParameterException(spec.commandLine(), "Only worlds (FILE.world.yaml, FILE.world) are drawn.");
         }
         List<Kind> all = Kind.all();
         List<Kind> found = all.stream().filter(kind -> kind.name().equals(name)).toList();
@@ -61,7 +61,7 @@ final class ShowCommand extends Subcommand {
     }
 
     private void showWorld() throws IOException {
-        Scene scene = Scenario.load(name).plan(RunOptions.NONE).scene();
+        Scene scene = Scenario.scene(name);
         Path file = Path.of(name).getFileName();
         Path drawn = image != null ? image : Path.of((file == null ? name : file) + ".png");
         try {

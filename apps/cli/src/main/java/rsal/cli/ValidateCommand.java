@@ -11,9 +11,13 @@ import rsal.settings.Problem;
 /// `rsal validate`
 @Command(
         name = "validate",
-        description = "Check scenarios with all their configurations and tell every mistake. Starts nothing.")
+        description =
+                "Check scenarios with all their configurations, and worlds, and tell every mistake. Starts nothing.")
 final class ValidateCommand extends Subcommand {
-    @Parameters(paramLabel = "FILE", arity = "1..*", description = "A scenario's file, or the name of a built-in one.")
+    @Parameters(
+            paramLabel = "FILE",
+            arity = "1..*",
+            description = "A file of a scenario or a world, or the name of a built-in scenario.")
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private List<String> files;
 

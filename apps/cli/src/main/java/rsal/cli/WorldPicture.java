@@ -17,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -28,6 +29,7 @@ import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.Raster;
 import rsal.scene.Scene;
+import rsal.scene.Surface;
 
 /// A world from above: floor plans dark, things and robots in their colors, where robots look as pale fans, and a
 /// bar that tells the scale.
@@ -84,15 +86,24 @@ final class WorldPicture {
             scene.robots().forEach(this::drawFans);
         }
         for (RobotSpec robot : scene.robots()) {
-            Entity body = scene.robotBodies().get(robot.id());
-            if (body != null) {
-                draw(body);
-            }
+            bodyOf(robot).ifPresent(this::draw);
             robot.mapFromBase()
                     .ifPresent(
                             pose -> drawHeading(pose, robot.model().footprint().circumscribedRadius()));
         }
         drawBar();
+    }
+
+    private Optional<Entity> bodyOf(RobotSpec robot) {
+        return Optional.ofNullable(scene.robotBodies().get(robot.id()))
+                .or(() -> robot.mapFromBase()
+                        .map(pose -> new Entity(
+                                robot.id(),
+                                Entity.blocks(
+                                        robot.model().body(),
+                                        Rgb.parse(robot.color()).orElse(Surface.PLAIN.color())),
+                                pose,
+                                0)));
     }
 
     private void draw(Raster raster) {

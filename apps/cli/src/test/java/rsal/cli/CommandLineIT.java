@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -67,7 +68,7 @@ class CommandLineIT {
     void helpGoesToStdout() throws Exception {
         Ended ended = rsal.run("--help");
         assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
-        assertThat(ended.out()).contains("run", "list", "show", "validate", "doctor", "test", "Exit codes");
+        assertThat(ended.out()).contains("run", "list", "show", "validate", "convert", "doctor", "test", "Exit codes");
         assertThat(ended.err()).isEmpty();
     }
 
@@ -423,6 +424,17 @@ class CommandLineIT {
         assertThat(prey.get("max").isNull()).isTrue();
     }
 
+    private static Set<Integer> colors(Path image) throws IOException {
+        BufferedImage drawn = ImageIO.read(image.toFile());
+        var colors = new HashSet<Integer>();
+        for (int x = 0; x < drawn.getWidth(); x++) {
+            for (int y = 0; y < drawn.getHeight(); y++) {
+                colors.add(drawn.getRGB(x, y) & 0xffffff);
+            }
+        }
+        return colors;
+    }
+
     @Test
     void showTellsWhatIsInAWorldAndDrawsIt() throws Exception {
         Files.writeString(folder.resolve("hall.world"), """
@@ -447,21 +459,129 @@ class CommandLineIT {
                 .contains("hall", "cart", "1 × differential", "LaserScanner", "wander", "(colour)", "hall.world.png");
         assertThat(shown.get("things").intValue()).isEqualTo(3);
         assertThat(shown.get("robots").get(0).get("ids").get(0).stringValue()).isEqualTo("c1");
-        BufferedImage drawn = ImageIO.read(folder.resolve("drawn.png").toFile());
-        var colors = new HashSet<Integer>();
-        for (int x = 0; x < drawn.getWidth(); x++) {
-            for (int y = 0; y < drawn.getHeight(); y++) {
-                colors.add(drawn.getRGB(x, y) & 0xffffff);
-            }
-        }
+        var colors = colors(folder.resolve("drawn.png"));
         assertThat(colors).contains(0xff0000, 0xffa500, 0x4d4d4d, 0xffffff);
-        assertThat(ImageIO.read(folder.resolve("hall.world.png").toFile()).getWidth())
-                .isEqualTo(drawn.getWidth());
+        assertThat(colors(folder.resolve("hall.world.png"))).isEqualTo(colors);
         assertThat(rsal.run("show", "guard.yaml", "--image", "x.png").code()).isEqualTo(Exit.USAGE);
         Ended missing = rsal.run("show", "hull.world");
         assertThat(missing.code()).isEqualTo(Exit.INVALID);
         assertThat(missing.err()).contains("There is no file (hull.world)");
         assertThat(folder.resolve("hull.world.png")).doesNotExist();
+    }
+
+    private static final String YARD = """
+            rsal: 1
+            title: yard
+            walls: [{line: [[-4, -3], [4, -3], [4, 3], [-4, 3]], closed: true}]
+            things: {crate: {pose: [2, 1, 30], body: {length: 0.6, width: 0.6}, color: "#ff0000"}}
+            robots: {r0: {model: pioneer2dx, pose: [-2, 0, 0], color: "#ffa500", program: wander}}
+            """;
+
+    @Test
+    void aWorldInYamlIsShownCheckedAndRun() throws Exception {
+        Files.writeString(folder.resolve("yard.world.yaml"), YARD);
+        Files.writeString(folder.resolve("wrong.world.yaml"), YARD.replace("color:", "colour:"));
+        Files.writeString(folder.resolve("visit.yaml"), """
+                rsal: 1
+                scenario: visit
+                world: {file: yard.world.yaml}
+                agents: {roam: {type: wander, robot: r0}}
+                """);
+        Ended shown = rsal.run("show", "yard.world.yaml", "--image", "yard.png");
+        Ended checked = rsal.run("validate", "yard.world.yaml", "wrong.world.yaml", "visit.yaml");
+        Ended run = rsal.run("run", "yard.world.yaml", "--headless", "--for", "20", "--speed", "max", "--json");
+        Ended again = rsal.run("run", "yard.world.yaml", "--headless", "--for", "20", "--speed", "max", "--json");
+
+        assertThat(shown.out()).contains("yard", "1 × differential", "SonarArray", "wander", "yard.png");
+        var colors = colors(folder.resolve("yard.png"));
+        assertThat(colors).contains(0xff0000, 0xffa500, 0x808080);
+        assertThat(checked.code()).isEqualTo(Exit.INVALID);
+        assertThat(checked.out())
+                .contains("yard.world.yaml: right", "visit.yaml: right")
+                .contains("wrong.world.yaml:4:69: (colour) is not known in (things.crate).", "Maybe (color)");
+        assertThat(run.code()).isZero();
+        assertThat(JsonMapper.shared().readTree(run.out()).get("eventHash"))
+                .isEqualTo(JsonMapper.shared().readTree(again.out()).get("eventHash"));
+    }
+
+    private static final String STAGE = """
+            name "hall"
+            define cart position (
+                size [0.5 0.4 0.3] ranger ( pose [0.1 0 0 20] sensor ( range [0 4] fov 177 samples 90 noise [0.001 0 0] ) )
+                localization "odom" odom_error [0.03 0 0 0.05]
+            )
+            model ( name "plan" bitmap "plan.png" size [12 11 1] color "gray30" )
+            model ( name "crate" color "red" size [0.6 0.6 0.5] pose [2 1 0 33] )
+            cart ( name "c1" pose [-2 0 0 77] ctrl "wander" colour 3 )
+            cart ( name "c2" pose [-2 2 0 -120] ctrl "wander" )
+            """;
+
+    private void writeStageWorld() throws IOException {
+        Files.writeString(folder.resolve("hall.world"), STAGE);
+        var plan = new BufferedImage(120, 110, BufferedImage.TYPE_BYTE_GRAY);
+        for (int x = 0; x < plan.getWidth(); x++) {
+            for (int y = 0; y < plan.getHeight(); y++) {
+                boolean border = Math.min(Math.min(x, y), Math.min(119 - x, 109 - y)) < 2 + x % 3;
+                plan.setRGB(x, y, border ? 0 : 0xffffff);
+            }
+        }
+        ImageIO.write(plan, "png", folder.resolve("plan.png").toFile());
+    }
+
+    @Test
+    void convertWritesTheSameWorldInYaml() throws Exception {
+        writeStageWorld();
+        Ended converted = rsal.run("convert", "hall.world");
+        assertThat(converted.code()).as(converted.err()).isZero();
+        assertThat(converted.out()).contains("hall.world.yaml: 1 things, 2 robots", "hall-1.png");
+        assertThat(converted.err()).contains("hall.world:8:", "(colour)");
+        assertThat(folder.resolve("hall.world.yaml")).content().contains("title: hall", "crate:", "program: wander");
+
+        JsonNode stage = JsonMapper.shared()
+                .readTree(rsal.run("run", "hall.world", "--headless", "--for", "30", "--speed", "max", "--json")
+                        .out());
+        JsonNode own = JsonMapper.shared()
+                .readTree(rsal.run("run", "hall.world.yaml", "--headless", "--for", "30", "--speed", "max", "--json")
+                        .out());
+        assertThat(own.get("eventHash")).isEqualTo(stage.get("eventHash"));
+    }
+
+    @Test
+    void convertOverwritesNothingUnlessItIsTold() throws Exception {
+        writeStageWorld();
+        Path image = Files.writeString(folder.resolve("own-1.png"), "precious");
+        Ended refused = rsal.run("convert", "hall.world", "own.world.yaml");
+        assertThat(refused.code()).isEqualTo(Exit.INVALID);
+        assertThat(refused.err()).contains("own-1.png", "there already", "--force");
+        assertThat(folder.resolve("own.world.yaml")).doesNotExist();
+        assertThat(image).hasContent("precious");
+
+        Ended forced = rsal.run("convert", "hall.world", "own.world.yaml", "--force", "--json");
+        JsonNode told = JsonMapper.shared().readTree(forced.out());
+        assertThat(told.get("files").get(1).stringValue()).isEqualTo("own-1.png");
+        assertThat(told.get("warnings").get(0).get("line").intValue()).isEqualTo(8);
+        assertThat(ImageIO.read(image.toFile()).getWidth()).isEqualTo(120);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            convert                              | 2 | FILE.world
+            convert none.world                   | 3 | There is no file (none.world)
+            convert broken.world                 | 3 | broken.world:1:
+            convert guard.yaml                   | 3 | no world that can be converted
+            convert good.world out.yaml          | 2 | must end with .world.yaml
+            convert good.world no/out.world.yaml | 5 | can't be written
+            """)
+    void convertLeavesNothingBehindWhenItFails(String typed, int code, String expected) throws Exception {
+        Files.writeString(folder.resolve("broken.world"), "model ( size [1 2] )");
+        Files.writeString(folder.resolve("good.world"), "model ( )");
+        Ended ended = rsal.run(typed.split(" "));
+        assertThat(ended.code()).isEqualTo(code);
+        assertThat(ended.err()).contains(expected);
+        try (var files = Files.list(folder)) {
+            assertThat(files.map(file -> file.getFileName().toString()))
+                    .containsExactlyInAnyOrder("guard.yaml", "broken.world", "good.world");
+        }
     }
 
     @ParameterizedTest

@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import rsal.scene.Scene;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -78,6 +79,18 @@ public final class Scenario {
     /// Whether files of this name are worlds, which can be run as they are: [#load] makes a scenario of them.
     public static boolean isWorld(String name) {
         return Catalog.installed().formatOf(name).isPresent();
+    }
+
+    /// What is in a world, as a run with the seed 1 finds it.
+    ///
+    /// @param path of a file that [#isWorld]
+    /// @throws InvalidSettings with its mistakes
+    public static Scene scene(String path) {
+        var seeds = new Seeds((Long) Format.SEED.fallback().orElseThrow());
+        return Catalog.installed()
+                .formatOf(path)
+                .orElseThrow(() -> new IllegalArgumentException("(%s) is no world.".formatted(path)))
+                .read(path, FileSource.disk(), seeds.of("world"));
     }
 
     /// A world with nothing but what is in it.
