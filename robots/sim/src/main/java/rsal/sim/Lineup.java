@@ -34,6 +34,7 @@ final class Lineup {
     private final Things things = new Things();
     private final Seeds seeds;
     private final Map<Double, FreeSpace> spaces = new HashMap<>(); // by clearance
+    private final Map<List<Block>, List<Chunk>> chunks = new HashMap<>();
     private final Map<String, Body> bodies = new LinkedHashMap<>(); // by robot
     private final List<Problem> problems = new ArrayList<>();
 
@@ -44,7 +45,7 @@ final class Lineup {
         this.seeds = seeds;
         for (Entity thing : scene.things()) {
             things.add(
-                    world.add(thing.name(), Chunk.of(thing.blocks()), thing.mapFromEntity(), thing.height()),
+                    world.add(thing.name(), chunks(thing.blocks()), thing.mapFromEntity(), thing.height()),
                     thing.blocks(),
                     0);
         }
@@ -53,7 +54,7 @@ final class Lineup {
             if (known != null) {
                 Body body = world.add(
                         robot.id(),
-                        Chunk.of(known.blocks()),
+                        chunks(known.blocks()),
                         robot.mapFromBase().orElse(known.mapFromEntity()),
                         known.height());
                 bodies.put(robot.id(), body);
@@ -77,8 +78,13 @@ final class Lineup {
                 map.originY() + map.height() * map.resolution());
     }
 
-    private static List<Chunk> chunks(RobotSpec robot) {
-        return Chunk.of(blocks(robot));
+    private List<Chunk> chunks(RobotSpec robot) {
+        return chunks(blocks(robot));
+    }
+
+    /// Those of bodies that are alike are the same.
+    private List<Chunk> chunks(List<Block> blocks) {
+        return chunks.computeIfAbsent(blocks, Chunk::of);
     }
 
     private static List<Block> blocks(RobotSpec robot) {

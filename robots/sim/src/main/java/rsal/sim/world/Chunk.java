@@ -19,15 +19,15 @@ public sealed interface Chunk {
 
     Surface surface();
 
-    /// @param corners of a convex outline, counter-clockwise; some may be in a line, none twice
-    record Prism(List<Point2d> corners, double bottom, double top, Surface surface) implements Chunk {}
+    record Prism(Outline outline, double bottom, double top, Surface surface) implements Chunk {}
 
     /// @param radius [m]
     record Cylinder(Point2d center, double radius, double bottom, double top, Surface surface) implements Chunk {}
 
     /// A body of one outline that is of every height.
     static List<Chunk> of(Footprint outline) {
-        return List.of(new Prism(outline.corners(), Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Surface.PLAIN));
+        var all = new Outline(outline.corners());
+        return List.of(new Prism(all, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Surface.PLAIN));
     }
 
     /// What a body's blocks are made of.
@@ -41,7 +41,7 @@ public sealed interface Chunk {
                     chunks.add(new Cylinder(disc.center(), disc.radius(), bottom, top, block.surface()));
                 case Shape.Polygon polygon -> {
                     for (List<Point2d> part : Convex.small(polygon.corners())) {
-                        chunks.add(new Prism(part, bottom, top, block.surface()));
+                        chunks.add(new Prism(new Outline(part), bottom, top, block.surface()));
                     }
                 }
             }

@@ -19,7 +19,8 @@ public final class Feeler {
         List<Point2d> corners = Footprint.box(DEPTH, length, new Point2d(DEPTH / 2, 0)).corners().stream()
                 .map(baseFromLine::transform)
                 .toList();
-        figure = new Figure(List.of(new Chunk.Prism(corners, height - DEPTH / 2, height + DEPTH / 2, Surface.PLAIN)));
+        var box = new Outline(corners);
+        figure = new Figure(List.of(new Chunk.Prism(box, height - DEPTH / 2, height + DEPTH / 2, Surface.PLAIN)));
     }
 
     /// Whether it feels something where all are now.

@@ -25,11 +25,7 @@ final class Figure {
             farthest = Math.max(
                     farthest,
                     switch (chunk) {
-                        case Chunk.Prism prism ->
-                            prism.corners().stream()
-                                    .mapToDouble(corner -> Math.hypot(corner.x(), corner.y()))
-                                    .max()
-                                    .orElseThrow();
+                        case Chunk.Prism prism -> prism.outline().farthest;
                         case Chunk.Cylinder c ->
                             Math.hypot(c.center().x(), c.center().y()) + c.radius();
                     });

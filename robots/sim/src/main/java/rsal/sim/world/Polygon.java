@@ -1,20 +1,10 @@
 package rsal.sim.world;
 
-import java.util.List;
-import rsal.data.Point2d;
-
-/// A convex polygon as corners and as half planes, of which each edge's outward normal and offset make one. Flat
-/// arrays, as all rays and collision checks look at them.
+/// A convex polygon, placed somewhere. Flat arrays, as all rays and collision checks look at them.
 final class Polygon extends Piece {
+    private final Outline outline;
     private final int count;
-    private final double middleX; // in the base frame
-    private final double middleY;
     private final double radius;
-    private final double[] bodyX;
-    private final double[] bodyY;
-    private final double[] bodyNormalX;
-    private final double[] bodyNormalY;
-    private final double[] bodyOffset;
 
     private double x;
     private double y;
@@ -30,57 +20,32 @@ final class Polygon extends Piece {
 
     Polygon(Chunk.Prism prism) {
         super(prism);
-        List<Point2d> corners = prism.corners();
-        count = corners.size();
-        bodyX = new double[count];
-        bodyY = new double[count];
-        bodyNormalX = new double[count];
-        bodyNormalY = new double[count];
-        bodyOffset = new double[count];
+        outline = prism.outline();
+        count = outline.count;
+        radius = outline.radius;
         cornerX = new double[count];
         cornerY = new double[count];
         normalX = new double[count];
         normalY = new double[count];
         offset = new double[count];
-        double left = Double.POSITIVE_INFINITY;
-        double bottom = Double.POSITIVE_INFINITY;
-        double right = Double.NEGATIVE_INFINITY;
-        double top = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < count; i++) {
-            Point2d from = corners.get(i);
-            Point2d to = corners.get((i + 1) % count);
-            double length = from.distanceTo(to);
-            bodyX[i] = from.x();
-            bodyY[i] = from.y();
-            bodyNormalX[i] = (to.y() - from.y()) / length;
-            bodyNormalY[i] = (from.x() - to.x()) / length;
-            bodyOffset[i] = bodyNormalX[i] * from.x() + bodyNormalY[i] * from.y();
-            left = Math.min(left, from.x());
-            bottom = Math.min(bottom, from.y());
-            right = Math.max(right, from.x());
-            top = Math.max(top, from.y());
-        }
-        middleX = (left + right) / 2;
-        middleY = (bottom + top) / 2;
-        var middle = new Point2d(middleX, middleY);
-        radius = corners.stream().mapToDouble(middle::distanceTo).max().orElseThrow();
         place(0, 0, 1, 0);
     }
 
     @Override
     void place(double baseX, double baseY, double cos, double sin) {
-        x = baseX + cos * middleX - sin * middleY;
-        y = baseY + sin * middleX + cos * middleY;
+        x = baseX + cos * outline.middleX - sin * outline.middleY;
+        y = baseY + sin * outline.middleX + cos * outline.middleY;
         minX = Double.POSITIVE_INFINITY;
         minY = Double.POSITIVE_INFINITY;
         maxX = Double.NEGATIVE_INFINITY;
         maxY = Double.NEGATIVE_INFINITY;
+        Outline body = outline;
         for (int i = 0; i < count; i++) {
-            cornerX[i] = baseX + cos * bodyX[i] - sin * bodyY[i];
-            cornerY[i] = baseY + sin * bodyX[i] + cos * bodyY[i];
-            normalX[i] = cos * bodyNormalX[i] - sin * bodyNormalY[i];
-            normalY[i] = sin * bodyNormalX[i] + cos * bodyNormalY[i];
-            offset[i] = bodyOffset[i] + normalX[i] * baseX + normalY[i] * baseY;
+            cornerX[i] = baseX + cos * body.x[i] - sin * body.y[i];
+            cornerY[i] = baseY + sin * body.x[i] + cos * body.y[i];
+            normalX[i] = cos * body.normalX[i] - sin * body.normalY[i];
+            normalY[i] = sin * body.normalX[i] + cos * body.normalY[i];
+            offset[i] = body.offset[i] + normalX[i] * baseX + normalY[i] * baseY;
             minX = Math.min(minX, cornerX[i]);
             minY = Math.min(minY, cornerY[i]);
             maxX = Math.max(maxX, cornerX[i]);

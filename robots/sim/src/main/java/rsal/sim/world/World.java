@@ -231,9 +231,16 @@ public final class World {
     /// As [#advance], of which others do not know yet.
     double sweep(Body body, Arc arc) {
         double way = arc.longestWay(body.figure.radius());
-        double reach = Math.clamp(way, HAIR, LOOK_AHEAD);
-        double made = way > 0 ? 0 : 1;
-        double free = made < 1 ? clearance(body.figure, body, reach) : 0;
+        if (way == 0) {
+            return 1;
+        }
+        double reach = Math.min(way + HAIR, LOOK_AHEAD);
+        double free = clearance(body.figure, body, reach);
+        if (free >= way + HAIR) { // as most are
+            body.figure.placeAt(arc.at(1), body.height());
+            return 1;
+        }
+        double made = 0;
         while (made < 1) {
             double step =
                     Math.min(1 - made, (Math.max(0, free) + HAIR) / way); // less than 0 if it was put into something

@@ -66,6 +66,6 @@ class FeelerTest {
     }
 
     private static Chunk bar(double bottom, Surface surface) {
-        return new Chunk.Prism(BOX.corners(), bottom, bottom + 0.2, surface);
+        return new Chunk.Prism(new Outline(BOX.corners()), bottom, bottom + 0.2, surface);
     }
 }

@@ -48,8 +48,8 @@ final class RandomWorld {
                     random.nextBoolean()
                             ? new Chunk.Cylinder(center, random.nextDouble(0.05, 0.3), bottom, bottom + 0.7, surface)
                             : new Chunk.Prism(
-                                    Footprint.box(random.nextDouble(0.05, 0.5), 0.2, center)
-                                            .corners(),
+                                    new Outline(Footprint.box(random.nextDouble(0.05, 0.5), 0.2, center)
+                                            .corners()),
                                     bottom,
                                     bottom + 0.7,
                                     surface));
