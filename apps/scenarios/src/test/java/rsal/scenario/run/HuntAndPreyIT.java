@@ -11,10 +11,12 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 
@@ -94,6 +96,35 @@ class HuntAndPreyIT {
         }
         assertThat(caught).hasSizeGreaterThanOrEqualTo(5);
         assertThat(lost).hasSizeGreaterThan(1).isSubsetOf("hunter-1", "hunter-2", "hunter-3");
+    }
+
+    @Test
+    void theHuntGoesOnWhenRobotsThatOthersKnowAreRemovedAndOthersCome() throws InterruptedException {
+        var options = RunOptions.NONE.withSeed(3).withSpeed(20).withLimit(Duration.ofSeconds(40));
+        try (var run = LiveRun.start(HUNT.plan(options))) {
+            after(run, 5);
+            var added = run.addRobot("hunter-1", new Pose2d(0, -1, 0));
+            assertThat(added.toCompletableFuture().join()).isEqualTo(new Answer.Added("hunter-3"));
+            after(run, 10);
+            var removed = run.remove("hunter-1");
+            assertThat(removed.toCompletableFuture().join()).isEqualTo(new Answer.Done());
+            after(run, 20);
+            var gone = run.remove("prey-1");
+            assertThat(gone.toCompletableFuture().join()).isEqualTo(new Answer.Done());
+            assertThat(Runs.result(run).outcome()).isEqualTo("limit");
+            assertThat(run.events(0)).extracting(RunEvent::kind).doesNotContain("fault", "health");
+            assertThat(run.snapshot().robots()).extracting(RobotView::id).containsExactly("hunter-2", "hunter-3");
+        }
+    }
+
+    private static void after(LiveRun run, int seconds) throws InterruptedException {
+        while (run.snapshot().time().toSeconds() < seconds) {
+            var news = new CountDownLatch(1);
+            try (var _ = run.onSnapshot(news::countDown)) {
+                run.snapshot();
+                news.await();
+            }
+        }
     }
 
     @Test
