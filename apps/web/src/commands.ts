@@ -1,5 +1,7 @@
 import { access } from './api/access.svelte';
 import { api } from './api/client';
+import type { RobotPose } from './api/messages';
+import { driving } from './driving/driving.svelte';
 import { live } from './live/live.svelte';
 import { attempt } from './notices.svelte';
 import { WantedSpeed } from './wantedspeed';
@@ -21,6 +23,14 @@ export const commands = {
   /** @returns whether it will */
   speed: (factor: string) => wanted.set(factor),
 };
+
+/** Sends a robot somewhere, which ends this page's driving it. */
+export async function send(to: RobotPose): Promise<void> {
+  if (driving.robot === to.robot) {
+    await driving.letGo();
+  }
+  await attempt(api.goal(to));
+}
 
 function change(direction: 1 | -1) {
   if (mayAct()) {

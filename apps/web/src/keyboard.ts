@@ -9,6 +9,7 @@ export type Action =
         | 'slower'
         | 'goal'
         | 'follow'
+        | 'drive'
         | 'fit'
         | 'menu'
         | 'restart'
@@ -31,6 +32,11 @@ export const keys: [string, string][] = [
   ['1 … 9', 'select a robot'],
   ['G', 'send the selected robot: click on the map, drag for its heading'],
   ['F', 'follow the selected robot'],
+  ['K', 'drive the selected robot by keys, or let go of it'],
+  [
+    'W A S D',
+    'while driving: ahead, left, back, right; the arrows do the same, Q and E go sideways, Shift goes fast',
+  ],
   ['← ↑ ↓ →', 'move the map'],
   ['I  O', 'zoom in, out'],
   ['0', 'show the whole map'],
@@ -52,6 +58,7 @@ const actions: Record<string, Action> = {
   '-': { kind: 'slower' },
   g: { kind: 'goal' },
   f: { kind: 'follow' },
+  k: { kind: 'drive' },
   '0': { kind: 'fit' },
   i: { kind: 'zoom', factor: ZOOM },
   o: { kind: 'zoom', factor: 1 / ZOOM },
@@ -68,13 +75,18 @@ const actions: Record<string, Action> = {
 type Pressed = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'target'>;
 
 export function actionOf(event: Pressed): Action | null {
-  if (event.ctrlKey || event.metaKey || event.altKey || takesKeys(event.target, event.key)) {
+  if (!isOurs(event)) {
     return null;
   }
   if (event.key >= '1' && event.key <= '9' && event.key.length === 1) {
     return { kind: 'select', robot: Number(event.key) - 1 };
   }
   return actions[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;
+}
+
+/** Whether a key means something to the page, and not to the browser or to what has the focus. */
+export function isOurs(event: Pressed): boolean {
+  return !(event.ctrlKey || event.metaKey || event.altKey || takesKeys(event.target, event.key));
 }
 
 /** Whether the focused element needs the key itself. */

@@ -124,6 +124,29 @@ export const texts = {
     health: { OK: 'works', STALE: 'stale', LOST: 'lost' },
     none: 'There are no robots in this run.',
   },
+  driving: {
+    drive: 'Drive by keys',
+    driveHint: 'Take it from its agents and drive it by W A S D, the arrows or the pad',
+    letGo: 'Let go',
+    hint: (robot: string, sideways: boolean) =>
+      `You drive ${robot}: W A S D or arrows${sideways ? ', Q E sideways' : ''}. Shift goes fast, Esc lets go.`,
+    pad: 'Pad to drive with: drag it to where the robot shall go',
+    speed: 'Speed',
+    speedLabel: 'Part of its full speed',
+    left: 'To the left',
+    right: 'To the right',
+    behavior: 'Behavior',
+    none: 'none',
+    byAgent: 'as its agent wants',
+    behaviors: { stand: 'stand still', wander: 'wander', 'wall-follow': 'follow the wall' } as Record<
+      string,
+      string
+    >,
+    byOther: 'Another page drives it.',
+    noGoal: (why: string) => `It can't be sent anywhere. ${why}`,
+    noBehavior: (why: string) => `It can't be given a behavior that moves it. ${why}`,
+    inCharge: (mine: boolean) => (mine ? 'you, by keys' : 'keys'),
+  },
   agents: {
     title: 'Agents',
     sent: (count: number) => `${count} messages`,

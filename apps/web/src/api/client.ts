@@ -1,4 +1,17 @@
-import type { Added, Addition, Mistake, Plan, Refused, Restart, RobotPose, RunInfo } from './messages';
+import type {
+  Abilities,
+  Added,
+  Addition,
+  Drive,
+  Mistake,
+  Order,
+  Plan,
+  Refused,
+  Release,
+  Restart,
+  RobotPose,
+  RunInfo,
+} from './messages';
 import { access } from './access.svelte';
 
 /** The server understood, and will not; `problems` says what is wrong with settings. */
@@ -23,6 +36,10 @@ export const api = {
   addRobot: (wish: RobotPose) => post('add-robot', wish) as Promise<Added>,
   remove: (name: string) => post('remove', { name }),
   goal: (to: RobotPose) => post('goal', to),
+  abilities,
+  drive: (wish: Drive) => post('drive', wish),
+  release: (wish: Release) => post('release', wish, true),
+  behavior: (wish: Order) => post('behavior', wish),
   emergencyStop: () => post('estop'),
   rearm: () => post('rearm'),
   check: (wish: Restart) => post('check', wish) as Promise<Plan>,
@@ -30,13 +47,15 @@ export const api = {
   map,
 };
 
-async function post(command: string, body: object = {}): Promise<unknown> {
+/** @param evenAtTheEnd also when the page is about to be left */
+async function post(command: string, body: object = {}, evenAtTheEnd = false): Promise<unknown> {
   let response: Response;
   try {
     response = await fetch(`/api/run/${command}`, {
       method: 'POST',
       headers: { 'Content-Type': 'application/json', Authorization: `Bearer ${access.token ?? ''}` },
       body: JSON.stringify(body),
+      keepalive: evenAtTheEnd,
     });
   } catch {
     throw new RefusedError('The server does not answer.', []);
@@ -50,6 +69,16 @@ async function post(command: string, body: object = {}): Promise<unknown> {
     throw new RefusedError(refused.message, refused.problems);
   }
   return answer;
+}
+
+/** What a robot can be told to do; null when nobody knows any more. */
+async function abilities(robot: string): Promise<Abilities | null> {
+  try {
+    const response = await fetch(`/api/abilities?robot=${encodeURIComponent(robot)}`);
+    return response.ok ? ((await response.json()) as Abilities) : null;
+  } catch {
+    return null;
+  }
 }
 
 /** A byte a cell, row by row from the lower left one. */

@@ -1,0 +1,307 @@
+import { fileURLToPath } from 'node:url';
+import { AxeBuilder } from '@axe-core/playwright';
+import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { chromium, flags } from './chromium';
+import { Rsal } from './rsal';
+
+const WORLD = fileURLToPath(new URL('driving.world', import.meta.url));
+
+describe.skipIf(!chromium)('robots of a world', () => {
+  let rsal: Rsal;
+  let browser: Browser | undefined;
+  let contexts: BrowserContext[] = [];
+  let faults: string[] = [];
+  let page: Page;
+
+  beforeAll(async () => {
+    [rsal, browser] = await Promise.all([
+      Rsal.run(WORLD, '--port', '0'),
+      driver.launch({ executablePath: chromium!, args: flags }),
+    ]);
+  });
+
+  afterAll(async () => {
+    await browser?.close();
+    await Rsal.endAll();
+  });
+
+  beforeEach(async () => {
+    faults = [];
+    await rsal.post('restart');
+    page = await open(rsal);
+  });
+
+  afterEach(async () => {
+    await Promise.all(contexts.map((context) => context.close()));
+    contexts = [];
+    expect(faults).toEqual([]);
+  });
+
+  async function open(of: Rsal, options: Parameters<Browser['newContext']>[0] = {}): Promise<Page> {
+    const context = await browser!.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+    contexts.push(context);
+    const opened = await context.newPage();
+    opened.on('pageerror', (error) => faults.push(error.message));
+    await opened.goto(of.url);
+    await opened.locator('tr[data-robot][data-x]').first().waitFor();
+    return opened;
+  }
+
+  const row = (robot: string, of = page) => of.locator(`tr[data-robot="${robot}"]`);
+
+  async function select(robot: string, of = page) {
+    const button = row(robot, of).getByRole('button');
+    if ((await button.getAttribute('aria-expanded')) !== 'true') {
+      await button.click();
+    }
+    await of.getByLabel('Behavior').waitFor();
+    await eventually(() => of.getByLabel('Behavior').isEnabled(), 'what it can do is known');
+  }
+
+  async function pose(robot: string) {
+    const [x, y, heading] = await Promise.all(
+      ['data-x', 'data-y', 'data-heading'].map(async (name) => Number(await row(robot).getAttribute(name))),
+    );
+    return { x: x!, y: y!, heading: heading! };
+  }
+
+  async function eventually(holds: () => Promise<boolean>, what: string) {
+    for (let tries = 0; tries < 300; tries++) {
+      if (await holds()) {
+        return;
+      }
+      await page.waitForTimeout(100);
+    }
+    throw new Error(`It never came true that ${what}.`);
+  }
+
+  async function moved(robot: string, by = 0.2) {
+    const before = await pose(robot);
+    await eventually(async () => {
+      const now = await pose(robot);
+      return Math.hypot(now.x - before.x, now.y - before.y) > by;
+    }, `${robot} moves`);
+  }
+
+  async function stands(robot: string) {
+    let before = await pose(robot);
+    await eventually(async () => {
+      await page.waitForTimeout(400);
+      const now = await pose(robot);
+      const same = now.x === before.x && now.y === before.y && now.heading === before.heading;
+      before = now;
+      return same;
+    }, `${robot} stands`);
+  }
+
+  async function take(robot: string) {
+    await select(robot);
+    await page.keyboard.press('k');
+    await page.getByText(`You drive ${robot}`).waitFor();
+  }
+
+  async function happened(text: string | RegExp, of = page) {
+    await of.locator('li', { hasText: text }).first().waitFor();
+  }
+
+  it('are driven by keys, for as long as these are pressed', async () => {
+    await take('idle');
+    const start = await pose('idle');
+    await page.keyboard.down('w');
+    await moved('idle');
+    await page.keyboard.up('w');
+    await stands('idle');
+    expect((await pose('idle')).x).toBeGreaterThan(start.x);
+    await row('idle').getByText('you, by keys').waitFor();
+    const { heading } = await pose('idle');
+    await page.keyboard.down('ArrowLeft');
+    await eventually(async () => (await pose('idle')).heading > heading + 0.3, 'it turns left');
+    await page.keyboard.up('ArrowLeft');
+    await happened('driven by keys');
+    await happened('(0.30, 0.00) m/s');
+    await page.keyboard.press('Escape');
+    await page.getByText('You drive idle').waitFor({ state: 'hidden' });
+    await happened('no longer driven by keys');
+    const map = page.locator('#map');
+    const before = Number(await map.getAttribute('data-origin-x'));
+    await page.keyboard.press('ArrowLeft'); // moves the map again
+    expect(Number(await map.getAttribute('data-origin-x'))).toBeCloseTo(before + 60);
+  });
+
+  it('that have agents are taken over and given back', async () => {
+    await take('roamer');
+    await stands('roamer');
+    await page.keyboard.press('k');
+    await moved('roamer');
+  });
+
+  it('go sideways when they can', async () => {
+    await take('glider');
+    const start = await pose('glider');
+    await page.keyboard.down('q');
+    await eventually(async () => (await pose('glider')).x < start.x - 0.3, 'it has gone to its left');
+    await page.keyboard.up('q');
+    await stands('glider');
+    expect((await pose('glider')).y).toBeCloseTo(start.y, 1);
+  });
+
+  it.each([
+    ['the page loses the focus', async () => page.evaluate(() => window.dispatchEvent(new Event('blur')))],
+    [
+      'the tab is hidden',
+      async () =>
+        page.evaluate(() => {
+          Object.defineProperty(document, 'hidden', { get: () => true });
+          document.dispatchEvent(new Event('visibilitychange'));
+        }),
+    ],
+    ['nothing gets through any more', async () => page.route('**/api/run/drive', () => {})],
+    ['the page is closed', async () => page.close()],
+  ])('stop when %s', async (_, happens) => {
+    const other = await open(rsal);
+    await take('idle');
+    await page.keyboard.down('w');
+    await moved('idle');
+    await happens();
+    page = other;
+    await stands('idle');
+  });
+
+  it('stop in an emergency, and wait until all keys were released', async () => {
+    await take('idle');
+    await page.keyboard.down('w');
+    await moved('idle');
+    await page.keyboard.press('F8');
+    await page.getByText('all robots are disabled').waitFor();
+    await stands('idle');
+    await page.getByRole('button', { name: 'Re-arm' }).click();
+    await page.getByText('all robots are disabled').waitFor({ state: 'hidden' });
+    await stands('idle');
+    await page.keyboard.up('w');
+    await page.keyboard.down('w');
+    await moved('idle');
+    await page.keyboard.up('w');
+  });
+
+  it('are driven by one page at a time, and all see it', async () => {
+    const other = await open(rsal);
+    await select('idle', other);
+    await take('idle');
+    await row('idle', other).getByText('keys', { exact: true }).waitFor();
+    await other.getByText('Another page drives it.').waitFor();
+    expect(await other.getByRole('button', { name: 'Drive by keys' }).isDisabled()).toBe(true);
+    await page.getByRole('button', { name: 'Let go' }).click();
+    await other.getByText('Another page drives it.').waitFor({ state: 'hidden' });
+  });
+
+  it('are driven by a finger on the pad, as fast as the slider says', async () => {
+    await take('idle');
+    await page.getByLabel('Part of its full speed').fill('100');
+    await page.waitForTimeout(300); // the map's bar may still wrap
+    const pad = (await page.getByTestId('pad').boundingBox())!;
+    const middle = { x: pad.x + pad.width / 2, y: pad.y + pad.height / 2 };
+    await page.mouse.move(middle.x, middle.y);
+    await page.mouse.down();
+    await page.mouse.move(middle.x, pad.y + 2);
+    await moved('idle');
+    await happened('(0.60, 0.00) m/s');
+    await page.mouse.up();
+    await stands('idle');
+  });
+
+  it('are given behaviors', async () => {
+    await select('idle');
+    await page.getByLabel('Behavior').selectOption('wander');
+    await moved('idle', 0.5);
+    await happened('told to wander');
+    expect(await page.getByLabel('Behavior').inputValue()).toBe('wander');
+    await page.getByLabel('Behavior').selectOption('follow the wall');
+    await happened('told to wall-follow');
+    await page.getByLabel('Behavior').selectOption('none');
+    await stands('idle');
+    await select('roamer');
+    await page.getByLabel('Behavior').selectOption('stand still');
+    await stands('roamer');
+    await page.getByLabel('Behavior').selectOption('as its agent wants');
+    await moved('roamer');
+  });
+
+  it.each(['idle', 'roamer', 'glider'])('are sent somewhere: %s', async (robot) => {
+    await select(robot);
+    const map = page.locator('#map');
+    const box = (await map.boundingBox())!;
+    const [scale, originX, originY] = await Promise.all(
+      ['data-scale', 'data-origin-x', 'data-origin-y'].map(async (name) =>
+        Number(await map.getAttribute(name)),
+      ),
+    );
+    await page.getByRole('button', { name: 'Send on the map' }).click();
+    await page.mouse.click(box.x + originX!, box.y + originY! - 2 * scale!); // (0, 2)
+    await happened('sent to (');
+    await row(robot).getByText('navigator').waitFor();
+    await rsal.post('speed', { factor: '8' });
+    await happened(/is at \((-0|0)\.\d\d, [12]\.\d\d/);
+    await rsal.post('speed', { factor: '1' });
+  });
+
+  it('say what they cannot do', async () => {
+    await select('blind');
+    await page.getByText("It can't be sent anywhere. It has no sensor that measures ranges").waitFor();
+    await page.getByText("It can't be given a behavior that moves it.").waitFor();
+    expect(await page.getByRole('button', { name: 'Send on the map' }).isDisabled()).toBe(true);
+    expect(await page.getByLabel('Behavior').locator('option').allInnerTexts()).toEqual([
+      'none',
+      'stand still',
+    ]);
+    await take('blind');
+    await page.keyboard.down('w');
+    await moved('blind');
+    await page.keyboard.up('w');
+  });
+
+  it('cannot be driven by those who may only watch', async () => {
+    const context = await browser!.newContext();
+    contexts.push(context);
+    const watching = await context.newPage();
+    await watching.goto(rsal.origin);
+    await watching.locator('tr[data-robot][data-x]').first().waitFor();
+    await row('idle', watching).getByRole('button').click();
+    expect(await watching.getByRole('button', { name: 'Drive by keys' }).isDisabled()).toBe(true);
+    expect(await watching.getByLabel('Behavior').isDisabled()).toBe(true);
+    await watching.keyboard.press('k');
+    await watching.waitForTimeout(300);
+    expect(await watching.getByText('You drive').count()).toBe(0);
+  });
+
+  it('drive in a hunt, too', async () => {
+    const hunt = await Rsal.run('hunt-and-prey', '--port', '0', '--seed', '42');
+    page = await open(hunt);
+    await moved('hunter-1');
+    await take('hunter-1');
+    await stands('hunter-1');
+    await page.keyboard.down('s');
+    await moved('hunter-1');
+    await page.keyboard.up('s');
+    await page.keyboard.press('Escape');
+    await moved('hunter-1', 0.5);
+    await page.close();
+    await hunt.end();
+  });
+
+  describe.each(['light', 'dark'] as const)('in the %s', (colorScheme) => {
+    it.each([
+      [1280, 720],
+      [820, 1180],
+    ])('break no rule of accessibility while they are driven, at %i × %i', async (width, height) => {
+      page = await open(rsal, { colorScheme, viewport: { width, height } });
+      for (const robot of ['glider', 'blind']) {
+        await take(robot);
+        const { violations } = await new AxeBuilder({ page }).analyze();
+        expect(
+          violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`),
+        ).toEqual([]);
+      }
+    });
+  });
+});
