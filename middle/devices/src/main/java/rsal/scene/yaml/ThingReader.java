@@ -53,6 +53,9 @@ final class ThingReader {
             return;
         }
         List<Block> blocks = Figure.read(section.section("body"), surface).blocks(surface.color());
+        if (blocks.isEmpty()) {
+            section.problem("body", "(%s) must have pieces.".formatted(section.path("body")), "{radius: 0.2}");
+        }
         boolean moves = section.has("moves") ? Keys.flag(section, Keys.MOVES) : surface.grippable();
         section.done();
         for (int i = 0; i < places.size(); i++) {

@@ -509,6 +509,7 @@ class YamlFormatTest {
             things: {a: {body: {radius: 1}, blob: 1}}      | 2:39  | (things.a.blob) must be true or false, not (1)
             things: {a: {pose: [1, 2], body: {radius: 1}}} | 2:20  | (things.a.pose) must be a list of 3 numbers
             things: {a: {count: 2, pose: [1, 2, 3], body: {radius: 1}}} | 2:30 | (things.a.pose) has 1 for 2
+            things: {a: {body: {pieces: []}}}              | 2:20  | (things.a.body) must have pieces
             fields: {f: {}}                                | 2:13  | must have a (count), or a (density)
             fields: {f: {count: 1, size: [2, 1]}}          | 2:30  | (fields.f.size) must be [least, most]
             fields: {f: {count: 1, shapes: [ball]}}        | 2:33  | Known are: disc, box, polygon

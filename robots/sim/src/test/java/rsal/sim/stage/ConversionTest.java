@@ -1,6 +1,7 @@
 package rsal.sim.stage;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -11,6 +12,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.scene.Scene;
@@ -107,6 +109,28 @@ class ConversionTest {
         assertThat(SceneWriter.write(scene, "test").yaml())
                 .containsOnlyOnce("type: laser")
                 .doesNotContain("cart-2");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            [1 2 0 33]  | [1 2 0 33.000001]
+            [3 0 0 0]   | [3.00000001 0 0 0]
+            range [0 8] | range [0 8.00000001]
+            fov 90      | fov 90.000001
+            size [2 1 1] | size [2 1 1.00000001]
+            "red"       | "green"
+            blob_return 0 | blob_return 1
+            "wander"    | "other"
+            """)
+    void theComparisonNoticesWhatDiffers(String what, String other) {
+        String world = """
+                model ( size [2 1 1] pose [1 2 0 33] color "blue" blob_return 0 )
+                position ( pose [3 0 0 0] color "red" ctrl "wander" ranger ( sensor ( range [0 8] fov 90 samples 9 ) ) )
+                """;
+        assertThat(world).contains(what);
+        Scene scene = stage(Worlds.of(world));
+        Scene changed = stage(Worlds.of(world.replace(what, other)));
+        assertThatThrownBy(() -> SceneComparison.assertSame(changed, scene)).isInstanceOf(AssertionError.class);
     }
 
     static List<Path> realWorlds() throws IOException {
