@@ -55,7 +55,7 @@ final class WorldReader {
             problems.add(
                     world.location(),
                     map ? "(world) has both a (map) and a (file)." : "(world.map) is missing, or (world.file).",
-                    "Write {map: office}, or {file: hall.world}.");
+                    "Write {map: office}, or {file: hall.world.yaml}.");
             return new World("", Optional.empty(), List.of());
         }
         String name = world.text(map ? "map" : "file");
@@ -88,7 +88,8 @@ final class WorldReader {
                         at,
                         "(%s) is not a kind of world that is known here.".formatted(path),
                         path.endsWith(".yaml")
-                                ? "Maybe it is a map: write {map: %s}.".formatted(path)
+                                ? "Maybe it is a map: write {map: %s}. A world's name ends with .world.yaml."
+                                        .formatted(path)
                                 : Suggestion.among(
                                         path.substring(Math.max(0, path.lastIndexOf('.'))),
                                         catalog.formats().keySet())));

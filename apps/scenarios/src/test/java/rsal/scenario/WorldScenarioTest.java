@@ -132,6 +132,7 @@ class WorldScenarioTest {
             {file: hall.world}              | {file: hal.world}                | There is no file (hal.world)
             {file: hall.world}              | {file: ../hall.world}            | lies outside
             {file: hall.world}              | {file: hall.wrld}                | Maybe (.world)
+            {file: hall.world}              | {file: hall.yaml}                | name ends with .world.yaml
             {file: hall.world}              | {flie: hall.world}               | Maybe (file)
             guest: {                        | cart: {                          | The world has robots called (cart), too
             robot: cart                     | robot: crat                      | Maybe (cart)
