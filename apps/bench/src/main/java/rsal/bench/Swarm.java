@@ -19,6 +19,7 @@ import rsal.device.SonarArray;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotSpec;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
@@ -55,7 +56,8 @@ final class Swarm implements AutoCloseable {
 
         private static Part laser(int beams, double reach) {
             double increment = Math.PI / (beams - 1);
-            return new Part.Laser("laser", Pose2d.ORIGIN, -Math.PI / 2, increment, beams, 0, reach, 0.01, PERIOD);
+            return new Part.Laser(
+                    "laser", Pose2d.ORIGIN, -Math.PI / 2, increment, beams, 0, reach, RangeNoise.of(0.01), PERIOD);
         }
 
         private static Part ring(int sensors, double radius, double reach) {
@@ -64,7 +66,7 @@ final class Swarm implements AutoCloseable {
                 double angle = 2 * Math.PI * (i + 0.5) / sensors;
                 poses.add(new Pose2d(radius * Math.cos(angle), radius * Math.sin(angle), angle));
             }
-            return new Part.Sonars("ring", poses, Math.toRadians(1), 0, reach, 0.01, PERIOD);
+            return new Part.Sonars("ring", poses, Math.toRadians(1), 0, reach, RangeNoise.of(0.01), PERIOD);
         }
     }
 

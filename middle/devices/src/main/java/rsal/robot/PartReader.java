@@ -10,6 +10,8 @@ import rsal.data.LightState.Signal;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
+import rsal.settings.Parameter;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
@@ -70,7 +72,10 @@ final class PartReader {
                 samples,
                 range.least(),
                 range.most(),
-                Numbers.notNegative(part, "noise"),
+                new RangeNoise(
+                        Numbers.notNegative(part, "noise"),
+                        relativeNoise(),
+                        part.has("angularNoise") ? Math.toRadians(Numbers.checked(part, "angularNoise", 0, 180)) : 0),
                 period());
     }
 
@@ -82,8 +87,12 @@ final class PartReader {
                 fieldOfView(),
                 range.least(),
                 range.most(),
-                Numbers.notNegative(part, "noise"),
+                new RangeNoise(Numbers.notNegative(part, "noise"), relativeNoise(), 0),
                 period());
+    }
+
+    private double relativeNoise() {
+        return part.has("relativeNoise") ? Numbers.checked(part, "relativeNoise", 0, 1) : 0;
     }
 
     private Part blobFinder() {
@@ -129,12 +138,16 @@ final class PartReader {
                 range,
                 Numbers.checked(part, "idRange", 0, range),
                 part.has("key") ? Numbers.whole(part, "key", 0, Integer.MAX_VALUE) : 0,
+                flag("allHeights"),
                 period());
     }
 
     private Part gripper() {
         double length = Numbers.positive(part, "length");
         double width = Numbers.positive(part, "width");
+        if (flag("raised") && !part.has("liftingTime")) {
+            part.problem("raised", "(raised) is true, but it has no lift.", "Give it a (liftingTime).");
+        }
         return new Part.Gripper(
                 name,
                 mount,
@@ -145,6 +158,9 @@ final class PartReader {
                 Numbers.checked(part, "paddleWidth", width / 100, width / 3),
                 seconds("closingTime"),
                 part.has("liftingTime") ? seconds("liftingTime") : Duration.ZERO,
+                flag("closed"),
+                flag("raised"),
+                flag("snatches"),
                 period());
     }
 
@@ -202,6 +218,14 @@ final class PartReader {
                 BodyReader.color(part, "color"),
                 new Signal(seconds("flashPeriod"), Numbers.checked(part, "dutyCycle", 0, 1)),
                 period());
+    }
+
+    /// False when it is not told.
+    private boolean flag(String key) {
+        return part.has(key)
+                && part.value(Parameter.flag(key, false, ""))
+                        .filter(Boolean.TRUE::equals)
+                        .isPresent();
     }
 
     private double fieldOfView() {

@@ -184,6 +184,21 @@ public record RobotModel(
     /// @param headingPerRadian error of heading from turning [rad/√rad]
     public record OdometryNoise(double distancePerMeter, double headingPerMeter, double headingPerRadian) {}
 
+    /// What is random about measured ranges.
+    ///
+    /// @param deviation standard deviation of what is added [m]
+    /// @param share of the range by which it is off at most besides, evenly spread
+    /// @param angle by which each beam is turned at most, either way, evenly spread [rad]
+    public record RangeNoise(double deviation, double share, double angle) {
+        public static RangeNoise of(double deviation) {
+            return new RangeNoise(deviation, 0, 0);
+        }
+
+        public RangeNoise times(double factor) {
+            return new RangeNoise(factor * deviation, factor * share, factor * angle);
+        }
+    }
+
     /// Something a model or a scenario mounts on a robot: a file in `rsal/robot/parts`.
     public sealed interface Part {
         String name();
@@ -194,7 +209,6 @@ public record RobotModel(
         /// A planar laser scanner, beams from `angleMin` counter-clockwise.
         ///
         /// @param samples beams of a sweep
-        /// @param noise standard deviation of a range [m]
         record Laser(
                 String name,
                 Pose2d baseFromLaser,
@@ -203,7 +217,7 @@ public record RobotModel(
                 int samples,
                 double rangeMin,
                 double rangeMax,
-                double noise,
+                RangeNoise noise,
                 Duration period)
                 implements Part {
             @Override
@@ -214,14 +228,14 @@ public record RobotModel(
 
         /// Single-range sensors, each a cone of `fieldOfView` [rad].
         ///
-        /// @param noise standard deviation of a range [m]
+        /// @param noise of ranges; a cone has no beams that could be turned
         record Sonars(
                 String name,
                 List<Pose2d> baseFromSensors,
                 double fieldOfView,
                 double rangeMin,
                 double rangeMax,
-                double noise,
+                RangeNoise noise,
                 Duration period)
                 implements Part {
             public Sonars {
@@ -267,6 +281,7 @@ public record RobotModel(
         /// @param rangeMax how far away it sees that there is one [m]
         /// @param idRange how far away it reads the id [m]
         /// @param key it sees only markers of the same key
+        /// @param allHeights whether it sees markers that are higher or lower than itself, too
         record FiducialFinder(
                 String name,
                 Pose2d baseFromFinder,
@@ -274,6 +289,7 @@ public record RobotModel(
                 double rangeMax,
                 double idRange,
                 int key,
+                boolean allHeights,
                 Duration period)
                 implements Part {
             @Override
@@ -292,6 +308,9 @@ public record RobotModel(
         /// @param paddleWidth how thick a paddle is [m]
         /// @param closingTime from open to closed
         /// @param liftingTime from down to up; zero when it has no lift
+        /// @param closed whether it is at first
+        /// @param raised whether its lift is up at first
+        /// @param snatches whether it closes by itself when something comes between its open paddles
         record Gripper(
                 String name,
                 Pose2d baseFromGripper,
@@ -302,6 +321,9 @@ public record RobotModel(
                 double paddleWidth,
                 Duration closingTime,
                 Duration liftingTime,
+                boolean closed,
+                boolean raised,
+                boolean snatches,
                 Duration period)
                 implements Part {
             public boolean hasLift() {

@@ -12,9 +12,15 @@ import rsal.data.Solid;
 /// @param blocks in its own frame
 /// @param mapFromEntity where it is at first
 /// @param height of its underside above the floor [m]
-public record Entity(String name, List<Block> blocks, Pose2d mapFromEntity, double height) {
+/// @param givingPower with which it charges each robot that touches it, if that takes so much [W]
+public record Entity(String name, List<Block> blocks, Pose2d mapFromEntity, double height, double givingPower) {
     public Entity {
         blocks = List.copyOf(blocks);
+    }
+
+    /// A body that charges nobody.
+    public Entity(String name, List<Block> blocks, Pose2d mapFromEntity, double height) {
+        this(name, blocks, mapFromEntity, height, 0);
     }
 
     /// The blocks of a plain body on the floor.

@@ -22,6 +22,7 @@ import rsal.data.LightState.Signal;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotModels.Choice;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -91,7 +92,47 @@ class PartReaderTest {
     void finderReadsIdsNoFartherThanItSees() {
         assertThat(part(FIDUCIALS))
                 .isEqualTo(new Part.FiducialFinder(
-                        "part.yaml", new Pose2d(0.13, 0, 0), Math.PI, 8, 5, 3, Duration.ofMillis(100)));
+                        "part.yaml", new Pose2d(0.13, 0, 0), Math.PI, 8, 5, 3, false, Duration.ofMillis(100)));
+        assertThat(((Part.FiducialFinder) part(FIDUCIALS + "allHeights: true\n")).allHeights())
+                .isTrue();
+    }
+
+    @Test
+    void rangesAreOffAsTheirPartsSay() {
+        String laser = """
+                type: laser
+                fieldOfView: 180
+                samples: 181
+                range: [0.1, 8]
+                noise: 0.02
+                period: 0.1
+                """;
+        assertThat(((Part.Laser) part(laser)).noise()).isEqualTo(RangeNoise.of(0.02));
+        assertThat(((Part.Laser) part(laser + "relativeNoise: 0.01\nangularNoise: 90\n")).noise())
+                .isEqualTo(new RangeNoise(0.02, 0.01, Math.PI / 2));
+        assertRefused(laser + "relativeNoise: 1.5\n", "(relativeNoise) must be a number from 0.0 to 1.0");
+        assertRefused(laser + "angularNoise: -1\n", "(angularNoise) must be a number from 0.0 to 180.0");
+        String sonars = """
+                type: sonars
+                sensors: [[0, 0, 0]]
+                fieldOfView: 15
+                range: [0, 5]
+                noise: 0.02
+                period: 0.1
+                """;
+        assertThat(((Part.Sonars) part(sonars + "relativeNoise: 0.01\n")).noise())
+                .isEqualTo(new RangeNoise(0.02, 0.01, 0));
+        assertRefused(sonars + "angularNoise: 1\n", "angularNoise");
+    }
+
+    @Test
+    void aGripperMayBeginClosedOrRaisedAndSnatch() {
+        var usual = (Part.Gripper) part(GRIPPER);
+        assertThat(usual.closed() || usual.raised() || usual.snatches()).isFalse();
+        var other = (Part.Gripper) part(GRIPPER + "closed: true\nraised: true\nsnatches: true\n");
+        assertThat(other.closed() && other.raised() && other.snatches()).isTrue();
+        assertRefused(GRIPPER.replace("liftingTime: 2\n", "raised: true\n"), "it has no lift");
+        assertRefused(GRIPPER + "closed: half\n", "(closed)");
     }
 
     @Test

@@ -30,6 +30,7 @@ import rsal.robot.RobotModel.Axis;
 import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.OdometryNoise;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotModel.Steering;
 import rsal.robot.RobotModels.Choice;
 import rsal.settings.FileSource;
@@ -141,7 +142,7 @@ class RobotModelsTest {
                         3,
                         0,
                         8,
-                        0,
+                        RangeNoise.of(0),
                         Duration.ofMillis(50)));
     }
 

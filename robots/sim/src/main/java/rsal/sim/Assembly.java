@@ -7,6 +7,7 @@ import java.util.Map;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotSpec;
 import rsal.settings.Arguments;
 import rsal.sim.world.Beams;
@@ -95,9 +96,9 @@ final class Assembly {
         return settings.seconds(SimProvider.WATCHDOG.name());
     }
 
-    private RangeSensor.Noise noise(DeviceInfo info, double deviation) {
+    private RangeSensor.Noise noise(DeviceInfo info, RangeNoise noise) {
         return new RangeSensor.Noise(
-                settings.number(SimProvider.SENSOR_NOISE.name()) * deviation, seeds.stream(info.id()));
+                noise.times(settings.number(SimProvider.SENSOR_NOISE.name())), seeds.stream(info.id()));
     }
 
     private static DeviceInfo deviceOf(RobotSpec spec, String name) {

@@ -47,7 +47,7 @@ final class Lineup {
             things.add(
                     world.add(thing.name(), chunks(thing.blocks()), thing.mapFromEntity(), thing.height()),
                     thing.blocks(),
-                    0);
+                    thing.givingPower());
         }
         for (RobotSpec robot : robots) {
             Entity known = scene.robotBodies().get(robot.id());

@@ -3,6 +3,7 @@ package rsal.sim;
 import java.time.Duration;
 import java.util.random.RandomGenerator;
 import rsal.device.DeviceInfo;
+import rsal.robot.RobotModel.RangeNoise;
 
 /// What laser scanners and sonars have in common: what they measure is noisy.
 abstract class RangeSensor<T> extends SimEye<T> {
@@ -18,19 +19,32 @@ abstract class RangeSensor<T> extends SimEye<T> {
         if (range > max) {
             return Float.POSITIVE_INFINITY;
         }
-        double noisy = range + noise.next();
+        double noisy = noise.on(range);
         if (range < min || noisy < min) {
             return Float.NEGATIVE_INFINITY;
         }
         return noisy > max ? Float.POSITIVE_INFINITY : (float) noisy;
     }
 
-    /// Errors of ranges [m].
-    ///
-    /// @param deviation standard deviation [m]
-    record Noise(double deviation, RandomGenerator random) {
-        double next() {
-            return deviation * random.nextGaussian();
+    Noise noise() {
+        return noise;
+    }
+
+    /// Errors of ranges, as drawn.
+    record Noise(RangeNoise size, RandomGenerator random) {
+        /// A range [m] with its error.
+        double on(double range) {
+            double noisy = range + size.deviation() * random.nextGaussian();
+            return size.share() == 0 ? noisy : noisy + range * evenly(size.share());
+        }
+
+        /// How far a beam is turned [rad].
+        double turn() {
+            return evenly(size.angle());
+        }
+
+        private double evenly(double most) {
+            return most * (2 * random.nextDouble() - 1);
         }
     }
 }

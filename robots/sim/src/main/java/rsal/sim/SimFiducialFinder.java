@@ -13,7 +13,8 @@ import rsal.sim.world.Search;
 import rsal.sim.world.World;
 
 /// A simulated finder of markers, exact. It sees a marker when the level ray towards the origin of its body meets that
-/// body first, as in Stage: those that are higher or lower than it, and those behind others, it does not see.
+/// body first, as in Stage: those behind others it does not see, and those that are higher or lower than it only if
+/// it is made for all heights. Then nothing at its own height may be in between.
 final class SimFiducialFinder extends SimEye<Fiducials> implements FiducialFinder {
     private static final int RAYS = 10; // as many as a reading is worth, roughly
 
@@ -43,7 +44,8 @@ final class SimFiducialFinder extends SimEye<Fiducials> implements FiducialFinde
                         robot.height() + height,
                         part.fieldOfView(),
                         part.rangeMax(),
-                        part.key())
+                        part.key(),
+                        part.allHeights())
                 .stream()
                 .map(found -> new Fiducial(
                         found.distance() <= part.idRange() ? OptionalInt.of(found.id()) : OptionalInt.empty(),

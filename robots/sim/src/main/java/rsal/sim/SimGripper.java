@@ -38,6 +38,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     private final Stroke lift;
     private @Nullable Held held;
     private GripperState state;
+    private boolean ready = true; // to snatch what comes: when nothing was between the open paddles before
 
     /// @param above how high the thing's base is above ground when the lift is down [m]
     private record Held(Body thing, Pose2d baseFromThing, double above) {}
@@ -58,8 +59,8 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
                 part.opening(),
                 height,
                 part.height());
-        this.paddles = new Stroke(part.closingTime());
-        this.lift = new Stroke(part.liftingTime());
+        this.paddles = new Stroke(part.closingTime(), part.closed() ? 1 : 0);
+        this.lift = new Stroke(part.liftingTime(), part.raised() ? 1 : 0);
         this.state = sense();
     }
 
@@ -135,6 +136,9 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     void work(Instant now, double dt) {
         lift.moveTo(lift.next(dt));
         jaws.follow(raised());
+        if (part.snatches()) {
+            snatch();
+        }
         double next = paddles.next(dt);
         Optional<Jaws.Grip> grip = held == null && paddles.direction() > 0
                 ? jaws.widest(gap(paddles.position()), things::contains).filter(g -> g.width() >= gap(next))
@@ -148,6 +152,16 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
         } else if (paddles.done() || lift.done()) {
             takeNow(state, now);
         }
+    }
+
+    /// Closes when something has come as far as the inner beam. What is put down is not taken again at once.
+    private void snatch() {
+        boolean open = paddles.position() == 0 && paddles.arrived();
+        boolean free = !jaws.isAcross(INNER, part.opening(), null);
+        if (open && ready && !free) {
+            paddles.goTo(1);
+        }
+        ready = open && free;
     }
 
     /// How far the paddles close around a thing, if they are not closer already.

@@ -36,7 +36,8 @@ final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
 
     @Override
     LaserScan measure(World world, Body robot) {
-        double[] ways = beams.cast(world, robot, laser.rangeMax());
+        double[] ways =
+                beams.cast(world, robot, laser.rangeMax(), noise().size().angle(), noise()::turn);
         float[] ranges = new float[beams.count()];
         for (int i = 0; i < ranges.length; i++) {
             ranges[i] = shown(ways[i], laser.rangeMin(), laser.rangeMax());

@@ -18,7 +18,10 @@ final class Stroke {
     private @Nullable GoalSource<GripperState, Result> underWay; // in the last step
 
     /// @param time from 0 to 1; zero when it can't move
-    Stroke(Duration time) {
+    /// @param begin where it is at first
+    Stroke(Duration time, double begin) {
+        position = begin;
+        target = begin;
         speed = time.isZero() ? 0 : 1e9 / time.toNanos();
     }
 

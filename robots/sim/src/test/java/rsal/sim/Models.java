@@ -10,6 +10,7 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.OdometryNoise;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
 
 /// Robots to test with.
 final class Models {
@@ -23,12 +24,16 @@ final class Models {
             Math.toRadians(30),
             0.1,
             5,
-            0,
+            RangeNoise.of(0),
             Duration.ofMillis(100));
 
     private Models() {}
 
     static Part.Laser laser(double noise, Duration period) {
+        return laser(RangeNoise.of(noise), period);
+    }
+
+    static Part.Laser laser(RangeNoise noise, Duration period) {
         return new Part.Laser("laser", new Pose2d(0.1, 0, 0), -Math.PI / 2, Math.PI / 180, 181, 0.05, 8, noise, period);
     }
 

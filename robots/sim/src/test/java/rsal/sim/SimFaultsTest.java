@@ -31,6 +31,7 @@ import rsal.device.Subscription;
 import rsal.fault.Fault;
 import rsal.fault.FaultInjection;
 import rsal.robot.RobotModel.Part.Sonars;
+import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotSpec;
 import rsal.system.RobotSystem.Change;
 
@@ -139,7 +140,14 @@ class SimFaultsTest {
         var noisy = Models.box(
                 Models.DRIVE,
                 Models.laser(0.05, Duration.ofMillis(100)),
-                new Sonars("sonar", Models.SONARS.baseFromSensors(), 0.5, 0.1, 5, 0.05, Duration.ofMillis(100)));
+                new Sonars(
+                        "sonar",
+                        Models.SONARS.baseFromSensors(),
+                        0.5,
+                        0.1,
+                        5,
+                        RangeNoise.of(0.05),
+                        Duration.ofMillis(100)));
         var well = SimRun.of(room(8, 4), robot("r1", noisy, new Pose2d(2, 2, 0)));
         var broken = SimRun.of(room(8, 4), robot("r1", noisy, new Pose2d(2, 2, 0)));
         var dead = begin(broken, "r1", "sonar", new Fault.Dead());

@@ -23,11 +23,16 @@ import rsal.device.Gripper;
 import rsal.device.Gripper.Result;
 import rsal.device.LaserScanner;
 import rsal.device.SimulationControl.Placement;
+import rsal.robot.RobotModel.Part;
 
 /// The robot looks along +x; its paddles are open from x = 2.3 to 2.5, y from 1.88 to 2.12.
 class SimGripperTest {
     private static SimRun run(double step) {
-        var model = Models.box(Models.DRIVE, SimThings.gripper(), Models.laser(0, Duration.ofMillis(100)));
+        return run(step, SimThings.gripper());
+    }
+
+    private static SimRun run(double step, Part.Gripper gripper) {
+        var model = Models.box(Models.DRIVE, gripper, Models.laser(0, Duration.ofMillis(100)));
         return SimRun.of(SimRun.room(8, 4), Map.of("step", step), SimRun.robot("r1", model, new Pose2d(2, 2, 0)));
     }
 
@@ -101,6 +106,55 @@ class SimGripperTest {
         gripper(run).close();
         run.advance(3);
         assertThat(state(run).holding()).isFalse();
+    }
+
+    @Test
+    void beginsAsItsModelSays() {
+        var run = run(0.1, SimThings.gripper(true, true, false));
+        run.advance(0.1);
+        assertThat(state(run).paddles()).isEqualTo(Paddles.CLOSED);
+        assertThat(state(run).lift()).isEqualTo(Lift.UP);
+        List<Result> endings = endings(gripper(run).open());
+        gripper(run).lower();
+        run.advance(2.2);
+        assertThat(endings).hasSize(1).first().isInstanceOf(Result.Reached.class);
+        assertThat(state(run).paddles()).isEqualTo(Paddles.OPEN);
+        assertThat(state(run).lift()).isEqualTo(Lift.DOWN);
+    }
+
+    @Test
+    void snatchesWhatComesAndNotWhatItPutDown() {
+        var run = run(0.1, SimThings.gripper(false, false, true));
+        run.advance(1);
+        assertThat(state(run).paddles()).isEqualTo(Paddles.OPEN);
+        put(run, can("can", 2.42, 2, 0.05, 0.3).asGrippable());
+        run.advance(3);
+        assertThat(state(run).holding()).as("not in as far as the inner beam").isFalse();
+        for (int i = 0; i < 20; i++) {
+            run.base("r1").command(Twist2d.drive(0.1, 0));
+            run.advance(0.1);
+        }
+        run.advance(3);
+        assertThat(state(run).holding()).isTrue();
+        gripper(run).open();
+        run.advance(3);
+        assertThat(state(run).holding()).isFalse();
+        assertThat(state(run).paddles()).isEqualTo(Paddles.OPEN);
+        assertThat(run.simulation.remove("can")).isTrue();
+        run.advance(0.2);
+        Pose2d ahead = run.truth("r1").compose(new Pose2d(0.35, 0, 0));
+        put(run, can("other", ahead.x(), ahead.y(), 0.05, 0.3).asGrippable());
+        run.advance(3);
+        assertThat(state(run).holding()).isTrue();
+    }
+
+    @Test
+    void doesNotSnatchUnlessItIsMadeFor() {
+        var run = run(0.1);
+        put(run, can("can", 2.35, 2, 0.05, 0.3).asGrippable());
+        run.advance(3);
+        assertThat(state(run).innerBeamBroken()).isTrue();
+        assertThat(state(run).paddles()).isEqualTo(Paddles.OPEN);
     }
 
     @Test

@@ -31,6 +31,10 @@ final class SimThings {
     /// Tells
     /// of every step.
     static Part.Gripper gripper() {
+        return gripper(false, false, false);
+    }
+
+    static Part.Gripper gripper(boolean closed, boolean raised, boolean snatches) {
         return new Part.Gripper(
                 "gripper",
                 new Pose2d(0.35, 0, 0),
@@ -41,6 +45,9 @@ final class SimThings {
                 0.03,
                 Duration.ofSeconds(2),
                 Duration.ofSeconds(2),
+                closed,
+                raised,
+                snatches,
                 Duration.ofMillis(10));
     }
 

@@ -48,6 +48,9 @@ final class Keys {
     static final Parameter MOVES =
             Parameter.flag("moves", false, "Whether it may be elsewhere later, so that the map does not show it.");
 
+    static final Parameter GIVING = Parameter.number(
+            "givingPower", 0, 0, 1e9, "W", "With which it charges each robot that touches it, at most.");
+
     static final Parameter CLOSED =
             Parameter.flag("closed", false, "Whether the line goes on from its end to its beginning.");
     static final Parameter THICKNESS = Parameter.number(

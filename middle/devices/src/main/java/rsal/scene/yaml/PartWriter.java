@@ -8,6 +8,7 @@ import java.util.Map;
 import rsal.data.ActuatorState.Joint;
 import rsal.data.Pose2d;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
 
 /// Writes parts of robots as part files have them.
 final class PartWriter {
@@ -32,7 +33,7 @@ final class PartWriter {
                                 .toList());
                 told.put("fieldOfView", YamlText.degrees(sonars.fieldOfView()));
                 told.put("range", List.of(sonars.rangeMin(), sonars.rangeMax()));
-                told.put("noise", sonars.noise());
+                noise(told, sonars.noise());
                 yield Pose2d.ORIGIN;
             }
             case Part.BlobFinder finder -> {
@@ -53,6 +54,7 @@ final class PartWriter {
                 told.put("range", finder.rangeMax());
                 told.put("idRange", finder.idRange());
                 told.put("key", (long) finder.key());
+                flag(told, "allHeights", finder.allHeights());
                 yield finder.baseFromFinder();
             }
             case Part.Gripper gripper -> gripper(told, gripper);
@@ -106,8 +108,24 @@ final class PartWriter {
                 fieldOfView(even ? -2 * laser.angleMin() : laser.angleIncrement() * (laser.samples() - 1)));
         told.put("samples", (long) laser.samples());
         told.put("range", List.of(laser.rangeMin(), laser.rangeMax()));
-        told.put("noise", laser.noise());
+        noise(told, laser.noise());
         return even ? laser.baseFromLaser() : laser.baseFromLaser().compose(new Pose2d(0, 0, middle));
+    }
+
+    private static void noise(Map<String, Object> told, RangeNoise noise) {
+        told.put("noise", noise.deviation());
+        if (noise.share() != 0) {
+            told.put("relativeNoise", noise.share());
+        }
+        if (noise.angle() != 0) {
+            told.put("angularNoise", YamlText.degrees(noise.angle()));
+        }
+    }
+
+    private static void flag(Map<String, Object> told, String key, boolean on) {
+        if (on) {
+            told.put(key, true);
+        }
     }
 
     private static Pose2d gripper(Map<String, Object> told, Part.Gripper gripper) {
@@ -121,6 +139,9 @@ final class PartWriter {
         if (gripper.hasLift()) {
             told.put("liftingTime", seconds(gripper.liftingTime()));
         }
+        flag(told, "closed", gripper.closed());
+        flag(told, "raised", gripper.raised());
+        flag(told, "snatches", gripper.snatches());
         return gripper.baseFromGripper();
     }
 

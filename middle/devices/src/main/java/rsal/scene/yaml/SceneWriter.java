@@ -128,6 +128,9 @@ public final class SceneWriter {
         Surface surface = thing.blocks().getFirst().surface();
         written.put("body", body(thing.blocks(), surface, true));
         written.putAll(difference(surface, Surface.PLAIN));
+        if (thing.givingPower() != 0) {
+            written.put("givingPower", thing.givingPower());
+        }
         return written;
     }
 

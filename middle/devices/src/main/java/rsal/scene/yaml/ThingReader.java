@@ -57,12 +57,13 @@ final class ThingReader {
             section.problem("body", "(%s) must have pieces.".formatted(section.path("body")), "{radius: 0.2}");
         }
         boolean moves = section.has("moves") ? Keys.flag(section, Keys.MOVES) : surface.grippable();
+        double giving = section.has("givingPower") ? Keys.number(section, Keys.GIVING) : 0;
         section.done();
         for (int i = 0; i < places.size(); i++) {
             String own = several ? name + "-" + (i + 1) : name;
             names.claim(own, blocks.size(), section.location());
             Place place = places.get(i);
-            var thing = new Entity(own, blocks, place.pose(), place.height());
+            var thing = new Entity(own, blocks, place.pose(), place.height(), giving);
             things.add(thing);
             (moves ? moving : fixed).add(thing);
         }

@@ -503,6 +503,7 @@ class YamlFormatTest {
             walls: [{map: offcie}]                         | 2:15  | There is no map (offcie)
             things: {wall: {body: {radius: 1}}}            | 2:16  | (wall) can't be a name here
             things: {wall-1: {body: {radius: 1}}}          | 2:18  | two of the name (wall-1)
+            things: {a: {body: {radius: 1}, givingPower: -5}} | 2:46 | (things.a.givingPower) must be a number
             things: {a: {}}                                | 2:13  | (things.a.body) is missing
             things: {a: {body: {radius: 1}, colour: red}}  | 2:33  | Maybe (color) was meant?
             things: {a: {body: {radius: 1}, color: red}}   | 2:40  | must be a color, #rrggbb, not (red)

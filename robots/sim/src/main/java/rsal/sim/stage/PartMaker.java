@@ -13,6 +13,7 @@ import rsal.data.LightState.Signal;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
 
 /// Makes parts of the models that a robot carries, called after what they are: `laser`, `laser-2`, `sonar`.
 final class PartMaker {
@@ -21,14 +22,12 @@ final class PartMaker {
     private static final double JOULES_PER_KILOGRAM_METER = 10; // what Stage makes a base take to move its mass
 
     private final Duration step;
-    private final Findings findings;
     private final Map<String, Integer> names = new HashMap<>();
     private final List<Device> devices = new ArrayList<>();
 
     /// @param step between two states of the world
-    PartMaker(Duration step, Findings findings) {
+    PartMaker(Duration step) {
         this.step = step;
-        this.findings = findings;
     }
 
     /// A part on a robot.
@@ -80,6 +79,7 @@ final class PartMaker {
                                 finder.range().max(),
                                 Math.min(finder.idRange(), finder.range().max()),
                                 finder.key(),
+                                finder.ignoresHeight(),
                                 period));
             case Kind.Gripper gripper -> device("gripper", model, height, gripper(model, gripper, pose, period));
             case Kind.Bumper bumper ->
@@ -155,6 +155,9 @@ final class PartMaker {
                 gripper.paddle().y(),
                 moving,
                 moving,
+                gripper.closed(),
+                gripper.up(),
+                gripper.snatches(),
                 period);
     }
 
@@ -174,21 +177,13 @@ final class PartMaker {
     }
 
     /// Transducers of one ray each that are alike in all but their place.
-    private record Alike(rsal.sim.stage.Interval range, double variance, double height) {}
+    private record Alike(rsal.sim.stage.Interval range, RangeNoise noise, double height) {}
 
     private void ranger(StageModel model, Kind.Ranger ranger, Placement robotFromModel, Duration period) {
         var rings = new LinkedHashMap<Alike, List<Pose2d>>();
         for (Kind.Transducer eye : ranger.transducers()) {
             Placement placed = robotFromModel.compose(eye.rangerFromTransducer());
             double height = placed.z() + eye.size().z() / 2;
-            Kind.RangeNoise noise = eye.noise();
-            if (noise.relative() != 0 || noise.angular() != 0) {
-                findings.warn(
-                        model.location(),
-                        "Of the (noise) of (%s) only the first value counts here."
-                                .formatted(Lexer.shortened(model.macro())),
-                        "");
-            }
             if (eye.spacing() > 0) {
                 device(
                         "laser",
@@ -202,10 +197,10 @@ final class PartMaker {
                                 eye.samples(),
                                 Math.max(0, eye.range().min()),
                                 eye.range().max(),
-                                Math.sqrt(Math.max(0, noise.variance())),
+                                noise(eye),
                                 period));
             } else {
-                rings.computeIfAbsent(new Alike(eye.range(), noise.variance(), height), _ -> new ArrayList<>())
+                rings.computeIfAbsent(new Alike(eye.range(), noise(eye), height), _ -> new ArrayList<>())
                         .add(placed.pose());
             }
         }
@@ -219,8 +214,17 @@ final class PartMaker {
                         RAY,
                         Math.max(0, alike.range().min()),
                         alike.range().max(),
-                        Math.sqrt(Math.max(0, alike.variance())),
+                        alike.noise(),
                         period)));
+    }
+
+    /// Stage turns rays by a part of the angle between them.
+    private static RangeNoise noise(Kind.Transducer eye) {
+        Kind.RangeNoise noise = eye.noise();
+        return new RangeNoise(
+                Math.sqrt(Math.max(0, noise.variance())),
+                Math.min(1, Math.abs(noise.relative())),
+                Math.min(Math.PI, eye.spacing() * Math.abs(noise.angular()) / 2));
     }
 
     private void device(String kind, StageModel model, double height, Part part) {

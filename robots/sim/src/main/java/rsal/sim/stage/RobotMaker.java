@@ -81,7 +81,7 @@ final class RobotMaker {
 
     private Made makeNew(StageModel base) {
         var body = new ArrayList<Piece>();
-        var parts = new PartMaker(step, findings);
+        var parts = new PartMaker(step);
         double use = collect(base, Placement.ORIGIN, body, parts);
         parts.battery(base, use);
         boolean drawn = body.stream().anyMatch(Piece::drawn);

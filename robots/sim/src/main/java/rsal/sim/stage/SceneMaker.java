@@ -29,6 +29,7 @@ import rsal.sim.stage.Pieces.Piece;
 final class SceneMaker {
     private static final Duration SHORTEST_STEP = Duration.ofMillis(10);
     private static final Duration LONGEST_STEP = Duration.ofMillis(200);
+    private static final double MOST_POWER = 1e9; // that a thing gives [W]
 
     private final StageWorld world;
     private final String path;
@@ -108,7 +109,8 @@ final class SceneMaker {
     private void addThing(StageModel model) {
         Traits traits = model.traits();
         Color color = traits.color().orElseGet(() -> drawn(model.name()));
-        if (traits.body().raster().isPresent() && !traits.returns().gripper()) {
+        double giving = Math.min(traits.energy().give(), MOST_POWER);
+        if (traits.body().raster().isPresent() && !traits.returns().gripper() && giving == 0) {
             Optional<Raster> upright = upright(
                     traits.body().raster().get(), model.worldFromModel(), Pieces.surface(traits.returns(), color));
             if (upright.isPresent()) {
@@ -137,6 +139,7 @@ final class SceneMaker {
     }
 
     private void addThing(StageModel model, Body body, Color color) {
+        warnOfSupply(model, body);
         if (body.isEmpty()) {
             return;
         }
@@ -148,7 +151,23 @@ final class SceneMaker {
                     model.name(),
                     blocks,
                     model.worldFromModel().pose(),
-                    model.worldFromModel().z()));
+                    model.worldFromModel().z(),
+                    Math.min(model.traits().energy().give(), MOST_POWER)));
+        }
+    }
+
+    private void warnOfSupply(StageModel model, Body body) {
+        Traits.Energy energy = model.traits().energy();
+        if (energy.give() > 0 && body.isEmpty()) {
+            findings.warn(
+                    model.location(),
+                    "(give_watts) has no effect: nothing can touch (%s).".formatted(Lexer.shortened(model.name())),
+                    "Give it a body.");
+        } else if (energy.give() > 0 && energy.stored().orElse(Double.POSITIVE_INFINITY) < Double.POSITIVE_INFINITY) {
+            findings.warn(
+                    model.location(),
+                    "What (%s) gives does not end when its (joules) have.".formatted(Lexer.shortened(model.macro())),
+                    "Write (joules -1), which says so.");
         }
     }
 

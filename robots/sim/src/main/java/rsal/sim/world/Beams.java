@@ -1,6 +1,7 @@
 package rsal.sim.world;
 
 import java.util.List;
+import java.util.function.DoubleSupplier;
 import rsal.data.Pose2d;
 
 /// All rays of a sensor: those of a laser scanner, which leave one place, or those of a ring of sonars. Robots of one
@@ -63,10 +64,21 @@ public final class Beams {
     /// @param self whose sensor it is, where sensors see it; rays pass through it
     /// @return the first [#count] of it; overwritten by this thread's next cast
     public double[] cast(World world, Body self, double reach) {
+        return cast(world, self, reach, 0, () -> 0);
+    }
+
+    /// The same, of rays each of which is a little off.
+    ///
+    /// @param most how far at most, either way [rad]; 0: not at all
+    /// @param turn how far the next ray is [rad]
+    public double[] cast(World world, Body self, double reach, double most, DoubleSupplier turn) {
         Figure base = self.seen;
         double z = base.height() + height;
         Rays rays = Rays.ofThisThread(cos.length);
         aim(rays, base);
+        if (most > 0) {
+            turn(rays, turn);
+        }
         PieceGrid.Found near = rays.near;
         world.seenNear(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
         for (int i = 0; i < near.count; i++) {
@@ -74,7 +86,7 @@ public final class Beams {
             Piece piece = world.seen(slot);
             if (piece.surface.seenByRangers() && piece.isAt(z) && world.seenOwner(slot) != self) {
                 for (int fan = 0; fan < originX.length; fan++) {
-                    clip(rays, slot, piece, base, fan, reach);
+                    clip(rays, slot, piece, base, fan, reach, most);
                 }
             }
         }
@@ -103,8 +115,19 @@ public final class Beams {
         }
     }
 
+    private void turn(Rays rays, DoubleSupplier turn) {
+        for (int i = 0; i < cos.length; i++) {
+            double angle = turn.getAsDouble();
+            double c = StrictMath.cos(angle);
+            double s = StrictMath.sin(angle);
+            double dx = rays.dx[i];
+            rays.dx[i] = c * dx - s * rays.dy[i];
+            rays.dy[i] = s * dx + c * rays.dy[i];
+        }
+    }
+
     /// Ends the rays of a fan at a piece, looking only at those that may meet the circle around it.
-    private void clip(Rays rays, int slot, Piece piece, Figure base, int fan, double reach) {
+    private void clip(Rays rays, int slot, Piece piece, Figure base, int fan, double reach, double astray) {
         int last = begin[fan + 1] - begin[fan] - 1;
         double toX = piece.x() - rays.x[begin[fan]];
         double toY = piece.y() - rays.y[begin[fan]];
@@ -115,7 +138,7 @@ public final class Beams {
         }
         double ahead = base.cos() * toX + base.sin() * toY; // in the base frame
         double aside = base.cos() * toY - base.sin() * toX;
-        double halfWidth = RoughAngles.asinAtLeast(piece.radius() / Math.sqrt(square)) + RoughAngles.ERROR;
+        double halfWidth = RoughAngles.asinAtLeast(piece.radius() / Math.sqrt(square)) + RoughAngles.ERROR + astray;
         double bearing = RoughAngles.atan2(aside, ahead) - heading[fan];
         double start = bearing - halfWidth - TURN * Math.floor((bearing + halfWidth) / TURN); // its end is in [0, 2π)
         double perRay = 1 / increment[fan];

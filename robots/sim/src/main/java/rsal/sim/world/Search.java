@@ -26,14 +26,22 @@ public final class Search {
     /// @param self who looks; rays pass through it
     /// @param z height of the rays above ground [m]
     /// @param fieldOfView around where the finder looks [rad]
+    /// @param allHeights whether rays meet the marker's own body however high or low it is
     public static List<Found> markers(
-            World world, Body self, Pose2d mapFromFinder, double z, double fieldOfView, double reach, int key) {
+            World world,
+            Body self,
+            Pose2d mapFromFinder,
+            double z,
+            double fieldOfView,
+            double reach,
+            int key,
+            boolean allHeights) {
         var found = new ArrayList<Found>();
         for (Candidate candidate : candidates(world, self, mapFromFinder, reach, key)) {
             Pose2d at = candidate.body.seenPose();
             double distance = mapFromFinder.distanceTo(at);
             boolean ahead = distance == 0 || Math.abs(mapFromFinder.bearingTo(at.position())) <= fieldOfView / 2;
-            if (distance <= reach && ahead && isFirst(world, self, candidate.body, mapFromFinder, z)) {
+            if (distance <= reach && ahead && isFirst(world, self, candidate.body, mapFromFinder, z, allHeights)) {
                 found.add(new Found(candidate.id, at, distance));
             }
         }
@@ -56,7 +64,8 @@ public final class Search {
         return candidates;
     }
 
-    private static boolean isFirst(World world, Body self, Body marker, Pose2d from, double z) {
+    private static boolean isFirst(
+            World world, Body self, Body marker, Pose2d from, double z, boolean markerAtAllHeights) {
         Pose2d to = marker.seenPose();
         double distance = from.distanceTo(to);
         Rays rays = Rays.ofThisThread(1);
@@ -70,7 +79,8 @@ public final class Search {
         Body first = null;
         for (int i = 0; i < near.count; i++) {
             Piece piece = world.seen(near.slots[i]);
-            if (piece.isAt(z) && world.seenOwner(near.slots[i]) != self) {
+            boolean meets = piece.isAt(z) || (markerAtAllHeights && world.seenBody(near.slots[i]) == marker);
+            if (meets && world.seenOwner(near.slots[i]) != self) {
                 double range = piece.ray(from.x(), from.y(), rays.dx[0], rays.dy[0]);
                 if (range < rays.range[0]) {
                     rays.range[0] = range;

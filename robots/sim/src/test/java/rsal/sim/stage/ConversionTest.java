@@ -51,6 +51,11 @@ class ConversionTest {
             strings = {
                 "name \"hall: 1\" interval_sim 50 quit_time 30",
                 "model ( name \"no: 1, {#}\" pose [1 2 0.5 77] size [2 1 0.4] color \"blue\" obstacle_return 0 )",
+                "model ( give_watts 12.5 joules -1 )",
+                """
+                position ( fiducial ( ignore_zloc 1 ) gripper ( paddle_state [ "closed" "up" ] autosnatch 1 )
+                  ranger ( sensor ( fov 180 samples 181 noise [0.0004 0.05 33] ) sensor ( noise [0.01 0.1 90] ) ) )
+                """,
                 "model ( ranger_return 0.5 blob_return 0 fiducial_return 7 fiducial_key 3 gripper_return 1 )",
                 "model ( size [4 4 1] boundary 1 pose [0.1 0.2 0 33.3] )",
                 """

@@ -16,6 +16,7 @@ import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotModel.Steering;
 import rsal.robot.RobotSpec;
 import rsal.scene.Entity;
@@ -249,10 +250,70 @@ class StageFormatTest {
         assertThat(laser.angleIncrement()).isCloseTo(Math.toRadians(1), within(1e-9));
         assertThat(laser.rangeMin()).isEqualTo(0.2);
         assertThat(laser.rangeMax()).isEqualTo(8);
-        assertThat(laser.noise()).isCloseTo(0.02, within(1e-9));
+        assertThat(laser.noise().deviation()).isCloseTo(0.02, within(1e-9));
         assertThat(laser.period()).isEqualTo(Duration.ofMillis(120));
         assertThat(laser.baseFromLaser().x()).isCloseTo(0.1, within(1e-9));
         assertThat(scene.robots().getFirst().model().height("laser")).isCloseTo(0.2 + 0.05 + 0.06 + 0.02, within(1e-9));
+    }
+
+    @Test
+    void noiseIsWhatStageMakesOfIt() {
+        Scene scene = scene("""
+                position ( ranger ( sensor ( fov 180 samples 181 noise [0.0004 0.05 90] )
+                                    sensor ( noise [0.01 0.1 90] ) sensor ( noise [0.01 0.2 90] ) ) )
+                """);
+        var laser = (Part.Laser) part(scene, "laser");
+        assertThat(laser.noise().deviation()).isCloseTo(0.02, within(1e-9));
+        assertThat(laser.noise().share()).isEqualTo(0.05);
+        assertThat(laser.noise().angle())
+                .as("half of 90° in rad, times 1°")
+                .isCloseTo(Math.PI / 4 * Math.toRadians(1), within(1e-9));
+        assertThat(((Part.Sonars) part(scene, "sonar")).noise()).isEqualTo(new RangeNoise(0.1, 0.1, 0));
+        assertThat(((Part.Sonars) part(scene, "sonar-2")).noise()).isEqualTo(new RangeNoise(0.1, 0.2, 0));
+        assertThat(warnings(scene)).isEmpty();
+    }
+
+    @Test
+    void finderAndGripperAreAsTheyAreMeant() {
+        Scene scene = scene("""
+                position ( fiducial ( ignore_zloc 1 ) gripper ( paddle_state [ "closed" "up" ] autosnatch 1 ) )
+                """);
+        assertThat(((Part.FiducialFinder) part(scene, "fiducial-finder")).allHeights())
+                .isTrue();
+        var gripper = (Part.Gripper) part(scene, "gripper");
+        assertThat(gripper.closed() && gripper.raised() && gripper.snatches()).isTrue();
+        Scene plain = scene("position ( fiducial ( ) gripper ( ) )");
+        assertThat(((Part.FiducialFinder) part(plain, "fiducial-finder")).allHeights())
+                .isFalse();
+        gripper = (Part.Gripper) part(plain, "gripper");
+        assertThat(gripper.closed() || gripper.raised() || gripper.snatches()).isFalse();
+    }
+
+    @Test
+    void thingsThatGiveAreChargers() {
+        Scene scene = scene("""
+                model ( name "station" pose [2 0 0 0] model ( name "plate" joules -1 give_watts 100 obstacle_return 0 ) )
+                """);
+        assertThat(thing(scene, "station").givingPower()).isZero();
+        assertThat(thing(scene, "station.plate").givingPower()).isEqualTo(100);
+        assertThat(warnings(scene)).isEmpty();
+    }
+
+    @Test
+    void chargersThatCanNotBeAsTheyAreMeantAreToldOf() {
+        Scene scene = scene("""
+                model ( joules 100 give_watts 100 )
+                model ( give_watts 100 noblocks 1 )
+                """);
+        assertThat(warnings(scene)).hasSize(2);
+        assertThat(warnings(scene).getFirst())
+                .asString()
+                .startsWith("test.world:1:")
+                .contains("(joules)");
+        assertThat(warnings(scene).getLast())
+                .asString()
+                .startsWith("test.world:2:")
+                .contains("(give_watts)");
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.data.Footprint;
@@ -38,9 +39,13 @@ class BeamsTest {
             var baseFromSensor = new Pose2d(0.1, 0.1, 1);
             Pose2d mapFromSensor = bodies.getFirst().pose().compose(baseFromSensor);
             var beams = new Beams(List.of(new Fan(baseFromSensor, first, increment, count)), HEIGHT);
-            double[] ranges = beams.cast(world, bodies.getFirst(), reach);
+            double[] turned = new double[count];
+            double most = seed % 3 == 0 ? random.random.nextDouble(0.001, 0.5) : 0;
+            Arrays.setAll(turned, _ -> most == 0 ? 0 : random.random.nextDouble(-most, most));
+            double[] ranges = beams.cast(
+                    world, bodies.getFirst(), reach, most, Arrays.stream(turned).iterator()::nextDouble);
             for (int i = 0; i < count; i++) {
-                double direction = mapFromSensor.theta() + first + i * increment;
+                double direction = mapFromSensor.theta() + first + i * increment + turned[i];
                 assertThat(ranges[i])
                         .as("seed %d, ray %d of %d", seed, i, count)
                         .isCloseTo(slow(world, bodies, mapFromSensor, direction, reach), within(1e-9));

@@ -59,7 +59,7 @@ public abstract class LaserScannerContract extends SensorContract<LaserScan, Las
     private void assertRight(LaserScan scan) {
         var rays = new Rays(WORLD.grid());
         Pose2d mapFromLaser = truth().compose(scan.baseFromLaser());
-        double tolerance = 5 * part().noise() + 0.03;
+        double tolerance = 5 * part().noise().deviation() + 0.03;
         int wrong = 0;
         for (int beam = 0; beam < scan.count(); beam++) {
             double range = scan.ranges()[beam];

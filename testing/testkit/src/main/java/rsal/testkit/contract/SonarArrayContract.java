@@ -35,7 +35,7 @@ public abstract class SonarArrayContract extends SensorContract<RangeArray, Sona
         simulation().place("r1", WORLD.pose('b', -90));
         RangeArray sonars = reading();
         var rays = new Rays(WORLD.grid());
-        double tolerance = 5 * part().noise() + 0.03;
+        double tolerance = 5 * part().noise().deviation() + 0.03;
         int hits = 0;
         for (int i = 0; i < sonars.count(); i++) {
             Pose2d mapFromSonar = truth().compose(sonars.baseFromSensors().get(i));

@@ -1,0 +1,130 @@
+package rsal.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
+import rsal.data.BatteryState;
+import rsal.data.BatteryState.Charging;
+import rsal.data.Fiducials;
+import rsal.data.LaserScan;
+import rsal.data.Twist2d;
+import rsal.device.Battery;
+import rsal.device.FiducialFinder;
+import rsal.device.LaserScanner;
+import rsal.robot.RobotSpec;
+import rsal.scene.Scene;
+import rsal.settings.FileSource;
+import rsal.sim.stage.StageFormat;
+
+/// Worlds of Stage, run.
+class StageRunTest {
+    private static SimRun run(String world) {
+        FileSource files = (path, most, askedAt) -> world.getBytes(StandardCharsets.UTF_8);
+        Scene scene = new StageFormat().read("test.world", files, 1);
+        return SimRun.in(scene, scene.robots().toArray(RobotSpec[]::new));
+    }
+
+    private static void drive(SimRun run, double speed, double seconds) {
+        for (int i = 0; i < 10 * seconds; i++) {
+            run.base("r").command(Twist2d.drive(speed, 0));
+            run.advance(0.1);
+        }
+    }
+
+    @Test
+    void aRobotThatDrivesOntoAPlateIsChargedThere() {
+        var run = run("""
+                define plate model ( size [0.4 0.4 0.02] joules -1 give_watts 50 obstacle_return 0 ranger_return -1 )
+                model ( name "station" pose [3 0 0 0] size [0.2 1 1] plate ( name "plate" pose [-0.4 0 -1 0] ) )
+                position ( name "r" pose [0 0 0 0] size [0.4 0.4 0.3] joules 100 joules_capacity 1000 take_watts 30 )
+                """);
+        Battery battery = run.robot("r").require(Battery.class);
+        drive(run, 1, 2);
+        BatteryState before = battery.latest().orElseThrow().value();
+        assertThat(before.charging()).isEqualTo(Charging.DISCHARGING);
+        assertThat(before.charge()).isLessThan(100);
+        drive(run, 1, 2);
+        assertThat(run.truth("r").x()).as("up to the station").isCloseTo(2.7, within(0.01));
+        double there = battery.latest().orElseThrow().value().charge();
+        run.advance(10);
+        BatteryState after = battery.latest().orElseThrow().value();
+        assertThat(after.charging()).isEqualTo(Charging.CHARGING);
+        assertThat(after.charge() - there).as("30 W in, 1 W out").isCloseTo(290, within(1e-6));
+    }
+
+    private static Fiducials fiducials(String finder, String other) {
+        var run = run("""
+                position ( name "r" size [0.4 0.4 0.3] fiducial ( range_max 8 %s ) )
+                model ( name "low" pose [3 0 0 0] size [0.2 0.2 0.1] fiducial_return 5 )
+                %s
+                """.formatted(finder, other));
+        run.advance(0.2);
+        return run.robot("r")
+                .require(FiducialFinder.class)
+                .latest()
+                .orElseThrow()
+                .value();
+    }
+
+    @Test
+    void whoIgnoresHeightsSeesMarkersBelowUnlessSomethingHidesThem() {
+        assertThat(fiducials("", "").fiducials()).isEmpty();
+        assertThat(fiducials("ignore_zloc 1", "").fiducials())
+                .singleElement()
+                .satisfies(found -> assertThat(found.id()).hasValue(5));
+        assertThat(fiducials("ignore_zloc 1", "model ( pose [2 0 0 0] size [0.1 1 1] )")
+                        .fiducials())
+                .isEmpty();
+        assertThat(fiducials("ignore_zloc 1", "model ( pose [2 0 0 0] size [0.1 1 0.1] )")
+                        .fiducials())
+                .as("behind what is as low")
+                .hasSize(1);
+    }
+
+    private static LaserScan scan(String noise) {
+        var run = run("""
+                position ( name "r" size [0.4 0.4 0.3]
+                  ranger ( sensor ( range [0 20] fov 180 samples 1001 noise %s ) ) )
+                model ( pose [5 0 0 0] size [0.1 1000 1] )
+                """.formatted(noise));
+        run.advance(0.2);
+        return run.robot("r").require(LaserScanner.class).latest().orElseThrow().value();
+    }
+
+    @Test
+    void proportionalNoiseIsAsLargeAsItsShare() {
+        LaserScan exact = scan("[0 0 0]");
+        LaserScan noisy = scan("[0 0.1 0]");
+        double least = 1;
+        double most = -1;
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < exact.ranges().length; i++) {
+            if (exact.ranges()[i] < 15) {
+                double share = noisy.ranges()[i] / exact.ranges()[i] - 1;
+                least = Math.min(least, share);
+                most = Math.max(most, share);
+                sum += share;
+                count++;
+            }
+        }
+        assertThat(least).isBetween(-0.10001, -0.098);
+        assertThat(most).isBetween(0.098, 0.10001);
+        assertThat(sum / count).isCloseTo(0, within(0.01));
+    }
+
+    /// A beam at angle a to a wall 5 m off is 5 m / cos a long, so that its length tells its angle.
+    @Test
+    void angularNoiseTurnsBeamsByAPartOfWhatIsBetweenThem() {
+        LaserScan exact = scan("[0 0 0]");
+        LaserScan noisy = scan("[0 0 57.29578]"); // 1 rad, which is half of the spacing either way
+        double most = 0;
+        for (int i = 600; exact.ranges()[i] < 15; i++) {
+            double turned = Math.acos(4.95 / noisy.ranges()[i]) - Math.acos(4.95 / exact.ranges()[i]);
+            most = Math.max(most, Math.abs(turned) / exact.angleIncrement());
+        }
+        assertThat(most).isBetween(0.48, 0.501);
+    }
+}
