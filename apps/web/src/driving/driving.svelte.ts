@@ -106,6 +106,12 @@ class Driving {
     this.tell();
   }
 
+  /** @param percent of the full speed, from now on */
+  share(percent: number) {
+    this.speed = percent;
+    this.tell();
+  }
+
   /** What the server says about the robots. */
   look(robots: RobotDetails[]) {
     const driver = robots.find(({ id }) => id === this.robot)?.driver;
