@@ -100,6 +100,22 @@ export interface Events {
   events: EventInfo[];
 }
 
+export interface GripperInfo {
+  x: number;
+  y: number;
+  heading: number;
+  length: number;
+  width: number;
+  paddleLength: number;
+  paddleWidth: number;
+}
+
+export interface LightInfo {
+  x: number;
+  y: number;
+  color: string;
+}
+
 export interface MapInfo {
   name: string;
   width: number;
@@ -189,6 +205,8 @@ export interface RobotInfo {
   model: string;
   footprint: number[][];
   pieces: PieceInfo[];
+  gripper: GripperInfo | null;
+  light: LightInfo | null;
 }
 
 export interface RobotPose {

@@ -61,6 +61,12 @@ describe('a frame', () => {
     expect(values[3]! / values[7]!).toBeCloseTo(1 / 3, 3);
   });
 
+  it('has gripper and light', () => {
+    expect(full?.gripper?.closed).toBeCloseTo(0.25, 4);
+    expect(full).toMatchObject({ gripper: { holding: true }, lit: true });
+    expect(bare).toMatchObject({ gripper: null, lit: false });
+  });
+
   it('has things that were moved, and how high they are', () => {
     expect(frame.things.map(({ number }) => number)).toEqual([4, 70000]);
     expect(frame.things[0]?.pose.x).toBeCloseTo(-1.5, 3);

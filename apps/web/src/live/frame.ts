@@ -22,6 +22,10 @@ const PATH = 1 << 5;
 const SCAN = 1 << 6;
 const RANGES = 1 << 7;
 const PARTICLES = 1 << 8;
+const GRIPPER = 1 << 9;
+const LIT = 1 << 10;
+
+const HOLDING = 1;
 
 /** What a range may be instead of a distance. */
 export const TOO_CLOSE = 0;
@@ -71,6 +75,12 @@ export interface Particles {
   values: Uint16Array;
 }
 
+export interface Gripper {
+  /** How far the paddles are: 0 open, 1 closed. */
+  closed: number;
+  holding: boolean;
+}
+
 export interface RobotState {
   /** The truth where it is known, else what the robot believes; `null` while nobody knows. */
   pose: Pose | null;
@@ -87,6 +97,9 @@ export interface RobotState {
   scan: Scan | null;
   cones: Cones | null;
   particles: Particles | null;
+  gripper: Gripper | null;
+  /** Whether its light shines. */
+  lit: boolean;
 }
 
 /** A thing that is elsewhere than the server told when it came. */
@@ -166,6 +179,8 @@ function robotAt(view: DataView, offset: number, blocks: Reader): RobotState {
     scan: has(SCAN) ? scan(blocks) : null,
     cones: has(RANGES) ? cones(blocks) : null,
     particles: has(PARTICLES) ? particles(blocks) : null,
+    gripper: has(GRIPPER) ? gripper(blocks) : null,
+    lit: has(LIT),
   };
 }
 
@@ -220,6 +235,10 @@ function particles(reader: Reader): Particles {
   const unit = reader.float32();
   const count = reader.uint32();
   return { originX, originY, unit, count, values: reader.uint16s(4 * count) };
+}
+
+function gripper(reader: Reader): Gripper {
+  return { closed: reader.uint16() / 0xffff, holding: (reader.uint16() & HOLDING) !== 0 };
 }
 
 /** Reads little-endian values one after the other; arrays are views, which every browser's byte order allows. */

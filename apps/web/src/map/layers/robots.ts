@@ -1,5 +1,5 @@
-import type { PieceInfo, RobotInfo } from '../../api/messages';
-import type { Pose } from '../../live/frame';
+import type { GripperInfo, LightInfo, PieceInfo, RobotInfo } from '../../api/messages';
+import type { Pose, RobotState } from '../../live/frame';
 import type { Layer } from '../scene';
 import type { Point } from '../view';
 import { toOklab } from '../../shades';
@@ -9,6 +9,10 @@ import { enter } from './frames';
 
 /** A robot is drawn at least this long [px], so that it is seen on a large map. */
 const LEAST_PIXELS = 18;
+const PADDLES = '#5b6576';
+/** Radius of a light, and of its shine [m]. */
+const LAMP = 0.05;
+const GLOW = 0.3;
 /** Robots of at least this lightness (of OKLab) have dark arrows. */
 const LIGHT = 0.72;
 export const HANDLE_PIXELS = 5;
@@ -21,7 +25,7 @@ export const drawRobots: Layer = (context, { info, frame, poses, view, palette, 
       return;
     }
     const { color, footprint } = robot;
-    drawRobot(context, pose, robot, view.scale, palette);
+    drawRobot(context, pose, robot, view.scale, palette, frame.robots[i]);
     if (frame.robots[i]!.stalled) {
       drawRing(context, pose, footprint, view.scale, palette.text, [4, 4]);
     }
@@ -35,9 +39,10 @@ export const drawRobots: Layer = (context, { info, frame, poses, view, palette, 
 export function drawRobot(
   context: CanvasRenderingContext2D,
   pose: Pose,
-  { footprint, pieces, color }: RobotInfo,
+  { footprint, pieces, color, gripper, light }: RobotInfo,
   scale: number,
   { halo, edge }: Palette,
+  state?: RobotState,
 ) {
   const grown = magnification(footprint, scale);
   const shape = pieces.length > 0 ? pieces : [plain(footprint)];
@@ -46,6 +51,9 @@ export function drawRobot(
   context.save();
   enter(context, pose);
   context.scale(grown, grown);
+  if (gripper) {
+    drawPaddles(context, gripper, state?.gripper?.closed ?? 0, { halo, edge }, 1 / (scale * grown));
+  }
   const front = Math.max(...footprint.map(([x]) => x!));
   context.beginPath(); // an arrow head
   context.moveTo(0.8 * front, 0);
@@ -55,7 +63,63 @@ export function drawRobot(
   context.closePath();
   context.fillStyle = toOklab(shape.at(-1)!.color ?? color)[0] > LIGHT ? '#10151d' : '#ffffff';
   context.fill();
+  if (light) {
+    drawLight(context, light, state?.lit === true, edge, 1 / (scale * grown));
+  }
   context.restore();
+}
+
+/** In the robot's frame. */
+function drawPaddles(
+  context: CanvasRenderingContext2D,
+  { x, y, heading, length, width, paddleLength, paddleWidth }: GripperInfo,
+  closed: number,
+  { halo, edge }: Pick<Palette, 'halo' | 'edge'>,
+  pixel: number,
+) {
+  const gap = (width / 2 - paddleWidth) * (1 - closed);
+  context.save();
+  enter(context, { x, y, heading });
+  context.fillStyle = PADDLES;
+  context.strokeStyle = edge;
+  for (const inside of [gap, -gap - paddleWidth]) {
+    context.beginPath();
+    context.rect(length / 2 - paddleLength, inside, paddleLength, paddleWidth);
+    context.lineWidth = 3 * pixel;
+    context.strokeStyle = edge;
+    context.stroke();
+    context.lineWidth = 1.5 * pixel;
+    context.strokeStyle = halo;
+    context.stroke();
+    context.fill();
+  }
+  context.restore();
+}
+
+/** In the robot's frame: a lamp, and what it shines on. */
+function drawLight(
+  context: CanvasRenderingContext2D,
+  { x, y, color }: LightInfo,
+  lit: boolean,
+  edge: string,
+  pixel: number,
+) {
+  context.fillStyle = color;
+  if (lit) {
+    context.beginPath();
+    context.arc(x, y, GLOW, 0, 2 * Math.PI);
+    context.globalAlpha *= 0.3;
+    context.fill();
+    context.globalAlpha /= 0.3;
+  }
+  context.beginPath();
+  context.arc(x, y, LAMP, 0, 2 * Math.PI);
+  if (lit) {
+    context.fill();
+  }
+  context.strokeStyle = lit ? edge : color;
+  context.lineWidth = 1.5 * pixel;
+  context.stroke();
 }
 
 const plains = new WeakMap<number[][], PieceInfo>();

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import rsal.data.Angles;
 import rsal.data.Covariance2d;
+import rsal.data.GripperState;
 import rsal.data.LaserScan;
 import rsal.data.ParticleCloud;
 import rsal.data.Path2d;
@@ -44,6 +45,10 @@ final class FrameEncoder {
     static final int SCAN = 1 << 6;
     static final int RANGES = 1 << 7;
     static final int PARTICLES = 1 << 8;
+    static final int GRIPPER = 1 << 9;
+    static final int LIT = 1 << 10;
+
+    static final int HOLDING = 1;
 
     static final int TOO_CLOSE = 0;
     static final int NOTHING = 0xffff;
@@ -128,7 +133,9 @@ final class FrameEncoder {
                 | (robot.path().points().isEmpty() ? 0 : PATH)
                 | (robot.scan().isPresent() ? SCAN : 0)
                 | (robot.ranges().isPresent() ? RANGES : 0)
-                | (robot.particles().isPresent() ? PARTICLES : 0);
+                | (robot.particles().isPresent() ? PARTICLES : 0)
+                | (robot.gripper().isPresent() ? GRIPPER : 0)
+                | (robot.lit() ? LIT : 0);
     }
 
     /// The truth where there is one, else what its localizer believes.
@@ -151,6 +158,7 @@ final class FrameEncoder {
         robot.scan().map(Stamped::value).ifPresent(this::scan);
         robot.ranges().map(Stamped::value).ifPresent(this::ranges);
         robot.particles().map(Stamped::value).ifPresent(this::particles);
+        robot.gripper().map(Stamped::value).ifPresent(this::gripper);
     }
 
     private void estimate(PoseEstimate estimate) {
@@ -232,6 +240,13 @@ final class FrameEncoder {
             out.putShort(turn(poses[3 * i + 2]));
             out.putShort((short) Math.round(0xffff * (cloud.weights()[i] / maxWeight)));
         }
+    }
+
+    private void gripper(GripperState gripper) {
+        reserve(4);
+        double closed = gripper.closed() >= 0 ? Math.min(1, gripper.closed()) : 0; // open when it can't tell
+        out.putShort((short) Math.round(0xffff * closed));
+        out.putShort((short) (gripper.holding() ? HOLDING : 0));
     }
 
     /// 10 bytes.

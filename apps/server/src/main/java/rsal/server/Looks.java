@@ -10,7 +10,11 @@ import rsal.data.Prism;
 import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.device.SimulationControl.Standing;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Part;
 import rsal.scenario.run.Teammate;
+import rsal.server.Messages.GripperInfo;
+import rsal.server.Messages.LightInfo;
 import rsal.server.Messages.PieceInfo;
 import rsal.server.Messages.RobotInfo;
 import rsal.server.Messages.ThingInfo;
@@ -38,7 +42,27 @@ final class Looks {
                 spec.color(),
                 spec.model().title(),
                 corners(spec.model().footprint()),
-                pieces);
+                pieces,
+                part(spec.model(), Part.Gripper.class).map(Looks::gripper),
+                part(spec.model(), Part.Light.class).map(Looks::light));
+    }
+
+    private static <P extends Part> Optional<P> part(RobotModel model, Class<P> type) {
+        return model.sensors().values().stream()
+                .filter(type::isInstance)
+                .map(type::cast)
+                .findFirst();
+    }
+
+    private static GripperInfo gripper(Part.Gripper part) {
+        var pose = part.baseFromGripper();
+        return new GripperInfo(
+                pose.x(), pose.y(), pose.theta(), part.length(), part.width(), part.paddleLength(), part.paddleWidth());
+    }
+
+    private static LightInfo light(Part.Light part) {
+        var pose = part.baseFromLight();
+        return new LightInfo(pose.x(), pose.y(), part.color().toString());
     }
 
     static ThingInfo thing(Standing thing) {

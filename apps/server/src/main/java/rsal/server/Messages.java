@@ -117,7 +117,26 @@ final class Messages {
     /// @param footprint corners in its base frame, x and y [m]
     /// @param pieces of its body, in its base frame, the lowest first; none when it looks like its footprint
     record RobotInfo(
-            String id, String role, String color, String model, List<List<Double>> footprint, List<PieceInfo> pieces) {}
+            String id,
+            String role,
+            String color,
+            String model,
+            List<List<Double>> footprint,
+            List<PieceInfo> pieces,
+            Optional<GripperInfo> gripper,
+            Optional<LightInfo> light) {}
+
+    /// Two paddles that close across, in the base frame [m, rad].
+    ///
+    /// @param x of the middle of gripper and paddles together, open along its own x axis
+    /// @param length of gripper and paddles together
+    /// @param width from outside to outside, when they are open
+    record GripperInfo(
+            double x, double y, double heading, double length, double width, double paddleLength, double paddleWidth) {}
+
+    /// @param x in the base frame [m]
+    /// @param color `#rrggbb`
+    record LightInfo(double x, double y, String color) {}
 
     /// A piece of a body as seen from above.
     ///

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.data.Covariance2d;
+import rsal.data.GripperState;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
@@ -149,6 +150,9 @@ class FrameEncoderTest {
                 "",
                 "",
                 "",
+                Optional.of(stamped(new GripperState(
+                        GripperState.Paddles.CLOSED, 0.25, GripperState.Lift.DOWN, 0, false, false, true, true, true))),
+                true,
                 List.of());
     }
 
@@ -184,6 +188,8 @@ class FrameEncoderTest {
                 "",
                 "",
                 "",
+                Optional.empty(),
+                false,
                 List.of());
     }
 

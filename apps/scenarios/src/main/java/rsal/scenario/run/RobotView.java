@@ -2,6 +2,7 @@ package rsal.scenario.run;
 
 import java.util.List;
 import java.util.Optional;
+import rsal.data.GripperState;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
@@ -23,6 +24,7 @@ import rsal.data.Stamped;
 /// or nobody
 /// @param behavior what a person told it to do, as [LiveRun#behave] has it; empty when nobody did
 /// @param driver who drives it by keys, as [LiveRun#drive] has it; empty when nobody does
+/// @param lit whether its light shines
 public record RobotView(
         String id,
         String role,
@@ -39,6 +41,8 @@ public record RobotView(
         String inCharge,
         String behavior,
         String driver,
+        Optional<Stamped<GripperState>> gripper,
+        boolean lit,
         List<DeviceView> devices) {
     public RobotView {
         devices = List.copyOf(devices);

@@ -451,6 +451,12 @@ final class Stage implements AutoCloseable {
                         .orElse(""),
                 told.map(Controls::behavior).orElse(""),
                 told.map(Controls::driver).orElse(""),
+                robot.find(Gripper.class).filter(_ -> there).flatMap(Gripper::latest),
+                robot.find(Light.class)
+                        .filter(_ -> there)
+                        .flatMap(Light::latest)
+                        .filter(light -> light.value().lit())
+                        .isPresent(),
                 devices(robot).stream().map(Stage::view).toList());
     }
 
