@@ -83,6 +83,12 @@ class WorldSchemaTest {
                 "models: {m: {title: M, body: {pieces: [{radius: 1, obstacle: false}]}, mounts: {l: [0, 0, 0, 1]}, sensors: {l: p}, "
                         + DRIVE
                         + "}}\nparts: {p: {type: laser, fieldOfView: 9, samples: 9, range: [0, 1], noise: 0, period: 1}}",
+                "things: {a: {body: {radius: 1}, givingPower: 50}}",
+                "parts: {p: {type: laser, fieldOfView: 9, samples: 9, range: [0, 1], noise: 0, relativeNoise: 0.1, angularNoise: 1, period: 1}}",
+                "parts: {p: {type: sonars, sensors: [[0, 0, 0]], fieldOfView: 9, range: [0, 1], noise: 0, relativeNoise: 1, period: 1}}",
+                "parts: {p: {type: fiducial-finder, fieldOfView: 9, range: 1, idRange: 1, allHeights: true, period: 1}}",
+                "parts: {p: {type: gripper, length: 1, width: 1, height: 1, paddleLength: 0.5, paddleWidth: 0.1, closingTime: 1,"
+                        + " liftingTime: 1, closed: true, raised: true, snatches: false, period: 1}}",
             })
     void whatTheReaderAcceptsItAccepts(String text) {
         assertThat(readerAccepts("rsal: 1\n" + text)).isTrue();
@@ -109,6 +115,7 @@ class WorldSchemaTest {
                 "things: {a: {body: {radius: 1}, blob: 1}}",
                 "things: {a: {body: {radius: 1}, pose: [1, 2]}}",
                 "things: {a: {body: {radius: 1}, count: 0}}",
+                "things: {a: {body: {radius: 1}, givingPower: -1}}",
                 "fields: {a: {}}",
                 "fields: {a: {count: 1, density: 1}}",
                 "fields: {a: {count: 1, shapes: [ball]}}",
