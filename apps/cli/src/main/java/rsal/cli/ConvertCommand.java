@@ -44,7 +44,7 @@ final class ConvertCommand extends Subcommand {
 
     @Override
     int run() {
-        if (!Scenario.isWorld(file) || file.endsWith(YamlFormat.SUFFIX)) {
+        if (!file.endsWith(".world")) {
             throw new InvalidSettings(
                     Location.of(file), "This is no world that can be converted.", "Those of Stage can: FILE.world.");
         }

@@ -29,7 +29,7 @@ final class ShowCommand extends Subcommand {
     @Parameters(
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|NAME",
             description =
-                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, or Stage's FILE.world); or what 'rsal list agents', 'drivers', 'mas' or"
+                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); or what 'rsal list agents', 'drivers', 'mas' or"
                             + " 'mrs' names.")
     private String name = "";
 
@@ -46,7 +46,8 @@ final class ShowCommand extends Subcommand {
             return Exit.SUCCESS;
         }
         if (image != null) {
-            throw new ParameterException(spec.commandLine(), "Only worlds (FILE.world.yaml, FILE.world) are drawn.");
+            throw new ParameterException(
+                    spec.commandLine(), "Only worlds (FILE.world.yaml, FILE.world, FILE.cfg) are drawn.");
         }
         List<Kind> all = Kind.all();
         List<Kind> found = all.stream().filter(kind -> kind.name().equals(name)).toList();

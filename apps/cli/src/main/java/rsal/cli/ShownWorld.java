@@ -11,6 +11,7 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Steering;
 import rsal.robot.RobotSpec;
 import rsal.scene.Scene;
+import rsal.scene.Service;
 import rsal.settings.Problem;
 
 /// What is in a world, as `rsal show --json FILE.world` prints it.
@@ -20,6 +21,7 @@ import rsal.settings.Problem;
 /// @param end simulated time after which a run of it ends [s]
 /// @param models how many of which kind the file has
 /// @param walls floor plans, in cells
+/// @param services that its file asks servers to offer
 /// @param image where it is drawn
 record ShownWorld(
         String file,
@@ -31,6 +33,7 @@ record ShownWorld(
         List<Plan> walls,
         int things,
         List<Make> robots,
+        List<Service> services,
         List<ValidateCommand.Mistake> warnings,
         String image) {
 
@@ -66,6 +69,7 @@ record ShownWorld(
                         .toList(),
                 scene.things().size(),
                 makes(scene),
+                scene.services(),
                 scene.warnings().stream().map(ValidateCommand.Mistake::of).toList(),
                 image);
     }
@@ -131,6 +135,15 @@ record ShownWorld(
             make.devices.forEach((name, type) -> moving.row("", name + ": " + type));
         }
         section(text, "Robots", moving);
+        var offered = new Table("  ");
+        for (Service service : services) {
+            offered.row(
+                    String.valueOf(service.port()),
+                    service.robot().orElse(""),
+                    String.join(", ", service.devices()),
+                    service.driver() + (service.needs().isEmpty() ? "" : " on " + String.join(", ", service.needs())));
+        }
+        section(text, "Served at ports", offered);
         if (!warnings.isEmpty()) {
             text.append("\nWarnings\n");
         }

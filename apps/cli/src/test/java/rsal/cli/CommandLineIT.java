@@ -436,6 +436,38 @@ class CommandLineIT {
     }
 
     @Test
+    void configurationsOfPlayerShowRunAndValidate() throws Exception {
+        Files.writeString(folder.resolve("lab.world"), """
+                define cart position ( size [0.4 0.4 0.3] ranger ( sensor ( range [0 4] fov 180 samples 90 ) ) )
+                cart ( name "r0" pose [-2 0 0 0] )
+                """);
+        String good = """
+                driver ( name "stage" plugin "stageplugin" provides ["simulation:0"] worldfile "lab.world" )
+                driver ( name "stage" provides ["6667:position2d:0" "6667:ranger:0"] model "r0" )
+                driver ( name "rangertolaser" requires ["6667:ranger:0"] provides ["6667:laser:0"] )
+                """;
+        Files.writeString(folder.resolve("lab.cfg"), good);
+        Files.writeString(folder.resolve("wrong.cfg"), good.replace("\"r0\"", "\"r1\""));
+        Ended shown = rsal.run("show", "lab.cfg");
+        assertThat(shown.code()).as(shown.err()).isZero();
+        assertThat(shown.out())
+                .contains("Served at ports", "6667   r0", "position2d:0, ranger:0", "rangertolaser on 6667:ranger:0")
+                .contains("lab.cfg:3:1: (rangertolaser) has no effect in a run yet.");
+        JsonNode json = JsonMapper.shared()
+                .readTree(rsal.run("show", "lab.cfg", "--json").out());
+        assertThat(json.get("services").get(1).get("robot").stringValue()).isEqualTo("r0");
+        Ended checked = rsal.run("validate", "lab.cfg", "wrong.cfg");
+        assertThat(checked.code()).isEqualTo(Exit.INVALID);
+        assertThat(checked.out())
+                .contains("lab.cfg: right", "wrong.cfg:2:", "There is no model (r1)", "Maybe (r0) was meant?");
+        Ended run = rsal.run("run", "lab.cfg", "--headless", "--speed", "max", "--for", "2", "--json");
+        assertThat(run.code()).as(run.err()).isZero();
+        Ended converted = rsal.run("convert", "lab.cfg");
+        assertThat(converted.code()).isEqualTo(Exit.INVALID);
+        assertThat(converted.err()).contains("no world that can be converted");
+    }
+
+    @Test
     void showTellsWhatIsInAWorldAndDrawsIt() throws Exception {
         Files.writeString(folder.resolve("hall.world"), """
                 name "hall"

@@ -26,6 +26,7 @@ import rsal.settings.Problem;
 /// @param odomFromBase where their odometry says they are at first, by id; of those not named it is the origin
 /// @param programs what drives robots where the world comes from, by id: a word of its file, `wander`
 /// @param contents how many of which kind its file has, as the file calls them
+/// @param services that its file asks servers to offer
 /// @param warnings about what of its file has no effect
 public record Scene(
         String title,
@@ -40,6 +41,7 @@ public record Scene(
         Map<String, Pose2d> odomFromBase,
         Map<String, String> programs,
         SortedMap<String, Integer> contents,
+        List<Service> services,
         List<Problem> warnings) {
 
     public Scene {
@@ -50,7 +52,40 @@ public record Scene(
         odomFromBase = Map.copyOf(odomFromBase);
         programs = Map.copyOf(programs);
         contents = Collections.unmodifiableSortedMap(new TreeMap<>(contents));
+        services = List.copyOf(services);
         warnings = List.copyOf(warnings);
+    }
+
+    /// A world of which servers offer nothing.
+    public Scene(
+            String title,
+            OccupancyGrid map,
+            Optional<Duration> step,
+            Optional<Duration> end,
+            Touch touch,
+            List<Raster> walls,
+            List<Entity> things,
+            List<RobotSpec> robots,
+            Map<String, Entity> robotBodies,
+            Map<String, Pose2d> odomFromBase,
+            Map<String, String> programs,
+            SortedMap<String, Integer> contents,
+            List<Problem> warnings) {
+        this(
+                title,
+                map,
+                step,
+                end,
+                touch,
+                walls,
+                things,
+                robots,
+                robotBodies,
+                odomFromBase,
+                programs,
+                contents,
+                List.of(),
+                warnings);
     }
 
     /// The world of a map: its walls, as high as you like, and nothing else.
@@ -86,6 +121,28 @@ public record Scene(
                 odomFromBase,
                 programs,
                 contents,
+                services,
                 warnings);
+    }
+
+    /// The same, of which servers are to offer something.
+    ///
+    /// @param others instead of the warnings
+    public Scene serving(List<Service> offered, List<Problem> others) {
+        return new Scene(
+                title,
+                map,
+                step,
+                end,
+                touch,
+                walls,
+                things,
+                robots,
+                robotBodies,
+                odomFromBase,
+                programs,
+                contents,
+                offered,
+                others);
     }
 }

@@ -17,7 +17,7 @@ import rsal.settings.Value;
 /// @param make the entity of which this is a copy at another place and of another name; empty when it is
 /// more or less than that
 /// @param size how many entities this is with all that is in it
-record Entity(
+public record Entity(
         String type,
         String macro,
         Location location,
@@ -29,9 +29,9 @@ record Entity(
     /// A property.
     ///
     /// @param location of its name
-    record Setting(String name, Location location, Value value) {}
+    public record Setting(String name, Location location, Value value) {}
 
-    Optional<Setting> find(String name) {
+    public Optional<Setting> find(String name) {
         return Optional.ofNullable(settings.get(name));
     }
 }

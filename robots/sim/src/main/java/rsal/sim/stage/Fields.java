@@ -140,7 +140,7 @@ final class Fields {
         if (!options.contains(word)) {
             problem(
                     name,
-                    "There is no %s (%s).".formatted(name, Lexer.shortened(word)),
+                    "There is no %s (%s).".formatted(name, Findings.shortened(word)),
                     Suggestion.among(word, options));
             return fallback;
         }
@@ -303,7 +303,8 @@ final class Fields {
                         : findings.maybe(family, known(), "");
                 findings.warn(
                         setting.location(),
-                        "(%s) is not known in %s and has no effect.".formatted(Lexer.shortened(setting.name()), what),
+                        "(%s) is not known in %s and has no effect."
+                                .formatted(Findings.shortened(setting.name()), what),
                         remedy);
             }
         }

@@ -13,7 +13,7 @@ import rsal.settings.Suggestion;
 
 /// What is wrong with a world (errors), and what of it has no effect here (warnings). Each thing is told once for
 /// each place, however often a macro repeats it, and neither list grows without bound.
-final class Findings {
+public final class Findings {
     private static final int MAX_ERRORS = 50;
     private static final int MAX_WARNINGS = 500;
     private static final int MAX_GUESSES = 1000;
@@ -27,7 +27,7 @@ final class Findings {
     private int guesses;
 
     /// @throws InvalidSettings with all errors so far when there are too many to go on
-    void error(Location location, String message, String remedy) {
+    public void error(Location location, String message, String remedy) {
         var problem = new Problem(location, message, remedy);
         if (told.add(problem)) {
             errors.add(problem);
@@ -38,12 +38,12 @@ final class Findings {
     }
 
     /// Nothing more can be read.
-    InvalidSettings fatal(Location location, String message, String remedy) {
+    public InvalidSettings fatal(Location location, String message, String remedy) {
         errors.add(new Problem(location, message, remedy));
         return new InvalidSettings(errors);
     }
 
-    void warn(Location location, String message, String remedy) {
+    public void warn(Location location, String message, String remedy) {
         var problem = new Problem(location, message, remedy);
         if (told.size() < 100 * MAX_WARNINGS && told.add(problem)) {
             if (warnings.size() < MAX_WARNINGS) {
@@ -56,7 +56,7 @@ final class Findings {
 
     /// The known word that a person may have meant; empty when none is close, or after so many guesses that
     /// another would only cost time.
-    Optional<String> guess(String read, Collection<String> known) {
+    public Optional<String> guess(String read, Collection<String> known) {
         if (++guesses > MAX_GUESSES) {
             return Optional.empty();
         }
@@ -68,20 +68,25 @@ final class Findings {
     }
 
     /// A guess as a sentence.
-    String maybe(String read, Collection<String> known, String otherwise) {
+    public String maybe(String read, Collection<String> known, String otherwise) {
         return guess(read, known)
                 .map(word -> "Maybe (%s) was meant?".formatted(word))
                 .orElse(otherwise);
     }
 
-    void throwIfAny() {
+    /// A text as messages quote it.
+    public static String shortened(String text) {
+        return text.length() <= 80 ? text : text.substring(0, 77) + "...";
+    }
+
+    public void throwIfAny() {
         if (!errors.isEmpty()) {
             throw new InvalidSettings(errors);
         }
     }
 
     /// @param file the world's, for what is said of all of it
-    List<Problem> warnings(String file) {
+    public List<Problem> warnings(String file) {
         var all = new ArrayList<>(warnings);
         if (untold > 0) {
             all.add(new Problem(Location.of(file), "There are %d more warnings.".formatted(untold), ""));

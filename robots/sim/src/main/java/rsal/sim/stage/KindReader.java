@@ -207,7 +207,7 @@ final class KindReader {
             fields.problem(
                     "paddle_state",
                     "(paddle_state) has (%s) where (%s) or (%s) was expected."
-                            .formatted(Lexer.shortened(word), no, yes),
+                            .formatted(Findings.shortened(word), no, yes),
                     "Write [\"open\" \"down\"] or the like.");
         }
         return word.equals(yes);

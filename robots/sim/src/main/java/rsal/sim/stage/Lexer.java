@@ -7,6 +7,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Set;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
@@ -21,26 +22,29 @@ final class Lexer {
     static final int MAX_INCLUDE_DEPTH = 32;
     static final int MAX_INCLUDES = 1000;
     static final int MAX_TOKENS = 2_000_000;
+    private static final Set<String> FLAGS = Set.of("true", "false", "yes", "no");
 
     private final WorldFiles files;
     private final String world;
     private final Findings findings;
+    private final Dialect dialect;
     private final List<Token> tokens = new ArrayList<>();
     private final Deque<String> open = new ArrayDeque<>(); // paths of files that are being read
     private int includes;
     private boolean missing;
 
-    private Lexer(WorldFiles files, String world, Findings findings) {
+    private Lexer(WorldFiles files, String world, Findings findings, Dialect dialect) {
         this.files = files;
         this.world = world;
         this.findings = findings;
+        this.dialect = dialect;
     }
 
     /// @param complete whether all that is included was there
     record Tokens(List<Token> all, boolean complete) {}
 
-    static Tokens read(String world, WorldFiles files, Findings findings) {
-        var lexer = new Lexer(files, world, findings);
+    static Tokens read(String world, WorldFiles files, Findings findings, Dialect dialect) {
+        var lexer = new Lexer(files, world, findings, dialect);
         lexer.read(files.open(world, MAX_BYTES));
         return new Tokens(lexer.tokens, !lexer.missing);
     }
@@ -178,15 +182,21 @@ final class Lexer {
         private void word() {
             Location at = here();
             int start = next;
-            while (next < text.length() && (isWordPart(text.charAt(next)) || isIndex())) {
+            while (next < text.length() && (isWordPart(text.charAt(next)) || isColon() || isIndex())) {
                 next = text.charAt(next) == '[' ? text.indexOf(']', next) + 1 : next + 1;
             }
             String word = text.substring(start, next);
             if (word.equals("include")) {
                 include(at);
+            } else if (dialect.player() && FLAGS.contains(word)) {
+                add(new Token.Literal(at, word.equals("true") || word.equals("yes")));
             } else {
                 add(new Token.Word(at, word));
             }
+        }
+
+        private boolean isColon() {
+            return dialect.player() && text.charAt(next) == ':';
         }
 
         /// Whether digits in brackets follow, `[12]`: part of a name.
@@ -236,7 +246,7 @@ final class Lexer {
             String digits = text.substring(start, next);
             double value = parse(digits);
             if (!Double.isFinite(value)) {
-                findings.error(at, "(%s) is not a number.".formatted(shortened(digits)), "");
+                findings.error(at, "(%s) is not a number.".formatted(Findings.shortened(digits)), "");
             }
             add(new Token.Literal(at, plain(Double.isFinite(value) ? value : 0)));
         }
@@ -253,10 +263,6 @@ final class Lexer {
         } catch (NumberFormatException _) {
             return Double.NaN;
         }
-    }
-
-    static String shortened(String text) {
-        return text.length() <= 80 ? text : text.substring(0, 77) + "...";
     }
 
     private static String maybe(char c) {

@@ -24,17 +24,17 @@ final class Macros {
 
     private static final long MAX_COPIES = 20_000_000; // of children and settings, while macros are put in
 
-    private static final String TYPES = "Types are: %s.".formatted(String.join(", ", Types.ALL));
-
     private static final Set<String> COPIED = Set.of("name", "pose");
 
     private final Findings findings;
+    private final Dialect dialect;
     private final Map<String, Macro> macros = new LinkedHashMap<>();
     private final List<Syntax> baseless = new ArrayList<>(); // definitions whose base nobody knows, yet
     private long copies;
 
-    Macros(Findings findings) {
+    Macros(Findings findings, Dialect dialect) {
         this.findings = findings;
+        this.dialect = dialect;
     }
 
     private static final class Macro {
@@ -66,20 +66,22 @@ final class Macros {
                 findings.warn(
                         location,
                         "(%s) is defined again, without effect: its first definition counts, at %s."
-                                .formatted(Lexer.shortened(name), first.location),
+                                .formatted(Findings.shortened(name), first.location),
                         "Give one of them another name.");
             }
             return;
         }
         Macro base = macros.get(body.name());
-        if (base == null && !Types.ALL.contains(body.name()) && !Types.isObsolete(body.name())) {
+        if (base == null
+                && !dialect.types().contains(body.name())
+                && !dialect.dropped().contains(body.name())) {
             baseless.add(body);
         }
         var macro = new Macro(location, body, base);
         if (macro.depth > MAX_DEPTH) {
             throw findings.fatal(
                     location,
-                    "(%s) builds upon more than %d macros.".formatted(Lexer.shortened(name), MAX_DEPTH),
+                    "(%s) builds upon more than %d macros.".formatted(Findings.shortened(name), MAX_DEPTH),
                     "Leave some out.");
         }
         macros.put(name, macro);
@@ -90,18 +92,20 @@ final class Macros {
         for (Syntax body : baseless) {
             Macro later = macros.get(body.name());
             String remedy = later == null
-                    ? findings.maybe(body.name(), known(), TYPES)
+                    ? findings.maybe(
+                            body.name(), known(), "Types are: %s.".formatted(String.join(", ", dialect.types())))
                     : "It is defined at %s; put that first.".formatted(later.location);
             findings.error(
                     body.location(),
-                    "(%s) is neither a type nor a macro that is defined above.".formatted(Lexer.shortened(body.name())),
+                    "(%s) is neither a type nor a macro that is defined above."
+                            .formatted(Findings.shortened(body.name())),
                     remedy);
         }
     }
 
     /// Names of all types and macros.
     Set<String> known() {
-        var known = new TreeSet<>(Types.ALL);
+        var known = new TreeSet<>(dialect.types());
         known.addAll(macros.keySet());
         return known;
     }
@@ -115,7 +119,7 @@ final class Macros {
             throw findings.fatal(
                     written.location(),
                     "(%s) is more than %d deep in macros."
-                            .formatted(Lexer.shortened(written.name()), MAX_EXPANDED_DEPTH),
+                            .formatted(Findings.shortened(written.name()), MAX_EXPANDED_DEPTH),
                     "Maybe macros hold each other.");
         }
         Entity base = macro == null
@@ -153,7 +157,7 @@ final class Macros {
                 findings.error(
                         user.location(),
                         "(%s) is part of its own definition at %s."
-                                .formatted(Lexer.shortened(user.name()), macro.location),
+                                .formatted(Findings.shortened(user.name()), macro.location),
                         "Take it out there.");
                 return new Entity("model", user.name(), user.location(), Map.of(), List.of(), Optional.empty(), 1);
             }
@@ -169,7 +173,8 @@ final class Macros {
         if (size > MAX_ENTITIES) {
             throw findings.fatal(
                     written.location(),
-                    "(%s) would make more than %d entities.".formatted(Lexer.shortened(written.name()), MAX_ENTITIES),
+                    "(%s) would make more than %d entities."
+                            .formatted(Findings.shortened(written.name()), MAX_ENTITIES),
                     "Maybe macros hold each other many times.");
         }
         copies += 1 + written.settings().size() + ownChildren;

@@ -102,7 +102,7 @@ final class Pieces {
                     findings.warn(
                             model.location(),
                             "A block of (%s) has an outline that meets itself; the outline around it is taken instead."
-                                    .formatted(Lexer.shortened(model.macro())),
+                                    .formatted(Findings.shortened(model.macro())),
                             "Write its points in order, each once, or make two blocks of it.");
                     return hull;
                 }

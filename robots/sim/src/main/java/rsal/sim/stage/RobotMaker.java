@@ -145,7 +145,7 @@ final class RobotMaker {
                 findings.warn(
                         device.model().location(),
                         "A part of (%s) is left out. %s"
-                                .formatted(Lexer.shortened(base.macro()), String.join(" ", problems)),
+                                .formatted(Findings.shortened(base.macro()), String.join(" ", problems)),
                         "");
             }
         }
@@ -195,7 +195,7 @@ final class RobotMaker {
         }
         findings.warn(
                 base.location(),
-                "(%s) gets a plain drive. %s".formatted(Lexer.shortened(base.macro()), String.join(" ", problems)),
+                "(%s) gets a plain drive. %s".formatted(Findings.shortened(base.macro()), String.join(" ", problems)),
                 "");
         return new Drive(
                 new Steering.Differential(),

@@ -161,12 +161,12 @@ final class SceneMaker {
         if (energy.give() > 0 && body.isEmpty()) {
             findings.warn(
                     model.location(),
-                    "(give_watts) has no effect: nothing can touch (%s).".formatted(Lexer.shortened(model.name())),
+                    "(give_watts) has no effect: nothing can touch (%s).".formatted(Findings.shortened(model.name())),
                     "Give it a body.");
         } else if (energy.give() > 0 && energy.stored().orElse(Double.POSITIVE_INFINITY) < Double.POSITIVE_INFINITY) {
             findings.warn(
                     model.location(),
-                    "What (%s) gives does not end when its (joules) have.".formatted(Lexer.shortened(model.macro())),
+                    "What (%s) gives does not end when its (joules) have.".formatted(Findings.shortened(model.macro())),
                     "Write (joules -1), which says so.");
         }
     }

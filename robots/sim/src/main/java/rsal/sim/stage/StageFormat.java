@@ -18,8 +18,20 @@ public final class StageFormat implements SceneFormat {
 
     @Override
     public Scene read(String path, FileSource files, long seed) {
-        WorldFiles found = files.everywhere() ? WorldFiles.onDisk(searchPath()) : WorldFiles.in(files);
-        return new SceneMaker(StageWorld.read(path, found), path, seed).scene();
+        return scene(StageWorld.read(path, files(files)), path, seed);
+    }
+
+    /// What becomes of a world.
+    ///
+    /// @param path of its file, for messages
+    /// @param seed for what it leaves to chance
+    public static Scene scene(StageWorld world, String path, long seed) {
+        return new SceneMaker(world, path, seed).scene();
+    }
+
+    /// Where worlds and what they name are looked for.
+    public static WorldFiles files(FileSource files) {
+        return files.everywhere() ? WorldFiles.onDisk(searchPath()) : WorldFiles.in(files);
     }
 
     private static List<String> searchPath() {

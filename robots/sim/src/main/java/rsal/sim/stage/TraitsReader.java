@@ -159,7 +159,7 @@ final class TraitsReader implements KindReader.Paint {
                 findings.warn(
                         fields.locationOf("ctrl"),
                         "Controller (%s) is a program for Stage and can't be loaded here."
-                                .formatted(Lexer.shortened(parts[0])),
+                                .formatted(Findings.shortened(parts[0])),
                         kind instanceof Kind.Position
                                 ? "The robot wanders instead. Give it a behavior or an agent in a scenario."
                                 : "");
@@ -283,7 +283,7 @@ final class TraitsReader implements KindReader.Paint {
         if (color.isEmpty()) {
             findings.warn(
                     at,
-                    "There is no color (%s).".formatted(Lexer.shortened(name)),
+                    "There is no color (%s).".formatted(Findings.shortened(name)),
                     findings.maybe(name, Color.names(), "Stage would take red."));
         }
         return color;

@@ -49,8 +49,8 @@ final class Types {
 
     private Types() {}
 
-    static boolean isObsolete(String type) {
-        return REPLACED.containsKey(type) || DISPENSABLE.contains(type);
+    static Set<String> obsolete() {
+        return union(REPLACED.keySet(), List.copyOf(DISPENSABLE));
     }
 
     private static Set<String> union(Set<String> a, List<String> b) {

@@ -27,14 +27,19 @@ import rsal.sim.stage.Entity.Setting;
 /// @param root the world's own properties and its entities
 /// @param known names of all types and macros, to guess what was meant
 /// @param complete whether all included files were there; when not, much else follows from that
-record WorldFile(Entity root, Set<String> known, boolean complete) {
+public record WorldFile(Entity root, Set<String> known, boolean complete) {
 
     /// @param path of the world
     /// @param findings takes all mistakes that leave something to read
     /// @throws InvalidSettings when there is no such file, or too much of anything
     static WorldFile read(String path, WorldFiles files, Findings findings) {
-        Lexer.Tokens tokens = Lexer.read(path, files, findings);
-        var parser = new Parser(tokens.all(), findings);
+        return read(path, files, findings, Dialect.STAGE);
+    }
+
+    /// Reads another kind of file, likewise.
+    public static WorldFile read(String path, WorldFiles files, Findings findings, Dialect dialect) {
+        Lexer.Tokens tokens = Lexer.read(path, files, findings, dialect);
+        var parser = new Parser(tokens.all(), findings, dialect);
         Entity root = parser.world(path);
         if (tokens.complete()) {
             parser.macros.tellBaseless();
@@ -49,10 +54,10 @@ record WorldFile(Entity root, Set<String> known, boolean complete) {
         private final Macros macros;
         private int next;
 
-        Parser(List<Token> tokens, Findings findings) {
+        Parser(List<Token> tokens, Findings findings, Dialect dialect) {
             this.tokens = tokens;
             this.findings = findings;
-            this.macros = new Macros(findings);
+            this.macros = new Macros(findings, dialect);
         }
 
         Entity world(String path) {
@@ -110,7 +115,7 @@ record WorldFile(Entity root, Set<String> known, boolean complete) {
             } else {
                 findings.error(
                         word.location(),
-                        "(%s) has no value.".formatted(Lexer.shortened(word.text())),
+                        "(%s) has no value.".formatted(Findings.shortened(word.text())),
                         after instanceof Token.Word value && onLine(after, word)
                                 ? "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(value.text())
                                 : "");
@@ -123,7 +128,7 @@ record WorldFile(Entity root, Set<String> known, boolean complete) {
             if (depth > Macros.MAX_DEPTH) {
                 throw findings.fatal(
                         location,
-                        "(%s) is more than %d deep in others.".formatted(Lexer.shortened(name), Macros.MAX_DEPTH),
+                        "(%s) is more than %d deep in others.".formatted(Findings.shortened(name), Macros.MAX_DEPTH),
                         "Maybe a ) is missing.");
             }
             var settings = new LinkedHashMap<String, Setting>();
@@ -133,7 +138,7 @@ record WorldFile(Entity root, Set<String> known, boolean complete) {
                 if (token instanceof Token.Word word && word.text().equals("define")) {
                     findings.error(
                             token.location(),
-                            "(define) can't stand inside of (%s).".formatted(Lexer.shortened(name)),
+                            "(define) can't stand inside of (%s).".formatted(Findings.shortened(name)),
                             "Maybe a ) is missing above; else put the definition first.");
                     next++;
                     define(word);
@@ -144,7 +149,7 @@ record WorldFile(Entity root, Set<String> known, boolean complete) {
             if (next == tokens.size()) {
                 findings.error(
                         opening.location(),
-                        "The ( of (%s) is not closed.".formatted(Lexer.shortened(name)),
+                        "The ( of (%s) is not closed.".formatted(Findings.shortened(name)),
                         "Close it with ).");
             } else {
                 next++;
@@ -185,7 +190,7 @@ record WorldFile(Entity root, Set<String> known, boolean complete) {
             } else if (next < tokens.size() && tokens.get(next) instanceof Token.Word word && onLine(word, opening)) {
                 findings.error(
                         word.location(),
-                        "(%s) can't stand in a tuple.".formatted(Lexer.shortened(word.text())),
+                        "(%s) can't stand in a tuple.".formatted(Findings.shortened(word.text())),
                         "Maybe \"%s\" was meant, or a ] is missing before it.".formatted(word.text()));
                 skipTuple(opening);
             } else {
@@ -232,7 +237,7 @@ record WorldFile(Entity root, Set<String> known, boolean complete) {
         }
 
         private static String quoted(Token token) {
-            return token instanceof Token.Literal ? token.text() : "(" + Lexer.shortened(token.text()) + ")";
+            return token instanceof Token.Literal ? token.text() : "(" + Findings.shortened(token.text()) + ")";
         }
     }
 }

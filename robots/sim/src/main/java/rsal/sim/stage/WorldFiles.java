@@ -47,7 +47,7 @@ public final class WorldFiles {
     /// A file that was found.
     ///
     /// @param path as the person who named the world would write it
-    record Found(String path, byte[] bytes) {}
+    public record Found(String path, byte[] bytes) {}
 
     /// The world itself.
     Found open(String path, int most) {
@@ -65,7 +65,7 @@ public final class WorldFiles {
     /// @param world the world's own path
     /// @param askedAt where it is named
     /// @throws InvalidSettings when it is nowhere or can't be read
-    Found find(String name, String world, int most, Location askedAt) {
+    public Found find(String name, String world, int most, Location askedAt) {
         var why = new LinkedHashSet<String>();
         for (String candidate : candidates(name, world, askedAt.file())) {
             try {

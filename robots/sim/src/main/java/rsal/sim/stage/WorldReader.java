@@ -142,7 +142,7 @@ final class WorldReader {
             findings.warn(
                     location,
                     "There is more than one model (%s); this one is called (%s) here."
-                            .formatted(Lexer.shortened(name), Lexer.shortened(unique)),
+                            .formatted(Findings.shortened(name), Findings.shortened(unique)),
                     "Give each a name of its own.");
         }
         return unique;
@@ -186,8 +186,8 @@ final class WorldReader {
 
     /// Errors where the world would not be what its author meant, a warning where nothing else is lost.
     private void unknown(Entity entity) {
-        String type = Lexer.shortened(entity.type());
-        String macro = Lexer.shortened(entity.macro());
+        String type = Findings.shortened(entity.type());
+        String macro = Findings.shortened(entity.macro());
         String what = type.equals(macro) ? "(%s) is".formatted(type) : "(%s) is made of (%s),".formatted(macro, type);
         String replacement = Types.REPLACED.get(type);
         if (replacement != null) {

@@ -1,0 +1,316 @@
+package rsal.sim.playercfg;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.robot.RobotSpec;
+import rsal.scene.Scene;
+import rsal.scene.SceneFormat;
+import rsal.scene.Service;
+import rsal.sim.stage.Findings;
+import rsal.sim.stage.WorldFiles;
+
+class PlayerFormatTest {
+    /// Made like those of the thesis: simulated robots, and stand-ins of real ones.
+    private static final String WORLD = """
+            include "pioneer.inc"
+            robot ( name "r0" pose [0 0 0 90] )
+            robot ( name "r1" pose [2 0 0 90] )
+            proxy ( name "r3" pose [4 0 0 90] )
+            model ( name "box" pose [6 0 0 0] ranger ( sensor ( samples 5 ) ) )
+            """;
+
+    private static final String PIONEER = """
+            define robot position (
+              ranger ( sensor ( pose [0.1 0 0 0] ) sensor ( pose [-0.1 0 0 180] ) )
+              ranger ( sensor ( samples 682 fov 240 range [0.02 5.6] ) )
+              gripper ( ) blobfinder ( ) )
+            define proxy position ( blobfinder ( ) )
+            """;
+
+    private static final String UHH = """
+            driver
+            (
+              name "stage"
+              provides ["simulation:0"]
+              plugin "stageplugin"
+              # load the named file into the simulator
+              worldfile "../worlds/uhh1.world"
+            )
+            driver ( name "stage" provides ["position2d:0" "ranger:0" "ranger:1" "gripper:0"] model "r0" )
+            driver
+            (
+              name "stage"
+              provides ["6667:position2d:0" "6667:ranger:0" "6667:ranger:1" "6667:gripper:0"
+                        "6667:blobfinder:0"]
+              model "r1"
+            )
+            driver ( name "stage" provides ["6671:position2d:0" "6671:blobfinder:0"] model "r3" )
+            driver ( name "rangertolaser" requires ["6665:ranger:1"] provides ["6665:laser:0"] )
+            driver
+            (
+              name "mapfile"
+              provides ["map:0"]
+              filename "bitmaps/tams_compl_red_map.png"
+              resolution 0.05 # meters per pixel
+              origin [-31.475 -7.8 ]
+            )
+            """;
+
+    /// From the thesis, list. A.3, without most of its comments.
+    private static final String PLANNER = """
+            driver
+            (
+              name "vfh"
+              provides ["position2d:1"]
+              requires ["6665:position2d:0" "6665:laser:0"]
+              safety_dist_0ms 0.1
+              safety_dist_1ms 0.4
+              free_space_cutoff_1ms 1000000.0
+              max_speed 0.4
+              max_speed_narrow_opening 0.1
+              distance_epsilon 0.2
+              angle_epsilon 3
+              escape_speed 0.1
+              escape_time 5.0
+              escape_max_turnrate 10
+            )
+            driver
+            (
+              name "amcl"
+              provides ["localize:0" "position2d:2"]
+              requires ["odometry::6665:position2d:0" "6665:laser:0" "laser::6665:map:0"]
+              odom_init 0
+              init_pose [-21.0 4.0 0]
+              init_pose_var [3.0 3.0 360.0]
+              #odom_drift[0] [0.2 0.0 0.0]
+              laser_pose [0.13 0 0]
+              laser_max_beams 50
+              laser_range_max 5.6
+              laser_range_bad 0.02
+            )
+            driver
+            (
+              name "wavefront"
+              provides ["planner:0"]
+              requires ["output:::position2d:1" "input:::position2d:2" "6665:map:0"]
+              alwayson 1
+              safety_dist 0.3
+              distance_epsilon 0.4
+              angle_epsilon 10
+            )
+            """;
+
+    private static Configs configs(String text) {
+        return Configs.of(text).and("worlds/uhh1.world", WORLD).and("worlds/pioneer.inc", PIONEER);
+    }
+
+    private static final String STAGE =
+            "driver ( name \"stage\" plugin \"stageplugin\" provides [\"simulation:0\"] worldfile \"../worlds/uhh1.world\" )\n";
+
+    @Test
+    void isFound() {
+        assertThat(ServiceLoader.load(SceneFormat.class).stream().map(ServiceLoader.Provider::get))
+                .extracting(SceneFormat::suffix)
+                .contains(".cfg", ".world");
+    }
+
+    @Test
+    void theWorldOfItsStageDriverIsOpened() {
+        Scene scene = configs(UHH).read();
+        assertThat(scene.robots()).extracting(RobotSpec::id).containsExactly("r0", "r1", "r3");
+        assertThat(scene.robots().getFirst().model().sensors()).containsKeys("laser", "sonar", "gripper");
+        assertThat(scene.title()).isEqualTo("worlds/uhh1.world");
+    }
+
+    @Test
+    void whatIsServedIsTold() {
+        assertThat(configs(UHH).read().services())
+                .containsExactly(
+                        new Service("stage", 6665, List.of("simulation:0"), List.of(), Optional.empty()),
+                        new Service(
+                                "stage",
+                                6665,
+                                List.of("position2d:0", "ranger:0", "ranger:1", "gripper:0"),
+                                List.of(),
+                                Optional.of("r0")),
+                        new Service(
+                                "stage",
+                                6667,
+                                List.of("position2d:0", "ranger:0", "ranger:1", "gripper:0", "blobfinder:0"),
+                                List.of(),
+                                Optional.of("r1")),
+                        new Service(
+                                "stage", 6671, List.of("position2d:0", "blobfinder:0"), List.of(), Optional.of("r3")),
+                        new Service(
+                                "rangertolaser", 6665, List.of("laser:0"), List.of("6665:ranger:1"), Optional.empty()),
+                        new Service("mapfile", 6665, List.of("map:0"), List.of(), Optional.empty()));
+    }
+
+    @Test
+    void whatHasNoEffectIsOneWarningEach() {
+        List<String> warnings = configs(UHH).warnings();
+        assertThat(warnings).hasSize(2);
+        assertThat(warnings.getFirst()).startsWith("etc/test.cfg:18:1: (rangertolaser) has no effect in a run yet.");
+        assertThat(warnings.getLast()).startsWith("etc/test.cfg:19:1: (mapfile) has no effect");
+    }
+
+    @Test
+    void aConfigurationWithoutSimulationHasAnEmptyWorld() {
+        Scene scene = Configs.of(PLANNER).read();
+        assertThat(scene.robots()).isEmpty();
+        assertThat(scene.services())
+                .extracting(Service::driver, Service::devices, Service::needs)
+                .containsExactly(
+                        org.assertj.core.groups.Tuple.tuple(
+                                "vfh", List.of("position2d:1"), List.of("6665:position2d:0", "6665:laser:0")),
+                        org.assertj.core.groups.Tuple.tuple(
+                                "amcl",
+                                List.of("localize:0", "position2d:2"),
+                                List.of("6665:position2d:0", "6665:laser:0", "6665:map:0")),
+                        org.assertj.core.groups.Tuple.tuple(
+                                "wavefront",
+                                List.of("planner:0"),
+                                List.of("6665:position2d:1", "6665:position2d:2", "6665:map:0")));
+        assertThat(Configs.of(PLANNER).warnings())
+                .hasSize(6)
+                .anySatisfy(w ->
+                        assertThat(w).startsWith("etc/test.cfg:26:3: (laser_pose) is not known in a driver (amcl)"))
+                .anySatisfy(w -> assertThat(w).contains("(laser_range_max)", "asks the laser"))
+                .anySatisfy(w -> assertThat(w).startsWith("etc/test.cfg:17:1: (amcl) has no effect in a run yet."))
+                .anySatisfy(w -> assertThat(w).contains("the world is empty"));
+    }
+
+    @Test
+    void theGrammarIsReadIntoDrivers() {
+        var findings = new Findings();
+        Configs configs = Configs.of("""
+                include "more.inc"
+                unit_length "cm"
+                unit_angle "radians"
+                define finder driver ( name "amcl" alwayson yes odom_drift[0] [0.2
+                  0 0] )
+                finder ( provides "localize:1" requires [ "odometry:::position2d:0" "host:7000:laser:2" ] )
+                finder ( provides ["localhost:6670:localize:1"] alwayson false pf_err 0.5 )
+                interface ( name "own" code 200 plugin "libown" )
+                driver ( name "mine" plugin "libmine" provides ["key::7000:own:3"] speed [1 "a" true] )
+                """).and("etc/more.inc", "driver ( name \"snd\" provides [\"position2d:4\"] )");
+        PlayerConfig config = PlayerConfig.read(Configs.FILE, WorldFiles.in(configs.source()), findings);
+        findings.throwIfAny();
+        assertThat(findings.warnings(Configs.FILE)).isEmpty();
+        assertThat(config.meters()).isEqualTo(0.01);
+        assertThat(config.radians()).isEqualTo(1);
+        assertThat(config.drivers()).extracting(Driver::name).containsExactly("snd", "amcl", "amcl", "mine");
+        Driver first = config.drivers().get(1);
+        assertThat(first.alwaysOn()).isTrue();
+        assertThat(first.location().line()).isEqualTo(6);
+        assertThat(first.option("odom_drift[0]")).isPresent();
+        assertThat(first.requires().getFirst().key()).isEqualTo("odometry");
+        assertThat(first.requires().getFirst().portOrUsual()).isEqualTo(6665);
+        assertThat(first.requires().getLast().host()).isEqualTo("host");
+        assertThat(first.requires().getLast().index()).isEqualTo(2);
+        Driver second = config.drivers().get(2);
+        assertThat(second.alwaysOn()).isFalse();
+        assertThat(second.provides().getFirst().isHere()).isTrue();
+        assertThat(second.options()).containsOnlyKeys("odom_drift[0]", "pf_err");
+        Driver own = config.drivers().getLast();
+        assertThat(own.plugin()).contains("libmine");
+        assertThat(own.provides().getFirst().key()).isEqualTo("key");
+        assertThat(own.provides().getFirst().device()).isEqualTo("own:3");
+    }
+
+    /// After a driver that simulates the world.
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "driver ( name \"stage\" provides [\"position2d:0\"] ) | 2:1 | does not say which (model)",
+                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r9\" ) | 2:55 | Maybe (r0) was meant?",
+                "driver ( name \"stage\" provides [\"position2d:0\"] model 3 ) | 2:55 | There is no model (3)",
+                "driver ( name \"stage\" provides [\"laser:0\"] model \"r0\" ) | 2:33 | rangertolaser",
+                "driver ( name \"stage\" provides [\"imu:0\"] model \"r0\" ) | 2:33 | does not serve the interface (imu)",
+                "driver ( name \"stage\" provides [\"bumper:0\"] model \"r0\" ) | 2:33 | (r0) has no model of type (bumper) for (bumper:0)",
+                "driver ( name \"stage\" provides [\"gripper:0\" \"gripper:1\"] model \"r0\" ) | 2:45 | (gripper) left for (gripper:1)",
+                "driver ( name \"stage\" provides [\"positon2d:0\"] model \"r0\" ) | 2:33 | Maybe (position2d) was meant?",
+                "driver ( name \"stage\" provides [\"position:0\"] model \"r0\" ) | 2:33 | Maybe (position2d) was meant?",
+                "driver ( name \"stage\" provides [\"position2d:0\"] model \"somebody\" ) | 2:55 | It has r0, r1, r3, box.",
+                "driver ( name \"stage\" provides [\"position2d\"] model \"r0\" ) | 2:33 | is no device",
+                "driver ( name \"stage\" provides [\"position2d:x\"] model \"r0\" ) | 2:33 | is no device",
+                "driver ( name \"stage\" provides [\"0:position2d:0\"] model \"r0\" ) | 2:33 | is no device",
+                "driver ( name \"stage\" provides [3] model \"r0\" ) | 2:33 | (provides) has (3), which is no device",
+                "driver ( name \"stage\" model \"r0\" ) | 2:1 | (stage) provides nothing",
+                "driver ( provides [\"position2d:0\"] model \"r0\" ) | 2:1 | has no (name)",
+                "driver ( name \"mapfile\" provides [\"map:0\" \"6665:map:0\"] ) | 2:43 | is provided twice; the first time at etc/test.cfg:2:35",
+                "driver ( name \"mapfiel\" provides [\"map:0\"] ) | 2:10 | Maybe (mapfile) was meant?",
+                "drivr ( name \"mapfile\" provides [\"map:0\"] ) | 2:1 | Maybe (driver) was meant?",
+                "driver ( name \"mapfile\" provides [\"map:0\" ) | 2:34 | not closed",
+                "driver ( name \"mapfile\" provides [\"map:0\"] | 2:8 | is not closed",
+                "driver ( name mapfile provides [\"map:0\"] ) | 2:10 | (name) has no value",
+                "driver { name \"mapfile\" } | 2:8 | Maybe ( ) was meant?",
+                "include \"none.inc\" | 2:1 | There is no file (etc/none.inc)",
+                "unit_length \"miles\" | 2:13 | (unit_length) must be one of [m, cm, mm]"
+            })
+    void mistakesAreToldWithTheirPlace(String text, String at, String message) {
+        assertThat(configs(STAGE + text).mistakes())
+                .anySatisfy(m ->
+                        assertThat(m).startsWith("etc/test.cfg:" + at + ":").contains(message));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "driver ( name \"stage\" provides [\"simulation:0\"] ) | 1:1 | names no (worldfile)",
+                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r0\" ) | 1:1 | Put driver ( name \"stage\"",
+                "driver ( name \"stage\" provides [\"simulation:0\"] worldfile \"no.world\" ) | 1:49 | There is no file (etc/no.world)",
+                "driver ( name \"stage\" provides [\"simulation:0\"] worldfile 3 ) | 1:49 | (worldfile) names no file"
+            })
+    void withoutAWorldStageIsRefused(String text, String at, String message) {
+        assertThat(configs(text).mistakes())
+                .anySatisfy(m ->
+                        assertThat(m).startsWith("etc/test.cfg:" + at + ":").contains(message));
+    }
+
+    @Test
+    void mistakesOfTheWorldAreToldAsSuch() {
+        assertThat(Configs.of(STAGE)
+                        .and("worlds/uhh1.world", "model ( size [1 2] )")
+                        .mistakes())
+                .singleElement()
+                .asString()
+                .startsWith("worlds/uhh1.world:1:");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r0\" sped 3 ) | 2:60 | (sped) is not known",
+                "driver ( name \"stage\" provides [\"6667:simulation:0\"] worldfile \"x.world\" ) | 2:54 | the first one counts",
+                "driver ( name \"stage\" provides [\"ranger:0\"] model \"box\" ) | 2:1 | (box) is part of no robot",
+                "driver ( name \"mapfile\" provides [\"map:0\"] resolutoin 3 ) | 2:44 | Maybe (resolution) was meant?",
+                "driver ( name \"wonder\" provides [\"log:0\"] a 3 ) | 2:1 | (wonder) has no effect",
+                "driver ( name \"p2os\" provides [\"odometry::position2d:0\"] ) | 2:32 | write (odometry:::position2d:0)",
+                "driver ( name \"mapfile\" provides [\"map:0\"] block ( ) ) | 2:44 | (block) has no effect in a driver",
+                "resolution 3 | 2:1 | (resolution) has no effect outside",
+                "something ( ) | 2:1 | is neither a (driver)"
+            })
+    void whatHasNoEffectIsAWarning(String text, String at, String message) {
+        assertThat(configs(STAGE + text).warnings())
+                .anySatisfy(w ->
+                        assertThat(w).startsWith("etc/test.cfg:" + at + ":").contains(message));
+    }
+
+    @Test
+    void stageWithoutItsPluginIsAWarning() {
+        assertThat(configs(STAGE.replace("plugin \"stageplugin\"", "")).warnings())
+                .singleElement()
+                .asString()
+                .contains("(plugin)");
+    }
+}
