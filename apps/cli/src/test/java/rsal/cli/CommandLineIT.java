@@ -497,7 +497,10 @@ class CommandLineIT {
         assertThat(rsal.run("show", "guard.yaml", "--image", "x.png").code()).isEqualTo(Exit.USAGE);
         Ended missing = rsal.run("show", "hull.world");
         assertThat(missing.code()).isEqualTo(Exit.INVALID);
-        assertThat(missing.err()).contains("There is no file (hull.world)");
+        assertThat(missing.err()).contains("There is no file (hull.world)", "Maybe (hall.world) was meant?");
+        Ended notRun = rsal.run("run", "hull.world", "--headless", "--for", "1");
+        assertThat(notRun.code()).isEqualTo(Exit.INVALID);
+        assertThat(notRun.err()).contains("There is no file (hull.world)", "Maybe (hall.world) was meant?");
         assertThat(folder.resolve("hull.world.png")).doesNotExist();
     }
 

@@ -55,7 +55,10 @@ public interface FileSource {
                     throw outside(path, folder, askedAt);
                 }
             } catch (IOException | InvalidPathException _) {
-                throw missing(path, "It is looked for in (%s).".formatted(folder), askedAt);
+                throw missing(
+                        path,
+                        NearbyFiles.maybe(folder, path).orElse("It is looked for in (%s).".formatted(folder)),
+                        askedAt);
             }
             if (!Files.isRegularFile(file)) {
                 throw new InvalidSettings(askedAt, "(%s) is not a file.".formatted(path), "");
@@ -85,7 +88,10 @@ public interface FileSource {
                     return folder(root == null ? file : root).read(file.toString(), most, askedAt);
                 } catch (InvalidSettings e) {
                     String message = e.problems().getFirst().message();
-                    throw new InvalidSettings(askedAt, message.replace(file.toString(), path), "");
+                    String remedy = Files.exists(file) || root == null
+                            ? ""
+                            : NearbyFiles.maybe(root, file.toString()).orElse("");
+                    throw new InvalidSettings(askedAt, message.replace(file.toString(), path), remedy);
                 }
             }
 

@@ -59,6 +59,25 @@ class FileSourceTest {
     }
 
     @Test
+    void guessesWhichFileWasMeantAmongThoseItMayRead() {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> source.read("b.txt", 100, HERE))
+                .withMessageContaining("Maybe (a.txt) was meant?");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> source.read("other.yaml", 100, HERE))
+                .withMessageContaining("It is looked for in");
+        for (String outside : new String[] {"../secrets.txt", "../inside2/c.txt", "maps/../../secrets.txt"}) {
+            assertThatExceptionOfType(InvalidSettings.class)
+                    .isThrownBy(() -> source.read(outside, 100, HERE))
+                    .withMessageNotContaining("Maybe");
+        }
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> FileSource.disk().read(temp + "/secrets.txt", 100, HERE))
+                .withMessageContaining("There is no file (" + temp + "/secrets.txt)")
+                .withMessageContaining("Maybe (secret.txt) was meant?");
+    }
+
+    @Test
     void readsNoMoreThanIsAllowed() {
         assertThat(source.read("a.txt", 6, HERE)).hasSize(6);
         assertThatExceptionOfType(InvalidSettings.class)
