@@ -436,6 +436,21 @@ class CommandLineIT {
     }
 
     @Test
+    void aWorldWithoutEndNeedsOneWhenNobodyWatches() throws Exception {
+        String world = "define cart position ( size [0.4 0.4 0.3] ) cart ( name \"c1\" )\n";
+        Files.writeString(folder.resolve("endless.world"), world);
+        Files.writeString(folder.resolve("ends.world"), "quit_time 2\n" + world);
+        Ended refused = rsal.run("run", "endless.world", "--headless", "--speed", "max");
+        assertThat(refused.code()).isEqualTo(Exit.USAGE);
+        assertThat(refused.out()).isEmpty();
+        assertThat(refused.err()).contains("A world has no end of its own: without a page, say --for SECONDS.");
+        Ended told = rsal.run("run", "endless.world", "--headless", "--speed", "max", "--for", "1", "--json");
+        assertThat(told.code()).as(told.err()).isZero();
+        Ended ends = rsal.run("run", "ends.world", "--headless", "--speed", "max", "--json");
+        assertThat(ends.code()).as(ends.err()).isZero();
+    }
+
+    @Test
     void configurationsOfPlayerShowRunAndValidate() throws Exception {
         Files.writeString(folder.resolve("lab.world"), """
                 define cart position ( size [0.4 0.4 0.3] ranger ( sensor ( range [0 4] fov 180 samples 90 ) ) )
