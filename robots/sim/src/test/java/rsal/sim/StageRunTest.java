@@ -38,7 +38,8 @@ class StageRunTest {
         var run = run("""
                 define plate model ( size [0.4 0.4 0.02] joules -1 give_watts 50 obstacle_return 0 ranger_return -1 )
                 model ( name "station" pose [3 0 0 0] size [0.2 1 1] plate ( name "plate" pose [-0.4 0 -1 0] ) )
-                position ( name "r" pose [0 0 0 0] size [0.4 0.4 0.3] joules 100 joules_capacity 1000 take_watts 30 )
+                position ( name "r" pose [0 0 0 0] size [0.4 0.4 0.3] joules 100 joules_capacity 1000
+                  model ( size [0.1 0.1 0.1] pose [0.2 0 -0.3 0] take_watts 30 obstacle_return 0 ) )
                 """);
         Battery battery = run.robot("r").require(Battery.class);
         drive(run, 1, 2);

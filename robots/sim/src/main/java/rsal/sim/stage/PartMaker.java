@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
 import rsal.data.ActuatorState.Joint;
 import rsal.data.Interval;
 import rsal.data.LightState.Signal;
@@ -117,7 +118,8 @@ final class PartMaker {
         }
     }
 
-    /// Adds the battery of a robot that has one; what never runs dry is none.
+    /// Adds the battery of a robot that has one; what never runs dry is none. What is on the robot and has no store of
+    /// its own charges it and is charged from it.
     ///
     /// @param use of all that it carries while it works [W]
     void battery(StageModel robot, double use) {
@@ -136,10 +138,18 @@ final class PartMaker {
                             1 + use, // as Stage adds for every base
                             JOULES_PER_KILOGRAM_METER * robot.traits().mass(),
                             JOULES_PER_KILOGRAM_METER * robot.traits().mass(),
-                            energy.take(),
-                            energy.give(),
+                            all(robot, Traits.Energy::take),
+                            all(robot, Traits.Energy::give),
                             period(robot.traits().updateInterval())));
         }
+    }
+
+    private static double all(StageModel model, ToDoubleFunction<Traits.Energy> power) {
+        double sum = power.applyAsDouble(model.traits().energy());
+        for (StageModel child : model.children()) {
+            sum += child.traits().energy().stored().isEmpty() ? all(child, power) : 0;
+        }
+        return sum;
     }
 
     private static Part gripper(StageModel model, Kind.Gripper gripper, Pose2d pose, Duration period) {

@@ -300,6 +300,18 @@ class StageFormatTest {
     }
 
     @Test
+    void whatStandsOnARobotChargesIt() {
+        Scene scene = scene("""
+                define plug model ( size [0.1 0.1 0.1] take_watts 30 give_watts 4 )
+                position ( joules 500 joules_capacity 1000 take_watts 3 plug ( model ( take_watts 2 ) )
+                           model ( joules 7 take_watts 100 ) )
+                """);
+        var battery = (Part.Battery) part(scene, "battery");
+        assertThat(battery.chargingPower()).isEqualTo(35);
+        assertThat(battery.givingPower()).isEqualTo(4);
+    }
+
+    @Test
     void chargersThatCanNotBeAsTheyAreMeantAreToldOf() {
         Scene scene = scene("""
                 model ( joules 100 give_watts 100 )
