@@ -98,6 +98,12 @@ final class RobotMaker {
     private double collect(StageModel model, Placement robotFromModel, List<Piece> body, PartMaker parts) {
         body.addAll(pieces.of(model, robotFromModel));
         parts.add(model, robotFromModel);
+        if (model.traits().kind() instanceof Kind.Actuator && !model.children().isEmpty()) {
+            findings.warn(
+                    model.location(),
+                    "What stands on (%s) does not move with it here.".formatted(Findings.shortened(model.macro())),
+                    "");
+        }
         double use = model.traits().energy().use();
         double top = model.traits().stacksChildren() ? model.traits().size().z() : 0;
         for (StageModel child : model.children()) {

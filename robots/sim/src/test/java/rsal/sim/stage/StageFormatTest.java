@@ -312,6 +312,15 @@ class StageFormatTest {
     }
 
     @Test
+    void whatDoesNotMoveWithItsActuatorIsToldOf() {
+        assertThat(warnings(scene("position ( actuator ( ranger ( sensor ( ) ) ) )")))
+                .singleElement()
+                .asString()
+                .startsWith("test.world:1:12: What stands on (actuator) does not move");
+        assertThat(warnings(scene("position ( actuator ( ) )"))).isEmpty();
+    }
+
+    @Test
     void chargersThatCanNotBeAsTheyAreMeantAreToldOf() {
         Scene scene = scene("""
                 model ( joules 100 give_watts 100 )
