@@ -107,7 +107,7 @@ final class Served {
                                 .formatted(
                                         Findings.shortened(base.name()),
                                         type,
-                                        used.isEmpty() ? "" : " left",
+                                        use(base, type, new HashSet<>()) ? " left" : "",
                                         address.device()),
                         "Add one to it in the world, or leave the interface out.");
             }

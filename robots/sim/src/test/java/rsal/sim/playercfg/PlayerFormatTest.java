@@ -235,6 +235,7 @@ class PlayerFormatTest {
                 "driver ( name \"stage\" provides [\"laser:0\"] model \"r0\" ) | 2:33 | rangertolaser",
                 "driver ( name \"stage\" provides [\"imu:0\"] model \"r0\" ) | 2:33 | does not serve the interface (imu)",
                 "driver ( name \"stage\" provides [\"bumper:0\"] model \"r0\" ) | 2:33 | (r0) has no model of type (bumper) for (bumper:0)",
+                "driver ( name \"stage\" provides [\"position2d:0\" \"bumper:0\"] model \"r0\" ) | 2:48 | (r0) has no model of type (bumper) for (bumper:0)",
                 "driver ( name \"stage\" provides [\"gripper:0\" \"gripper:1\"] model \"r0\" ) | 2:45 | (gripper) left for (gripper:1)",
                 "driver ( name \"stage\" provides [\"positon2d:0\"] model \"r0\" ) | 2:33 | Maybe (position2d) was meant?",
                 "driver ( name \"stage\" provides [\"position:0\"] model \"r0\" ) | 2:33 | Maybe (position2d) was meant?",
