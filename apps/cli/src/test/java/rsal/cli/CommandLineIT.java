@@ -477,6 +477,17 @@ class CommandLineIT {
                 .contains("lab.cfg: right", "wrong.cfg:2:", "There is no model (r1)", "Maybe (r0) was meant?");
         Ended run = rsal.run("run", "lab.cfg", "--headless", "--speed", "max", "--for", "2", "--json");
         assertThat(run.code()).as(run.err()).isZero();
+        Files.writeString(
+                folder.resolve("planner.cfg"),
+                "driver ( name \"wavefront\" provides [\"planner:0\"] requires [\"6665:map:0\"] )");
+        Ended planner = rsal.run("validate", "planner.cfg");
+        assertThat(planner.code()).as(planner.err()).isZero();
+        assertThat(planner.out()).contains("planner.cfg: right, a world without robots");
+        assertThat(rsal.run("show", "planner.cfg").out())
+                .contains("planner:0", "wavefront on 6665:map:0", "the world is empty");
+        Ended nobody = rsal.run("run", "planner.cfg", "--headless", "--for", "1");
+        assertThat(nobody.code()).isEqualTo(Exit.INVALID);
+        assertThat(nobody.err()).contains("There are no robots.", "a world that has some");
         Ended converted = rsal.run("convert", "lab.cfg");
         assertThat(converted.code()).isEqualTo(Exit.INVALID);
         assertThat(converted.err()).contains("no world that can be converted");

@@ -77,7 +77,10 @@ final class RobotReader {
     private static boolean checkNumber(Section robots, List<Draft> drafts, List<RobotSpec> others) {
         var ids = drafts.stream().flatMap(draft -> draft.ids.stream()).toList();
         if (ids.isEmpty() && others.isEmpty()) {
-            robots.problem(robots.location(), "There are no robots.", "Add a group (robots) with at least one role.");
+            robots.problem(
+                    robots.location(),
+                    "There are no robots.",
+                    "Add a group (robots) with at least one role, or take a world that has some.");
         }
         if (ids.size() > Format.MAX_ROBOTS) {
             robots.problem(
