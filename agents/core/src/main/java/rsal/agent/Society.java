@@ -21,8 +21,8 @@ import rsal.time.Scheduler;
 ///
 /// What is said is heard at the same instant, after what is running now, by all who listen by then but the one
 /// who said it, in the order in which they subscribed, unless [#deliverBy] says otherwise. An agent that throws ends
-/// alone: its robot is told to
-/// stop, and the others learn why it went.
+/// alone: its robot is told to stop, and
+/// the others learn why it went.
 ///
 /// All calls on the run's thread.
 public final class Society implements AutoCloseable {

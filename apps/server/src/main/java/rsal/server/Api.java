@@ -10,7 +10,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.zip.GZIPOutputStream;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.data.Pose2d;
@@ -51,6 +53,10 @@ final class Api {
     private final CurrentRun current;
     private final Gate gate;
     private final Page page;
+    private final AtomicReference<@Nullable PackedMap> map = new AtomicReference<>();
+
+    /// The map of a run, which takes a while to draw.
+    private record PackedMap(int run, byte[] bytes) {}
 
     Api(CurrentRun current, Gate gate, Page page) {
         this.current = current;
@@ -185,12 +191,22 @@ final class Api {
         if (!request.pathParam("run").equals(Integer.toString(now.number()))) {
             throw new Refusal(404, "Only the map of run %d is there.".formatted(now.number()));
         }
-        var packed = new ByteArrayOutputStream();
-        try (var gzip = new GZIPOutputStream(packed)) {
-            gzip.write(FloorPlan.cells(now.run().plan().scene()));
+        PackedMap known = map.get();
+        if (known == null || known.run() != now.number()) {
+            known = new PackedMap(
+                    now.number(), packed(FloorPlan.cells(now.run().plan().scene())));
+            map.set(known);
         }
         request.header(Header.CONTENT_ENCODING, "gzip");
-        request.contentType("application/octet-stream").result(packed.toByteArray());
+        request.contentType("application/octet-stream").result(known.bytes());
+    }
+
+    private static byte[] packed(byte[] bytes) throws IOException {
+        var packed = new ByteArrayOutputStream();
+        try (var gzip = new GZIPOutputStream(packed)) {
+            gzip.write(bytes);
+        }
+        return packed.toByteArray();
     }
 
     private void asset(Context request) {

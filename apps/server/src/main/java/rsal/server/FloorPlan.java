@@ -66,9 +66,9 @@ final class FloorPlan {
         int firstRow = Math.max(0, (int) Math.floor((bottom + hair - wall.bottom()) / wall.cellY()));
         int lastRow =
                 Math.min(wall.height() - 1, (int) Math.floor((bottom + side - hair - wall.bottom()) / wall.cellY()));
-        for (int row = firstRow; row <= lastRow; row++) {
+        for (int row = firstRow; row <= lastRow && firstColumn <= lastColumn; row++) {
             int next = wall.solid().nextSetBit(row * wall.width() + firstColumn);
-            if (firstColumn <= lastColumn && next >= 0 && next <= row * wall.width() + lastColumn) {
+            if (next >= 0 && next <= row * wall.width() + lastColumn) {
                 return true;
             }
         }

@@ -4,17 +4,26 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /// Guesses what a person meant.
 public final class Suggestion {
+    private static final int MOST = 40; // words to name
+
     private Suggestion() {}
 
-    /// "Maybe (catchDistance)?" when a known word is close to what was read, else the list of the known words.
+    /// "Maybe (catchDistance)?" when a known word is close to what was read, else the list of the known words, the
+    /// first
+    /// of them if there are many.
     public static String among(String read, Collection<String> known) {
         return closest(read, known)
                 .map(word -> "Maybe (%s) was meant?".formatted(word))
-                .orElseGet(() ->
-                        known.isEmpty() ? "Nothing is known here." : "Known are: " + String.join(", ", known) + ".");
+                .orElseGet(() -> known.isEmpty() ? "Nothing is known here." : "Known are: " + listed(known) + ".");
+    }
+
+    private static String listed(Collection<String> known) {
+        String first = known.stream().limit(MOST).collect(Collectors.joining(", "));
+        return known.size() > MOST ? "%s, and %d more".formatted(first, known.size() - MOST) : first;
     }
 
     /// The known word that takes the fewest changes, if that is at most a third of its letters.

@@ -34,7 +34,7 @@ public interface RobotSystem extends AutoCloseable {
         /// It can't be reached, or is broken; it may appear again.
         record Gone(String robot, String reason) implements Change {}
 
-        /// It was taken out for good: its devices are lost, and its id is free.
+        /// It was taken out for good: its devices are lost, and no other robot gets its id.
         record Removed(String robot) implements Change {}
     }
 }

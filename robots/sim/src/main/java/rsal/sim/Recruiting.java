@@ -1,5 +1,6 @@
 package rsal.sim;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,6 +18,7 @@ final class Recruiting {
     private final World world;
     private final Assembly assembly;
     private final Map<String, Kind> kinds = new TreeMap<>();
+    private final Map<List<Block>, List<Chunk>> chunks = new HashMap<>();
 
     /// @param spec of the robot that others are made after
     /// @param blocks of its body
@@ -41,8 +43,8 @@ final class Recruiting {
 
     /// @return empty when there is no room for it; [World#obstacle] says why
     Optional<SimRobot> recruit(String id, Kind like, Pose2d mapFromBase) {
-        List<Chunk> chunks = Chunk.of(like.blocks());
-        if (!world.hasRoom(chunks, mapFromBase, like.height(), 0)) {
+        List<Chunk> body = chunks.computeIfAbsent(like.blocks(), Chunk::of);
+        if (!world.hasRoom(body, mapFromBase, like.height(), 0)) {
             return Optional.empty();
         }
         var spec = new RobotSpec(
@@ -51,8 +53,8 @@ final class Recruiting {
                 like.spec().model(),
                 Optional.of(mapFromBase),
                 like.spec().color());
-        Body body = world.add(id, chunks, mapFromBase, like.height());
-        SimRobot robot = assembly.robot(spec, body);
+        Body added = world.add(id, body, mapFromBase, like.height());
+        SimRobot robot = assembly.robot(spec, added);
         if (like.odometryKnowsMap()) {
             robot.drive().resetOdometry(mapFromBase);
         }

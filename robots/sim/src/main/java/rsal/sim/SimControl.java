@@ -14,6 +14,7 @@ import rsal.device.SimulationControl;
 import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.Surface;
+import rsal.settings.Suggestion;
 import rsal.sim.world.Body;
 import rsal.sim.world.Chunk;
 import rsal.sim.world.World;
@@ -87,7 +88,8 @@ final class SimControl extends DeviceCore implements SimulationControl {
     public Placement place(String entity, Pose2d mapFromEntity) {
         Optional<Body> body = entity(entity);
         if (body.isEmpty()) {
-            return new Placement.Refused("Nothing is called (%s); there are %s.".formatted(entity, entities()));
+            return new Placement.Refused(
+                    "Nothing is called (%s). %s".formatted(entity, Suggestion.among(entity, entities())));
         }
         Optional<Placement> outside = outside(mapFromEntity);
         if (outside.isPresent()) {
@@ -214,14 +216,17 @@ final class SimControl extends DeviceCore implements SimulationControl {
         if (misnamed.isPresent()) {
             return misnamed.get();
         }
+        if (recruiting.kind(id).isPresent()) {
+            return new Placement.Refused("A robot was called (%s) before; ids are used once.".formatted(id));
+        }
         if (id.indexOf('/') >= 0) {
             return new Placement.Refused(
                     "A slash sets devices off from robots; no robot can be called (%s).".formatted(id));
         }
         Optional<Recruiting.Kind> kind = recruiting.kind(like);
         if (kind.isEmpty()) {
-            return new Placement.Refused(
-                    "There never was a robot (%s) to add one like; there were %s.".formatted(like, recruiting.known()));
+            return new Placement.Refused("There never was a robot (%s) to add one like. %s"
+                    .formatted(like, Suggestion.among(like, recruiting.known())));
         }
         Optional<Placement> outside = outside(mapFromBase);
         if (outside.isPresent()) {

@@ -25,9 +25,9 @@ import rsal.time.Task;
 /// The simulated world, step by step, each in a fixed order: the newest commands take effect and the robots move,
 /// one after the other by id; then their sensors look at where all are now; then their devices tell, again by id.
 ///
-/// What feels or moves on a robot works in between, when all have moved. Sensors look in parallel where that pays. They
-/// see a still picture of the world and draw from random streams of
-/// their own, so that the readings do not depend on it.
+/// What feels or moves on a robot works in between, when all have moved. Sensors look in parallel where that
+/// pays. They see a still picture of the world and draw from random streams of their own, so that the readings do
+/// not depend on it.
 final class SimSystem implements RobotSystem {
     private static final int WORTH_A_TASK = 1000; // rays
 

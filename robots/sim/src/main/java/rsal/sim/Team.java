@@ -6,9 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 
-/// The robots that are in the world now, and those that are away for a while. Lists are never changed but replaced, so
-/// that robots may come and go while
-/// somebody goes through one.
+/// The robots that are in the world now, and those that are away for a while. Lists are never changed but
+/// replaced, so that robots may come and go while somebody goes through one.
 final class Team {
     private final TreeMap<String, SimRobot> byId = new TreeMap<>();
     private final Set<String> away = new HashSet<>();

@@ -93,12 +93,14 @@ class SimComingTest {
     }
 
     @Test
-    void aRobotMayComeBackAndAnotherAfterOneThatIsGone() {
+    void aRobotMayComeAfterOneThatIsGoneButNotAsThatOne() {
         run.simulation.removeRobot("b");
-        assertThat(run.simulation.addRobot("b", "a", THERE)).isEqualTo(PLACED);
+        changes.clear();
+        refuses("b", "a", THERE, "A robot was called (b) before");
+        assertThat(run.simulation.addRobot("c", "b", THERE)).isEqualTo(PLACED);
         run.simulation.removeRobot("a");
         assertThat(run.simulation.addRobot("d", "a", new Pose2d(2, 3, 0))).isEqualTo(PLACED);
-        assertThat(run.simulation.entities()).containsExactly("b", "d");
+        assertThat(run.simulation.entities()).containsExactly("c", "d");
     }
 
     @Test

@@ -1,0 +1,30 @@
+package rsal.settings;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+class SuggestionTest {
+    @Test
+    void guessesAWordThatIsClose() {
+        assertThat(Suggestion.among("catchDistnace", List.of("catchDistance", "seed")))
+                .isEqualTo("Maybe (catchDistance) was meant?");
+    }
+
+    @Test
+    void listsWhatIsKnownWhenNothingIsClose() {
+        assertThat(Suggestion.among("x", List.of("hunter", "prey"))).isEqualTo("Known are: hunter, prey.");
+        assertThat(Suggestion.among("x", List.of())).isEqualTo("Nothing is known here.");
+    }
+
+    @Test
+    void listsOnlyTheFirstOfMany() {
+        List<String> many =
+                IntStream.range(0, 1000).mapToObj("robot-%03d"::formatted).toList();
+        assertThat(Suggestion.among("x", many))
+                .startsWith("Known are: robot-000, robot-001")
+                .endsWith("robot-039, and 960 more.");
+    }
+}
