@@ -27,7 +27,7 @@ class Driving {
       await api.drive({ ...wish, driver: me });
     },
     (reason) => {
-      this.robot = null;
+      this.forget();
       if (!(reason instanceof RefusedError)) {
         throw reason;
       }
@@ -41,6 +41,7 @@ class Driving {
 
   take(robot: string, can: Abilities) {
     void this.letGo();
+    this.releaseAll();
     this.robot = robot;
     this.can = can;
     this.confirmed = false;
@@ -101,9 +102,12 @@ class Driving {
     }
   }
 
+  /** What the pad says; nothing when that has outlived its robot. */
   hold(wish: Wish) {
-    this.pad = wish;
-    this.tell();
+    if (this.robot !== null) {
+      this.pad = wish;
+      this.tell();
+    }
   }
 
   /** @param percent of the full speed, from now on */
