@@ -6,7 +6,6 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
@@ -31,13 +30,14 @@ import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
 
-/// A world from above: floor plans dark, things and robots in their colors, where robots look as pale fans, and a
-/// bar that tells the scale.
+/// A world from above: floor plans dark, things and robots in their colors, what robots see past walls as pale
+/// fans, and a bar that tells the scale.
 final class WorldPicture {
     private static final int LONGEST = 1600; // side [px]
     private static final int SHORTEST = 200; // side [px]
     private static final int BELOW = 40; // for the bar [px]
     private static final double MOST_PER_METER = 200; // [px]
+    private static final double RAYS_APART = Math.toRadians(0.5);
     private static final int MANY = 200; // robots; fans of more would hide the world
     private static final Color WALL = new Color(0x33, 0x33, 0x33);
     private static final Color LASER = new Color(0, 90, 255, 22);
@@ -175,24 +175,50 @@ final class WorldPicture {
         switch (part) {
             case Part.Laser laser -> {
                 Pose2d eye = mapFromBase.compose(laser.baseFromLaser());
-                double r = laser.rangeMax();
-                double first = Math.toDegrees(eye.theta() + laser.angleMin());
-                double extent = Math.toDegrees(laser.angleIncrement() * (laser.samples() - 1));
-                graphics.setColor(LASER); // an arc's angles go the other way round than ours
-                graphics.fill(pixelsFromMap.createTransformedShape(
-                        new Arc2D.Double(eye.x() - r, eye.y() - r, 2 * r, 2 * r, -first, -extent, Arc2D.PIE)));
+                double extent = laser.angleIncrement() * (laser.samples() - 1);
+                int rays = 1 + (int) Math.ceil(extent / RAYS_APART);
+                var fan = new Path2D.Double();
+                fan.moveTo(eye.x(), eye.y());
+                for (int i = 0; i < rays; i++) {
+                    double bearing = laser.angleMin() + extent * i / Math.max(1, rays - 1);
+                    Point2d end = end(eye, bearing, laser.rangeMax());
+                    fan.lineTo(end.x(), end.y());
+                }
+                fan.closePath();
+                graphics.setColor(LASER);
+                graphics.fill(pixelsFromMap.createTransformedShape(fan));
             }
             case Part.Sonars sonars -> {
                 graphics.setColor(SONAR);
                 for (Pose2d baseFromSonar : sonars.baseFromSensors()) {
                     Pose2d eye = mapFromBase.compose(baseFromSonar);
-                    Pose2d end = eye.compose(new Pose2d(sonars.rangeMax(), 0, 0));
+                    Point2d end = end(eye, 0, sonars.rangeMax());
                     graphics.draw(pixelsFromMap.createTransformedShape(
                             new Line2D.Double(eye.x(), eye.y(), end.x(), end.y())));
                 }
             }
             default -> {}
         }
+    }
+
+    /// Where a ray ends that goes as far as it can without leaving what is not occupied in the map, to half a cell.
+    private Point2d end(Pose2d eye, double bearing, double reach) {
+        OccupancyGrid map = scene.map();
+        double step = map.resolution() / 2;
+        double cos = Math.cos(eye.theta() + bearing);
+        double sin = Math.sin(eye.theta() + bearing);
+        double way = 0;
+        while (way < reach && !isWall(map, eye.x() + way * cos, eye.y() + way * sin)) {
+            way += step;
+        }
+        double seen = Math.min(way, reach);
+        return new Point2d(eye.x() + seen * cos, eye.y() + seen * sin);
+    }
+
+    private static boolean isWall(OccupancyGrid map, double x, double y) {
+        int column = map.column(x);
+        int row = map.row(y);
+        return !map.contains(column, row) || map.at(column, row) == OccupancyGrid.OCCUPIED;
     }
 
     private void drawBar() {
