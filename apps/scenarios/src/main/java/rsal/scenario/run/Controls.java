@@ -166,11 +166,17 @@ final class Controls {
         base.command(grip.wanted());
     }
 
-    /// The motors are switched off.
-    void halt() {
+    /// Switches the motors off in an emergency.
+    void stop() {
+        helm.stop();
         if (grip != null) {
             grip.halt();
         }
+    }
+
+    /// The emergency is over.
+    void rearm() {
+        helm.rearm();
     }
 
     /// Does something until it is told something else.

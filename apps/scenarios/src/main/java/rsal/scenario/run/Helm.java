@@ -2,7 +2,6 @@ package rsal.scenario.run;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
@@ -16,10 +15,12 @@ import rsal.device.Subscription;
 import rsal.robot.Robot;
 
 /// Who steers a base: of several hands that reach for it one has it, and what the others command is dropped. When it
-/// changes hands the robot stands still until the new one commands.
+/// changes hands the robot stands still until the new one commands. In an emergency nobody's hand moves it.
 final class Helm {
     private final DriveBase base;
     private Hand hand = Hand.AGENTS;
+    private boolean on = true; // as far as the hands want
+    private boolean stopped; // in an emergency
 
     /// Who may steer.
     enum Hand {
@@ -46,6 +47,27 @@ final class Helm {
         }
     }
 
+    /// Switches the motors off, whoever may want them on, until [#rearm].
+    void stop() {
+        stopped = true;
+        apply();
+    }
+
+    /// Leaves the motors to the hands again: those that were switched off by one stay off.
+    void rearm() {
+        stopped = false;
+        apply();
+    }
+
+    private void enable(boolean wanted) {
+        on = wanted;
+        apply();
+    }
+
+    private void apply() {
+        base.enable(on && !stopped);
+    }
+
     /// The base, for whoever steers.
     DriveBase base() {
         return base;
@@ -55,62 +77,62 @@ final class Helm {
     ///
     /// @param robot with the base as anybody has it
     Robot steering(Robot robot, Hand whose) {
-        return robot.replacing(robot.require(DriveBase.class), new Held(base, () -> hand == whose));
+        return robot.replacing(robot.require(DriveBase.class), new Held(this, whose));
     }
 
-    private record Held(DriveBase base, BooleanSupplier steers) implements DriveBase {
+    private record Held(Helm helm, Hand whose) implements DriveBase {
         @Override
         public void command(Twist2d velocity) {
             if (!velocity.isFinite()) {
-                base.command(velocity); // says what is wrong with it, whoever steers
-            } else if (steers.getAsBoolean()) {
-                base.command(velocity);
+                helm.base.command(velocity); // says what is wrong with it, whoever steers
+            } else if (helm.hand == whose) {
+                helm.base.command(velocity);
             }
         }
 
         @Override
         public void enable(boolean enabled) {
-            base.enable(enabled);
+            helm.enable(enabled);
         }
 
         @Override
         public boolean enabled() {
-            return base.enabled();
+            return helm.base.enabled();
         }
 
         @Override
         public void resetOdometry(Pose2d odomFromBase) {
-            base.resetOdometry(odomFromBase);
+            helm.base.resetOdometry(odomFromBase);
         }
 
         @Override
         public Optional<Stamped<Odometry>> latest() {
-            return base.latest();
+            return helm.base.latest();
         }
 
         @Override
         public Subscription subscribe(Consumer<? super Stamped<Odometry>> listener) {
-            return base.subscribe(listener);
+            return helm.base.subscribe(listener);
         }
 
         @Override
         public DeviceInfo info() {
-            return base.info();
+            return helm.base.info();
         }
 
         @Override
         public List<Device> children() {
-            return base.children();
+            return helm.base.children();
         }
 
         @Override
         public Health health() {
-            return base.health();
+            return helm.base.health();
         }
 
         @Override
         public Subscription onHealth(Consumer<? super Health> listener) {
-            return base.onHealth(listener);
+            return helm.base.onHealth(listener);
         }
     }
 }

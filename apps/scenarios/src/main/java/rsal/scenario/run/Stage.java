@@ -297,7 +297,7 @@ final class Stage implements AutoCloseable {
         observer.joined(id, robot.role());
         equip(robot, planned);
         if (stopped) {
-            robot.find(DriveBase.class).ifPresent(base -> base.enable(false));
+            Optional.ofNullable(controls.get(id)).ifPresent(Controls::stop);
         }
         society.ifPresent(agents -> newcomers.agents(id).forEach(agent -> start(agents, agent)));
     }
@@ -725,13 +725,8 @@ final class Stage implements AutoCloseable {
 
     /// Switches all motors off or on again.
     Answer stop(boolean stop) {
-        var bases = new ArrayList<DriveBase>();
-        robots.values().forEach(robot -> robot.find(DriveBase.class).ifPresent(bases::add));
-        bases.forEach(base -> base.enable(!stop));
-        if (stop) {
-            controls.values().forEach(Controls::halt);
-        }
         stopped = stop;
+        List.copyOf(controls.values()).forEach(stop ? Controls::stop : Controls::rearm);
         journal.event("operator", "", stop ? "emergency stop" : "motors on again");
         return new Answer.Done();
     }

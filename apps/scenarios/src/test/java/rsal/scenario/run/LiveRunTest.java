@@ -230,6 +230,25 @@ class LiveRunTest {
     }
 
     @Test
+    void noAgentLiftsTheEmergencyStop() throws InterruptedException {
+        String text = Runs.TWO_WANDERERS.replace("type: wanderer, robot: hunter", "type: stubborn, robot: hunter");
+        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE.withSpeed(5)))) {
+            var snapshots = snapshots(run);
+            awaitRobots(snapshots);
+            assertThat(answer(run.estop())).isEqualTo(new Answer.Done());
+            Snapshot first =
+                    next(snapshots, next(snapshots, Duration.ZERO).time().plusMillis(1500));
+            Snapshot second = next(snapshots, first.time().plusMillis(1000));
+            assertThat(second.robots().getLast().truth())
+                    .isEqualTo(first.robots().getLast().truth());
+            assertThat(answer(run.rearm())).isEqualTo(new Answer.Done());
+            Snapshot third = next(snapshots, second.time().plusMillis(1500));
+            assertThat(third.robots().getLast().truth())
+                    .isNotEqualTo(second.robots().getLast().truth());
+        }
+    }
+
+    @Test
     void anAgentThatFailsEndsAlone() {
         String text = Runs.TWO_WANDERERS.replace("chase: {type: wanderer, robot: hunter}", "chase: {type: breaker}");
         try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE))) {
