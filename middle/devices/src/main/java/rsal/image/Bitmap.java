@@ -51,11 +51,12 @@ public record Bitmap(int width, int height, BitSet solid) {
     /// All that is solid as rectangles: runs of pixels in a row, grown upwards while the rows above have them,
     /// too.
     ///
+    /// @param most how many are enough; the list ends after one more
     /// @return for each its first column, the column behind its last, and likewise its rows
-    public List<int[]> rectangles() {
+    public List<int[]> rectangles(int most) {
         var found = new ArrayList<int[]>();
         var left = (BitSet) solid.clone();
-        for (int i = left.nextSetBit(0); i >= 0; i = left.nextSetBit(i)) {
+        for (int i = left.nextSetBit(0); i >= 0 && found.size() <= most; i = left.nextSetBit(i)) {
             int row = i / width;
             int first = i % width;
             int end = Math.min(left.nextClearBit(i), (row + 1) * width) - row * width;

@@ -214,11 +214,11 @@ final class WallReader {
 
     private void turned(
             Section wall, Bitmap bitmap, double x, double y, Surface surface, Pose2d origin, Interval heights) {
-        List<int[]> rectangles = bitmap.rectangles();
+        List<int[]> rectangles = bitmap.rectangles(MAX_RECTANGLES);
         if (rectangles.size() > MAX_RECTANGLES) {
             wall.problem(
                     "origin",
-                    "The image has too many pieces (%d) to be turned like this.".formatted(rectangles.size()),
+                    "The image has more than %d pieces, too many to be turned like this.".formatted(MAX_RECTANGLES),
                     "Turn the image itself, and set the third value of (origin) to 0.");
             return;
         }

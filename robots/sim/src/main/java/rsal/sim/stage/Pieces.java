@@ -14,6 +14,7 @@ import rsal.scene.Surface;
 
 /// Turns bodies of models into pieces with simple outlines.
 final class Pieces {
+    private static final int MOST_RECTANGLES = 50_000; // of an image
     private static final double THIN = 0.001; // of what has no thickness [m]
 
     private final Findings findings;
@@ -46,7 +47,15 @@ final class Pieces {
             add(pieces, model, prism, frameFromModel);
         }
         body.raster().ifPresent(raster -> {
-            for (int[] r : raster.bitmap().rectangles()) {
+            List<int[]> rectangles = raster.bitmap().rectangles(MOST_RECTANGLES);
+            if (rectangles.size() > MOST_RECTANGLES) {
+                throw findings.fatal(
+                        model.location(),
+                        "The image of (%s) has more than %d pieces, too many for what is turned or moves."
+                                .formatted(Findings.shortened(model.macro()), MOST_RECTANGLES),
+                        "Use a simpler image, or turn the image itself.");
+            }
+            for (int[] r : rectangles) {
                 List<Point2d> corners = List.of(
                         corner(raster, r[0], r[2]),
                         corner(raster, r[1], r[2]),
