@@ -14,18 +14,48 @@ import rsal.scene.Entity;
 /// it does not show.
 final class Room {
     private static final double BUCKET = 4; // side of a square that circles are kept by [m]
+    private static final double LARGE = 50; // radius of a circle that is kept aside, lest all squares be near it [m]
+    private static final long MOST_LOOKS = 200_000_000; // at squares and circles
 
     private final OccupancyGrid map;
+    private final long mostLooks;
     private final float[] distances; // to the nearest cell that is not free, by cell [cells]
     private final Map<Bucket, List<Circle>> buckets = new HashMap<>();
-    private double largest; // radius of a circle [m]
+    private final List<Circle> large = new ArrayList<>();
+    private double largest; // radius of a circle in a bucket [m]
+    private long looks;
 
     private record Circle(double x, double y, double radius, boolean robot) {}
 
     private record Bucket(long column, long row) {}
 
+    /// What is looked for: a circle, and how far it must be from others [m].
+    private record Wanted(double x, double y, double radius, double gap, double robotGap) {
+        boolean fits(List<Circle> others) {
+            for (Circle other : others) {
+                double least = radius + other.radius + (other.robot ? robotGap : gap);
+                double dx = Math.abs(other.x - x);
+                double dy = Math.abs(other.y - y);
+                if (dx < least && dy < least && Math.hypot(dx, dy) < least) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        /// How far those may be that are in its way [m].
+        double reach(double largest) {
+            return radius + largest + Math.max(gap, robotGap);
+        }
+    }
+
     Room(OccupancyGrid map) {
+        this(map, MOST_LOOKS);
+    }
+
+    Room(OccupancyGrid map, long mostLooks) {
         this.map = map;
+        this.mostLooks = mostLooks;
         this.distances = new float[map.cells().length];
         DistanceTransform.measure(
                 map.width(), map.height(), cell -> map.cells()[cell] != OccupancyGrid.FREE, (row, squares) -> {
@@ -40,8 +70,13 @@ final class Room {
         double x = entity.mapFromEntity().x();
         double y = entity.mapFromEntity().y();
         double radius = radius(entity);
-        buckets.computeIfAbsent(bucket(x, y), _ -> new ArrayList<>()).add(new Circle(x, y, radius, robot));
-        largest = Math.max(largest, radius);
+        var circle = new Circle(x, y, radius, robot);
+        if (radius > LARGE) {
+            large.add(circle);
+        } else {
+            buckets.computeIfAbsent(bucket(x, y), _ -> new ArrayList<>()).add(circle);
+            largest = Math.max(largest, radius);
+        }
     }
 
     /// Of the circle around an entity's origin that holds it [m].
@@ -62,28 +97,49 @@ final class Room {
         return radius;
     }
 
-    /// Whether a circle around a place is far enough from all that is there.
+    /// Whether a circle around a place is far enough from all that is there; no when it would take too long to say.
     ///
     /// @param gap from all but robots [m]
     /// @param robotGap from robots [m]
     boolean isFree(double x, double y, double radius, double gap, double robotGap) {
         int column = map.column(x);
         int row = map.row(y);
-        if (!map.contains(column, row)
+        if (isExhausted()
+                || !map.contains(column, row)
                 || (distances[row * map.width() + column] - 1.5) * map.resolution() < radius + gap) {
             return false;
         }
-        double reach = radius + largest + Math.max(gap, robotGap);
-        for (long c = (long) Math.floor((x - reach) / BUCKET); c <= Math.floor((x + reach) / BUCKET); c++) {
-            for (long r = (long) Math.floor((y - reach) / BUCKET); r <= Math.floor((y + reach) / BUCKET); r++) {
-                for (Circle other : buckets.getOrDefault(new Bucket(c, r), List.of())) {
-                    if (Math.hypot(other.x - x, other.y - y) < radius + other.radius + (other.robot ? robotGap : gap)) {
-                        return false;
-                    }
+        var wanted = new Wanted(x, y, radius, gap, robotGap);
+        looks += large.size();
+        return wanted.fits(large) && fitsBuckets(wanted);
+    }
+
+    /// Whether nothing is found any more, as so much was looked at.
+    boolean isExhausted() {
+        return looks > mostLooks;
+    }
+
+    /// Looks at the buckets that are near, or at all, whichever are fewer.
+    private boolean fitsBuckets(Wanted wanted) {
+        double reach = wanted.reach(largest);
+        Bucket first = bucket(wanted.x - reach, wanted.y - reach);
+        Bucket last = bucket(wanted.x + reach, wanted.y + reach);
+        if ((last.column - first.column + 1) * (last.row - first.row + 1) > buckets.size()) {
+            return buckets.values().stream().allMatch(circles -> fits(wanted, circles));
+        }
+        for (long column = first.column; column <= last.column; column++) {
+            for (long row = first.row; row <= last.row; row++) {
+                if (!fits(wanted, buckets.getOrDefault(new Bucket(column, row), List.of()))) {
+                    return false;
                 }
             }
         }
         return true;
+    }
+
+    private boolean fits(Wanted wanted, List<Circle> circles) {
+        looks += 1 + circles.size();
+        return wanted.fits(circles);
     }
 
     private static Bucket bucket(double x, double y) {
