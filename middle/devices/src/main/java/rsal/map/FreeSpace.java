@@ -19,7 +19,7 @@ public final class FreeSpace {
     /// @param clearance half the side of a square around a cell's middle that must be free [m]
     public FreeSpace(OccupancyGrid map, double clearance) {
         this.map = map;
-        boolean[] open = open(map, (int) Math.ceil(clearance / map.resolution() - 0.5));
+        boolean[] open = open(map, reach(map, clearance));
         int[] found = new int[open.length]; // one part after the other
         int from = 0;
         int largestFrom = 0;
@@ -35,6 +35,13 @@ public final class FreeSpace {
             }
         }
         cells = Arrays.copyOfRange(found, largestFrom, largestTo);
+    }
+
+    /// How many cells around a cell must be free; free spaces of equal reach are equal.
+    ///
+    /// @param clearance as for a free space [m]
+    public static int reach(OccupancyGrid map, double clearance) {
+        return (int) Math.ceil(clearance / map.resolution() - 0.5);
     }
 
     /// Cells with none but free ones `reach` cells around, by a summed-area table of the others.

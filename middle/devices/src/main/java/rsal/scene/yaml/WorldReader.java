@@ -12,7 +12,6 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
-import rsal.map.FreeSpace;
 import rsal.robot.RobotSpec;
 import rsal.scene.Entity;
 import rsal.scene.MapPainter;
@@ -178,12 +177,12 @@ final class WorldReader {
         }
 
         private void search(OccupancyGrid map, Room room) {
-            var spaces = new HashMap<Double, FreeSpace>(); // by clearance
+            var spaces = new Spaces(map);
             for (Member member : members) {
                 if (!placed(member)) {
                     double radius = Room.radius(body(member));
                     double clearance = Math.max(member.free().clearance(), radius + TURNING);
-                    Optional<Pose2d> pose = spaces.computeIfAbsent(clearance, c -> new FreeSpace(map, c))
+                    Optional<Pose2d> pose = spaces.with(clearance, member.location())
                             .choose(
                                     new SplittableRandom(31 * seed + member.id().hashCode()),
                                     p -> member.free().holds(p)
@@ -191,7 +190,10 @@ final class WorldReader {
                     if (pose.isEmpty()) {
                         throw new InvalidSettings(
                                 member.location(),
-                                "There is no free place for robot (%s).".formatted(member.id()),
+                                (room.isExhausted()
+                                                ? "It takes too long to find a free place for robot (%s)."
+                                                : "There is no free place for robot (%s).")
+                                        .formatted(member.id()),
                                 "Maybe the clearance is too large, or the world too small for so many robots.");
                     }
                     places.put(member.id(), new Place(pose.get(), 0));

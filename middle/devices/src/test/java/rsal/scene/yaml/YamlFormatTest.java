@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.ServiceLoader;
 import java.util.function.BiPredicate;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -471,6 +472,36 @@ class YamlFormatTest {
             assertThat(warning.location()).isEqualTo(new Location(Worlds.FILE, 3, 17));
             assertThat(warning.message()).matches("Only \\d+ of 500 obstacles \\(rocks\\) found room\\.");
         });
+    }
+
+    @Test
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void aThingAsLargeAsTheWorldTakesNoLongerThanASmallOne() {
+        Scene scene = scene("""
+                things: {fog: {pose: [0, 0, 0], moves: true, body: {outline: [[0, 0], [60000, 0], [60000, 60000]]}}}
+                fields: {rocks: {count: 5, area: [0, 0, 9, 9]}}
+                """);
+        assertThat(scene.warnings()).singleElement().asString().contains("Only 0 of 5 obstacles (rocks)");
+    }
+
+    @Test
+    void robotsMayAskForManyClearances() {
+        var robots = new StringBuilder("area: [0, 0, 40, 40]\nrobots:\n");
+        for (int i = 0; i < 300; i++) {
+            robots.append("  r%d: {model: pioneer2dx, pose: {free: true, clearance: %s}}\n"
+                    .formatted(i, 0.45 + 0.01 * (i % 7) + 1e-6 * i));
+        }
+        assertThat(scene(robots.toString()).robots()).hasSize(300);
+    }
+
+    @Test
+    void anImageOfTooManyPiecesCanNotBeTurned() {
+        String rows = ("#.".repeat(200) + "\n" + ".#".repeat(200) + "\n").repeat(200);
+        Worlds worlds = Worlds.of("walls: [{image: board.pgm, resolution: 0.1, origin: [0, 0, 30]}]");
+        assertThat(worlds.andImage("board.pgm", rows).mistakes())
+                .singleElement()
+                .asString()
+                .contains("The image has more than 50000 pieces");
     }
 
     @Test
