@@ -24,7 +24,7 @@ public final class FaultyLocalizer extends SensorCore<PoseEstimate> implements L
         this.localizer = localizer;
         localizer.latest().ifPresent(this::show);
         localizer.subscribe(this::show);
-        localizer.onHealth(this::health);
+        localizer.onHealth(this::told);
     }
 
     /// Begins a fault.
@@ -41,6 +41,13 @@ public final class FaultyLocalizer extends SensorCore<PoseEstimate> implements L
                 health(new Health.Stale("No estimate for %d s.".formatted(PATIENCE.toSeconds())));
             }
         });
+    }
+
+    /// While it shows nothing it is not well because the other one is.
+    private void told(Health health) {
+        if (!(health.equals(Health.ok()) && faults.areDeadly())) {
+            health(health);
+        }
     }
 
     @Override

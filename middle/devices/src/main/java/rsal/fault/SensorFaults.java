@@ -77,13 +77,18 @@ public final class SensorFaults<T> {
             shown = reading.value();
             return Optional.of(reading);
         }
-        if (isAny(Fault.Dead.class)) {
+        if (areDeadly()) {
             return Optional.empty();
         }
         T before = shown;
         T now = before != null && isAny(Fault.Frozen.class) ? before : wrong(reading.value());
         shown = now;
         return Optional.of(new Stamped<>(reading.time(), reading.frame(), now));
+    }
+
+    /// Whether the sensor shows nothing now.
+    boolean areDeadly() {
+        return isAny(Fault.Dead.class);
     }
 
     private boolean isAny(Class<? extends Fault.OfSensor> kind) {

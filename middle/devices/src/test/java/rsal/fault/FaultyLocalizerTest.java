@@ -32,6 +32,10 @@ class FaultyLocalizerTest {
             deliver(new Stamped<>(Instant.EPOCH.plusMillis(Math.round(second * 1000)), "map", estimate));
         }
 
+        void recover() {
+            health(Health.ok());
+        }
+
         void fail() {
             health(new Health.Lost("It failed."));
         }
@@ -81,5 +85,19 @@ class FaultyLocalizerTest {
         told.say(3, 8);
         assertThat(localizer.health()).isEqualTo(Health.ok());
         assertThat(x()).isEqualTo(8);
+    }
+
+    @Test
+    void deadItIsNotWellWhenTheOtherIs() {
+        told.say(1, 5);
+        localizer.begin(new Fault.Dead(), new SplittableRandom(1));
+        told.fail();
+        var health = new ArrayList<Health>();
+        localizer.onHealth(health::add);
+        told.recover();
+        told.say(1.5, 6);
+        assertThat(health).isEmpty();
+        told.say(3, 7);
+        assertThat(health).singleElement().isInstanceOf(Health.Stale.class);
     }
 }
