@@ -3,7 +3,6 @@ package rsal.scenario;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Pattern;
@@ -29,8 +28,8 @@ final class Format {
 
     static final Parameter TOUCH = Parameter.choice(
             "touch",
-            "stall",
-            words(Touch.values(), touch -> touch.name().toLowerCase(Locale.ROOT)),
+            Touch.STALL.word(),
+            Touch.words(),
             "Whether robots that drive into something stop or slide along it; otherwise as the file of the world has it.");
 
     static final Parameter ARGUMENT_TYPE = required(Parameter.choice(

@@ -5,7 +5,6 @@ import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import rsal.device.Device;
 import rsal.device.DriveBase;
@@ -76,10 +75,7 @@ final class WorldReader {
     }
 
     private static Optional<Touch> touch(Section world) {
-        return world.has(Format.TOUCH.name())
-                ? world.value(Format.TOUCH)
-                        .map(word -> Touch.valueOf(word.toString().toUpperCase(Locale.ROOT)))
-                : Optional.empty();
+        return world.has(Format.TOUCH.name()) ? world.value(Format.TOUCH).flatMap(Touch::of) : Optional.empty();
     }
 
     private Scene scene(String path, Location at) {

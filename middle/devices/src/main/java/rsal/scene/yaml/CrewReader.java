@@ -76,7 +76,7 @@ final class CrewReader {
 
     /// Where a place is looked for.
     ///
-    /// @param within least x, least y, greatest x, greatest y [m]; null for anywhere
+    /// @param within left, bottom, right, top [m]; null for anywhere
     record Free(double clearance, double @Nullable [] within) {
         boolean holds(Pose2d pose) {
             return within == null
@@ -228,10 +228,7 @@ final class CrewReader {
             pose.problem("free", "(%s) can only be true.".formatted(pose.path("free")), "");
         }
         double clearance = Keys.number(pose, Keys.CLEARANCE);
-        double[] within = pose.numbers("within", 4).orElse(null);
-        if (within != null && !(within[0] < within[2] && within[1] < within[3])) {
-            pose.problem("within", "(within) must be [least x, least y, greatest x, greatest y].", "");
-        }
+        double[] within = Place.area(pose, "within").orElse(null);
         pose.done();
         return new Free(clearance, within);
     }

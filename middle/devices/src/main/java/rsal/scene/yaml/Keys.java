@@ -2,6 +2,7 @@ package rsal.scene.yaml;
 
 import java.util.List;
 import rsal.robot.BodyReader;
+import rsal.scene.Touch;
 import rsal.settings.Parameter;
 import rsal.settings.Section;
 
@@ -22,8 +23,8 @@ final class Keys {
     static final Parameter END = Parameter.number("end", 0, 0, 1e9, "s", "How long a run of it takes.");
     static final Parameter TOUCH = Parameter.choice(
             "touch",
-            "stall",
-            List.of("stall", "slide"),
+            Touch.STALL.word(),
+            Touch.words(),
             "Whether robots that drive into something stop or slide along it.");
     static final Parameter SEED = Parameter.integer(
             "seed",

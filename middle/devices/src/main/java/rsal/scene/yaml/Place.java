@@ -56,6 +56,23 @@ record Place(Pose2d pose, double height) {
         return count > 0 && count < places.size() ? List.copyOf(places.subList(0, count)) : List.copyOf(places);
     }
 
+    /// An area, `[left, bottom, right, top]` [m]; empty when there is none, or a mistake was noted.
+    static Optional<double[]> area(Section section, String key) {
+        Optional<double[]> area = section.numbers(key, 4);
+        for (double side : area.orElse(new double[0])) {
+            if (!(Math.abs(side) <= Keys.FARTHEST)) {
+                section.problem(key, "(%s) must be within %.0f m.".formatted(section.path(key), Keys.FARTHEST), "");
+                return Optional.empty();
+            }
+        }
+        if (area.isPresent() && !(area.get()[0] < area.get()[2] && area.get()[1] < area.get()[3])) {
+            section.problem(
+                    key, "(%s) must be [left, bottom, right, top], the least first.".formatted(section.path(key)), "");
+            return Optional.empty();
+        }
+        return area;
+    }
+
     /// Whether a value lists places rather than being one.
     static boolean isList(Value value) {
         return value instanceof Value.Sequence list

@@ -15,6 +15,7 @@ import rsal.data.Pose2d;
 import rsal.robot.RobotSpec;
 import rsal.scene.Entity;
 import rsal.scene.MapPainter;
+import rsal.scene.NamedSeed;
 import rsal.scene.Scene;
 import rsal.scene.Touch;
 import rsal.scene.yaml.CrewReader.Member;
@@ -56,8 +57,8 @@ final class WorldReader {
         root.text("description", "");
         Optional<Duration> step = time(Keys.STEP);
         Optional<Duration> end = time(Keys.END);
-        Touch touch = Optional.of("slide").equals(root.value(Keys.TOUCH)) ? Touch.SLIDE : Touch.STALL;
-        double[] area = FieldReader.area(root, "area").orElse(null);
+        Touch touch = root.value(Keys.TOUCH).flatMap(Touch::of).orElse(Touch.STALL);
+        double[] area = Place.area(root, "area").orElse(null);
         var names = new Names(problems);
         var walls = new WallReader(files, names);
         walls.read(root);
@@ -184,7 +185,7 @@ final class WorldReader {
                     double clearance = Math.max(member.free().clearance(), radius + TURNING);
                     Optional<Pose2d> pose = spaces.with(clearance, member.location())
                             .choose(
-                                    new SplittableRandom(31 * seed + member.id().hashCode()),
+                                    new SplittableRandom(NamedSeed.of(seed, member.id())),
                                     p -> member.free().holds(p)
                                             && room.isFree(p.x(), p.y(), radius, 0, clearance - radius));
                     if (pose.isEmpty()) {

@@ -90,8 +90,9 @@ final class BodyBuilder {
         }
         double length = size.x() / bitmap.width();
         double width = size.y() / bitmap.height();
-        List<int[]> rectangles =
-                (long) bitmap.width() * bitmap.height() <= MOST_PIXELS_IN_RECTANGLES ? bitmap.rectangles(MOST_RECTANGLES) : List.of();
+        List<int[]> rectangles = (long) bitmap.width() * bitmap.height() <= MOST_PIXELS_IN_RECTANGLES
+                ? bitmap.rectangles(MOST_RECTANGLES)
+                : List.of();
         if (rectangles.isEmpty() || rectangles.size() > MOST_RECTANGLES) {
             Pose2d bodyFromCorner = new Pose2d(-size.x() / 2, -size.y() / 2, 0);
             raster = Optional.of(new Raster(

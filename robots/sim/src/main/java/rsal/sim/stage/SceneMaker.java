@@ -15,6 +15,7 @@ import rsal.robot.RobotSpec;
 import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.MapPainter;
+import rsal.scene.NamedSeed;
 import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
@@ -191,7 +192,7 @@ final class SceneMaker {
 
     /// A color that follows from the seed and the model's name.
     private Color drawn(String name) {
-        var random = new SplittableRandom(31 * seed + name.hashCode());
+        var random = new SplittableRandom(NamedSeed.of(seed, name));
         return new Color(random.nextInt(256), random.nextInt(256), random.nextInt(256), 255);
     }
 }
