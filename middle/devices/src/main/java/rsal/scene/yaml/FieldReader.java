@@ -17,6 +17,7 @@ import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.scene.Block;
 import rsal.scene.Entity;
+import rsal.scene.NamedSeed;
 import rsal.scene.Surface;
 import rsal.settings.Location;
 import rsal.settings.Problem;
@@ -90,7 +91,7 @@ final class FieldReader {
         Surface surface = SurfaceReader.told(section).apply(Surface.PLAIN);
         var field = new Field(
                 name,
-                area(section, "area").orElse(null),
+                Place.area(section, "area").orElse(null),
                 dense ? 0 : (int) Keys.whole(section, Keys.COUNT),
                 dense ? Keys.number(section, Keys.DENSITY) : 0,
                 shapes(section),
@@ -104,23 +105,6 @@ final class FieldReader {
                 section.location());
         section.done();
         fields.add(field);
-    }
-
-    /// `[left, bottom, right, top]`.
-    static Optional<double[]> area(Section section, String key) {
-        Optional<double[]> area = section.numbers(key, 4);
-        for (double side : area.orElse(new double[0])) {
-            if (!(Math.abs(side) <= Keys.FARTHEST)) {
-                section.problem(key, "(%s) must be within %.0f m.".formatted(section.path(key), Keys.FARTHEST), "");
-                return Optional.empty();
-            }
-        }
-        if (area.isPresent() && !(area.get()[0] < area.get()[2] && area.get()[1] < area.get()[3])) {
-            section.problem(
-                    key, "(%s) must be [left, bottom, right, top], the least first.".formatted(section.path(key)), "");
-            return Optional.empty();
-        }
-        return area;
     }
 
     private static List<String> shapes(Section section) {
@@ -193,7 +177,7 @@ final class FieldReader {
     List<Entity> grow(OccupancyGrid map, Room room, long seed, List<Problem> warnings) {
         var grown = new ArrayList<Entity>();
         for (Field field : fields) {
-            var random = new SplittableRandom(31 * field.seed.orElse(seed) + field.name.hashCode());
+            var random = new SplittableRandom(NamedSeed.of(field.seed.orElse(seed), field.name));
             double[] area = field.area != null
                     ? field.area
                     : new double[] {
@@ -202,7 +186,7 @@ final class FieldReader {
                         map.originX() + map.width() * map.resolution(),
                         map.originY() + map.height() * map.resolution()
                     };
-            int count = count(field, area);
+            int count = count(field, area, warnings);
             int before = grown.size();
             for (int i = 1; i <= count; i++) {
                 Optional<Entity> obstacle = place(field, field.name + "-" + i, area, room, random);
@@ -222,9 +206,18 @@ final class FieldReader {
         return grown;
     }
 
-    private static int count(Field field, double[] area) {
-        double wanted = field.density * (area[2] - area[0]) * (area[3] - area[1]);
-        return field.count > 0 ? field.count : (int) Math.min(Keys.MAX_SAME, Math.round(wanted));
+    private static int count(Field field, double[] area, List<Problem> warnings) {
+        if (field.count > 0) {
+            return field.count;
+        }
+        long wanted = Math.round(field.density * (area[2] - area[0]) * (area[3] - area[1]));
+        if (wanted > Keys.MAX_SAME) {
+            warnings.add(new Problem(
+                    field.location,
+                    "Only %d of %d obstacles (%s) are made.".formatted(Keys.MAX_SAME, wanted, field.name),
+                    "Maybe take a smaller (density) or (area), or several fields."));
+        }
+        return (int) Math.min(Keys.MAX_SAME, wanted);
     }
 
     private Optional<Entity> place(Field field, String name, double[] area, Room room, RandomGenerator random) {

@@ -27,6 +27,7 @@ import rsal.settings.Value;
 final class WallReader {
     private static final int MAX_IMAGE_BYTES = 1 << 28;
     private static final long MAX_PIXELS = 1L << 28; // of all images together
+    private static final int MAX_RASTERS = 1000; // each of which every ray asks
     private static final int MAX_RECTANGLES = 50_000; // of an image that is turned
     private static final double NEAREST = 1e-6; // points of a line [m]
     private static final List<String> KINDS = List.of("line", "outline", "radius", "length", "image", "map");
@@ -253,6 +254,12 @@ final class WallReader {
     }
 
     private void count(Section wall, int width, int height) {
+        if (rasters.size() >= MAX_RASTERS) {
+            throw new InvalidSettings(
+                    wall.location(),
+                    "The world has more than %d images and maps.".formatted(MAX_RASTERS),
+                    "Make one image of several.");
+        }
         pixels += (long) width * height;
         if (pixels > MAX_PIXELS) {
             throw new InvalidSettings(

@@ -31,6 +31,7 @@ import rsal.scene.SceneFormat;
 import rsal.scene.Touch;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.settings.Problem;
 
 /// What becomes of worlds of our own.
 class YamlFormatTest {
@@ -505,6 +506,30 @@ class YamlFormatTest {
     }
 
     @Test
+    void aFieldThatIsTooDenseSaysSo() {
+        Scene scene =
+                scene("fields: {f: {density: 1000, area: [0, 0, 100, 50], size: 0.01, gap: 0}}\narea: [0, 0, 1, 1]");
+        assertThat(scene.warnings())
+                .extracting(Problem::message)
+                .contains("Only 10000 of 5000000 obstacles (f) are made.");
+    }
+
+    @Test
+    void aWorldHasOnlySoManyImages() {
+        String image = "{image: a.pgm, resolution: 1},";
+        assertThat(Worlds.of("walls: [" + image.repeat(1000) + "]")
+                        .andImage("a.pgm", PLAN)
+                        .mistakes())
+                .isEmpty();
+        assertThat(Worlds.of("walls: [" + image.repeat(1001) + "]")
+                        .andImage("a.pgm", PLAN)
+                        .mistakes())
+                .singleElement()
+                .asString()
+                .contains("more than 1000 images and maps");
+    }
+
+    @Test
     void otherProgramsAreToldOf() {
         Scene scene = scene("robots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}");
         assertThat(scene.programs()).containsEntry("r", "dance");
@@ -551,6 +576,8 @@ class YamlFormatTest {
             robots: {a/b: {model: pioneer2dx}}             | 2:15  | a slash is what sets devices off
             robots: {r: {model: pioneer2dx, pose: {free: 3}}} | 2:46 | can only be true
             robots: {r: {model: pioneer2dx, pose: {free: true, within: [50, 50, 51, 51]}}} | 2:13 | no free place for robot (r)
+            robots: {r: {model: pioneer2dx, pose: {free: true, within: [5, 0, 1, 1]}}} | 2:60 | (robots.r.pose.within) must be [left, bottom
+            robots: {r: {model: pioneer2dx, pose: {free: true, within: [0, 0, 1e7, 1]}}} | 2:60 | (robots.r.pose.within) must be within
             models: {m: {body: {radius: 1}}}               | 2:13  | (models.m.drive.maxSpeed) is missing
             things: {a: {pose: [900000, 0, 0], body: {radius: 1}}, b: {body: {radius: 1}}} | | at most 100000 m
             """)
