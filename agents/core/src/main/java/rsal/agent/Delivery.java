@@ -17,4 +17,11 @@ public interface Delivery {
     ///
     /// @param listener name of the agent that listens
     List<Duration> copies(Message<?> message, String listener);
+
+    /// Whether a copy that comes late still reaches the listener. Asked when it arrives.
+    ///
+    /// @param listener name of the agent that listens
+    default boolean reaches(Message<?> message, String listener) {
+        return true;
+    }
 }

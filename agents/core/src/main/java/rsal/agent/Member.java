@@ -193,8 +193,18 @@ final class Member implements AgentContext {
             public void accept(Message<M> message) {
                 if (!message.sender().equals(name())) {
                     for (Duration late : copies(message)) {
-                        accept(message, late);
+                        if (late.isZero()) {
+                            super.accept(message);
+                        } else {
+                            hostLane.after(late, Phase.THINK, () -> hearLate(message));
+                        }
                     }
+                }
+            }
+
+            private void hearLate(Message<M> message) {
+                if (society.reaches(message, name())) {
+                    hear(message);
                 }
             }
         }.listenTo(society.listenersOf(topic)::add);
@@ -280,14 +290,6 @@ final class Member implements AgentContext {
         @Override
         public void accept(T value) {
             hostLane.execute(() -> hear(value));
-        }
-
-        void accept(T value, Duration late) {
-            if (late.isZero()) {
-                hostLane.execute(() -> hear(value));
-            } else {
-                hostLane.after(late, Phase.THINK, () -> hear(value));
-            }
         }
 
         void hear(T value) {

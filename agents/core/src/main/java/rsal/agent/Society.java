@@ -85,6 +85,11 @@ public final class Society implements AutoCloseable {
         return delivery.copies(message, listener);
     }
 
+    /// Whether what comes late still arrives.
+    boolean reaches(Message<?> message, String listener) {
+        return delivery.reaches(message, listener);
+    }
+
     /// Says something in a person's name.
     ///
     /// @throws IllegalArgumentException when the message is not of the topic's type, or the topic's name is taken

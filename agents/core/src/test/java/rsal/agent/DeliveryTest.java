@@ -60,6 +60,27 @@ class DeliveryTest {
     }
 
     @Test
+    void isAskedAgainWhenACopyArrivesLate() {
+        startListener("amy");
+        startListener("zoe");
+        startSpeaker("bob", "hi");
+        run.society.deliverBy(new Delivery() {
+            @Override
+            public List<Duration> copies(Message<?> message, String listener) {
+                return List.of(Duration.ofSeconds(1));
+            }
+
+            @Override
+            public boolean reaches(Message<?> message, String listener) {
+                log.add("asked at " + run.scheduler.elapsed());
+                return listener.equals("zoe");
+            }
+        });
+        run.advance(3);
+        assertThat(log).containsExactly("asked at PT2S", "asked at PT2S", "zoe heard bob: hi at PT2S");
+    }
+
+    @Test
     void whatComesLateIsNotHeardByOneThatHasEnded() {
         startListener("amy");
         startSpeaker("bob", "hi");

@@ -13,6 +13,8 @@ import rsal.scenario.PlannedFault.OfMessages;
 
 /// What happens to messages now. Several mishaps come one after the other, in the order in which they began.
 final class Mishaps implements Delivery {
+    private static final int MOST_COPIES = 64; // of a message for a listener
+
     private final Lost lost;
     private final List<Active> active = new ArrayList<>();
     private final Tally silent = new Tally(); // agents
@@ -79,6 +81,11 @@ final class Mishaps implements Delivery {
         return copies;
     }
 
+    @Override
+    public boolean reaches(Message<?> message, String listener) {
+        return !isSilent(listener);
+    }
+
     private static List<Duration> after(Active active, List<Duration> copies) {
         return switch (active.messages.mishap()) {
             case Mishap.Lost _ -> List.of();
@@ -89,7 +96,7 @@ final class Mishaps implements Delivery {
             case Mishap.Doubled(var delay) -> {
                 Duration late = delay.draw(active.random);
                 var both = new ArrayList<>(copies);
-                copies.forEach(copy -> both.add(copy.plus(late)));
+                copies.stream().limit(MOST_COPIES - copies.size()).forEach(copy -> both.add(copy.plus(late)));
                 yield both;
             }
         };

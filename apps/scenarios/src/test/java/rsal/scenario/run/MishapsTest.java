@@ -122,4 +122,21 @@ class MishapsTest {
         silence.cancel();
         assertThat(mishaps.copies(from("bob"), "amy")).hasSize(1);
     }
+
+    @Test
+    void doubledAgainAndAgainThereAreOnlySoMany() {
+        for (int i = 0; i < 40; i++) {
+            begin(all(1, new Mishap.Doubled(Span.of(1, 1))));
+            assertThat(copies()).hasSize(Math.min(64, 2 << Math.min(i, 10)));
+        }
+    }
+
+    @Test
+    void whatIsOnItsWayDoesNotReachTheSilent() {
+        Message<Text> message = from("bob");
+        assertThat(mishaps.reaches(message, "amy")).isTrue();
+        mishaps.silence(Set.of("amy"));
+        assertThat(mishaps.reaches(message, "amy")).isFalse();
+        assertThat(mishaps.reaches(message, "zoe")).isTrue();
+    }
 }
