@@ -8,20 +8,29 @@ final class Wildcard {
         return text.indexOf('*') >= 0;
     }
 
+    /// Takes each star for as little as can be; only the last one may have to take more.
     static boolean matches(String pattern, String name) {
-        int star = pattern.indexOf('*');
-        if (star < 0) {
-            return pattern.equals(name);
-        }
-        if (!name.startsWith(pattern.substring(0, star))) {
-            return false;
-        }
-        String rest = pattern.substring(star + 1);
-        for (int i = star; i <= name.length(); i++) {
-            if (matches(rest, name.substring(i))) {
-                return true;
+        int at = 0;
+        int star = -1; // the last that was met
+        int after = 0; // where what follows it begins in the name
+        int i = 0;
+        while (i < name.length()) {
+            if (at < pattern.length() && pattern.charAt(at) == '*') {
+                star = at++;
+                after = i;
+            } else if (at < pattern.length() && pattern.charAt(at) == name.charAt(i)) {
+                at++;
+                i++;
+            } else if (star >= 0) {
+                at = star + 1;
+                i = ++after;
+            } else {
+                return false;
             }
         }
-        return false;
+        while (at < pattern.length() && pattern.charAt(at) == '*') {
+            at++;
+        }
+        return at == pattern.length();
     }
 }

@@ -2,6 +2,8 @@ package rsal.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -19,9 +21,22 @@ class WildcardTest {
         "*, anything, true",
         "h*r, hr, true",
         "h*r, h, false",
-        "h*h, h, false"
+        "h*h, h, false",
+        "h**r, hunter, true",
+        "*aab, aaaab, true",
+        "'', '', true",
+        "*, '', true",
+        "'', h, false"
     })
     void aStarStandsForAnyLetters(String pattern, String name, boolean matches) {
         assertThat(Wildcard.matches(pattern, name)).isEqualTo(matches);
+    }
+
+    @Test
+    @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void manyStarsAndALongNameAreNoMatterOfYears() {
+        assertThat(Wildcard.matches("a*".repeat(20) + "b", "a".repeat(2000))).isFalse();
+        assertThat(Wildcard.matches("a*".repeat(20) + "b", "a".repeat(2000) + "b"))
+                .isTrue();
     }
 }
