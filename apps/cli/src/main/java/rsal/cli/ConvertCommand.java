@@ -109,7 +109,8 @@ final class ConvertCommand extends Subcommand {
         }
     }
 
-    /// All of them or none: what breaks on the way leaves nothing half written.
+    /// No file is left half written. What breaks while they are written changes none of them; as they are put in
+    /// place one after the other, what breaks then may leave some new and others as they were.
     private static void write(Map<Path, byte[]> contents) {
         var parts = new LinkedHashMap<Path, Path>(); // by what they become
         try {
