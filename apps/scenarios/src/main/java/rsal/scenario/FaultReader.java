@@ -2,12 +2,14 @@ package rsal.scenario;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rsal.device.Device;
@@ -38,11 +40,13 @@ final class FaultReader {
     private static final String OPERATOR = "operator"; // who speaks for people
 
     private final List<Role> roles;
+    private final List<PlannedRobot> robots;
     private final List<PlannedAgent> agents;
     private final boolean allAgents;
     private final Seeds seeds;
     private final Problems problems;
     private final List<Draft> drafts = new ArrayList<>();
+    private final Map<String, Integer> streams = new HashMap<>(); // how often each was asked for
 
     private record Draft(Section section, PlannedFault fault) {}
 
@@ -55,9 +59,17 @@ final class FaultReader {
 
     private record Named(PlannedRobot robot, String device, Class<? extends Device> type) {}
 
+    /// @param robots of all roles, with what their agents need
     /// @param allAgents false when a mistake may have left some out
-    FaultReader(List<Role> roles, List<PlannedAgent> agents, boolean allAgents, Seeds seeds, Problems problems) {
+    FaultReader(
+            List<Role> roles,
+            List<PlannedRobot> robots,
+            List<PlannedAgent> agents,
+            boolean allAgents,
+            Seeds seeds,
+            Problems problems) {
         this.roles = roles;
+        this.robots = robots;
         this.agents = agents;
         this.allAgents = allAgents;
         this.seeds = seeds;
@@ -67,7 +79,7 @@ final class FaultReader {
     List<PlannedFault> read(Section root) {
         for (Section section : Format.groups(root, "faults")) {
             int before = problems.all().size();
-            Optional<PlannedFault> fault = fault(section, "fault/" + drafts.size());
+            Optional<PlannedFault> fault = fault(section);
             if (problems.all().size() == before) {
                 fault.ifPresent(f -> drafts.add(new Draft(section, f)));
             }
@@ -108,10 +120,10 @@ final class FaultReader {
     }
 
     private Stream<PlannedRobot> robots() {
-        return roles.stream().flatMap(role -> role.robots().stream());
+        return robots.stream();
     }
 
-    private Optional<PlannedFault> fault(Section section, String name) {
+    private Optional<PlannedFault> fault(Section section) {
         Optional<FaultKind> kind =
                 section.value(Format.FAULT_KIND).map(word -> Format.of(FaultKind.values(), FaultKind::word, word));
         double at = (Double) section.value(Format.AT).orElse(0.0);
@@ -126,7 +138,30 @@ final class FaultReader {
         List<Target> targets = arguments.isEmpty() ? List.of() : targets(section, kind.get(), arguments.get());
         section.done();
         return Optional.of(new PlannedFault(
-                kind.get().word(), targets, pick, Span.duration(at), every.map(Span::duration), lasts, seeds.of(name)));
+                kind.get().word(),
+                targets,
+                pick,
+                Span.duration(at),
+                every.map(Span::duration),
+                lasts,
+                seeds.of(stream(kind.get(), targets))));
+    }
+
+    /// A name that depends on no other fault but those of the same kind and targets.
+    private String stream(FaultKind kind, List<Target> targets) {
+        String words = targets.stream().map(FaultReader::named).collect(Collectors.joining(","));
+        String stream = "fault/" + kind.word() + "/" + words;
+        return stream + "/" + streams.merge(stream, 1, Integer::sum);
+    }
+
+    private static String named(Target target) {
+        return target instanceof OfMessages messages
+                ? "%s %s %s".formatted(messages.topics(), sorted(messages.from()), sorted(messages.to()))
+                : target.name();
+    }
+
+    private static String sorted(Optional<Set<String>> agents) {
+        return agents.map(names -> new TreeSet<>(names).toString()).orElse(ALL);
     }
 
     private static Optional<Arguments> arguments(Section section, FaultKind kind) {

@@ -106,7 +106,7 @@ final class PlanReader {
         }
         List<PlannedRobot> robots = equipped(bare, agents);
 
-        var faultReader = new FaultReader(roles, agents, problems.all().size() == before, seeds, problems);
+        var faultReader = new FaultReader(roles, robots, agents, problems.all().size() == before, seeds, problems);
         List<PlannedFault> faults = faultReader.read(root);
 
         var goals = new GoalReader(roles.stream().map(Role::name).toList(), problems);

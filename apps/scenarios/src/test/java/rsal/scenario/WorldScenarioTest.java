@@ -86,6 +86,21 @@ class WorldScenarioTest {
     }
 
     @Test
+    void soCanWhatTheyAreGivenForTheirAgents() throws IOException {
+        RunPlan plan = planned("""
+                rsal: 1
+                scenario: visit
+                world: {file: hall.world}
+                agents:
+                  follow: {type: follow, robot: cart, args: {prey: blind}}
+                faults: [{kind: dead, robots: cart, devices: localizer}]
+                """);
+        assertThat(plan.faults().getFirst().targets())
+                .extracting(PlannedFault.Target::name)
+                .containsExactly("r0/localizer", "r1/localizer");
+    }
+
+    @Test
     void robotsOfTheWorldCanHaveFaults() throws IOException {
         RunPlan plan = planned(SCENARIO
                 + "faults: [{kind: dead, robots: [cart, guest], devices: RangeSensor}, {kind: lost, from: cart}]\n");

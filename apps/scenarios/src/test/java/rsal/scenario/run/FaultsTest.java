@@ -164,6 +164,13 @@ class FaultsTest {
                 .faults();
         assertThat(alone).isNotEmpty();
         assertThat(together).filteredOn(words -> words.contains("biased")).isEqualTo(alone);
+        List<String> behind = run(plan(
+                        "{kind: noisy, robots: all, devices: base, every: 2, for: 1, range: 0.1}", random))
+                .faults();
+        assertThat(behind).filteredOn(words -> words.contains("biased")).isEqualTo(alone);
+        List<String> twice = run(plan(random, random)).faults();
+        assertThat(twice).containsAll(alone).hasSizeGreaterThan(alone.size());
+        assertThat(new HashSet<>(twice)).hasSameSizeAs(twice); // the other has a stream of its own
     }
 
     @Test
@@ -319,6 +326,13 @@ class FaultsTest {
         assertThat(run.shown("chat-2", "heard")).isBetween(77, 81);
         assertThat(run.shown("chat-2", "late")).isEqualTo(run.shown("chat-2", "heard"));
         assertThat(run.shown("chat-1", "late")).isZero();
+    }
+
+    @Test
+    void whatIsStillOnItsWayToARobotThatIsGoneIsNotHeard() {
+        Ended run = run(plan("{kind: late, delay: 2.05}", "{kind: gone, robots: hunter-1, at: 4}"));
+        assertThat(run.shown("chat-1", "heard")).isBetween(17, 20);
+        assertThat(run.shown("chat-2", "heard")).isBetween(37, 40);
     }
 
     @Test
