@@ -29,7 +29,7 @@ public final class AvoidCollision implements Behavior {
         for (double speed : SPEEDS) {
             for (double turn : TURNS) {
                 Twist2d other = Twist2d.drive(below.vx() * speed, below.omega() + side * turn);
-                if (isFree(percept, other)) {
+                if (!other.equals(Twist2d.STOP) && isFree(percept, other)) { // or it would stand there for ever
                     return other;
                 }
             }

@@ -1,6 +1,5 @@
 package rsal.behavior;
 
-import rsal.data.Twist2d;
 import rsal.robot.RobotModel;
 
 /// The behaviors of the thesis's Pioneers (ch. 3.6.2), with its numbers.
@@ -19,7 +18,7 @@ public final class PioneerStack {
 
     /// Drives ahead as long as it can and turns away from what is in its way: `wander`, under the layers of [#safe].
     public static Subsumption wander(RobotModel model) {
-        return safe(model, "wander", new SetSpeed(Twist2d.drive(MAX_SPEED, 0)));
+        return safe(model, "wander", new Wander(model.footprint(), MAX_SPEED));
     }
 
     /// Any behavior made safe: `avoid-collision`, `escape`, `limit-turn-rate`, `limit-speed` above it.

@@ -97,6 +97,29 @@ class PioneerLayersTest {
     }
 
     @Test
+    void facingAWallItTurns() {
+        Twist2d twist =
+                new AvoidCollision(Scene.BODY).act(Scene.open().wall(0, 0.4).percept(), FAST);
+        assertThat(twist.omega()).isNotZero();
+    }
+
+    @Test
+    void whoWandersTurnsToWhereThereIsRoomAndOnUntilTheWayIsFree() {
+        var wander = new Wander(Scene.BODY, 0.4);
+        assertThat(wander.act(Scene.open().percept(), Twist2d.STOP)).isEqualTo(Twist2d.drive(0.4, 0));
+        Scene corner = Scene.open().wall(0, 0.5).wall(90, 0.5);
+        assertThat(wander.act(corner.percept(), Twist2d.STOP)).isEqualTo(Twist2d.drive(0, -0.8));
+        assertThat(wander.state()).isEqualTo("turning");
+        Scene other = Scene.open().wall(0, 0.5).wall(-90, 0.5);
+        assertThat(wander.act(other.percept(), Twist2d.STOP))
+                .as("does not change its mind")
+                .isEqualTo(Twist2d.drive(0, -0.8));
+        assertThat(wander.act(Scene.open().wall(90, 0.5).percept(), Twist2d.STOP))
+                .isEqualTo(Twist2d.drive(0.4, 0));
+        assertThat(wander.state()).isEmpty();
+    }
+
+    @Test
     void whereNothingIsFreeItDoesNotDrive() {
         Scene box = Scene.open().wall(0, 0.2).wall(90, 0.21).wall(-90, 0.21).wall(180, 0.28);
         assertThat(new AvoidCollision(Scene.BODY).act(box.percept(), FAST).vx()).isZero();

@@ -9,11 +9,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.Function;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.behavior.Pilot;
 import rsal.behavior.PilotDriver;
 import rsal.behavior.PioneerStack;
+import rsal.behavior.Subsumption;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.map.Maps;
@@ -26,11 +28,11 @@ import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 
-/// Pioneers of all kinds follow the walls of the office for ten minutes: through doors, around furniture and pillars,
-/// into rooms and out of them.
-class WallFollowingIT {
+/// Pioneers of all kinds follow the walls of the office for ten minutes, through doors, around furniture and pillars,
+/// into rooms and out of them; or they wander about.
+class RoamingIT {
     private static final Location HERE = Location.of("test");
-    private static final FileSource FILES = FileSource.resources(WallFollowingIT.class, "/");
+    private static final FileSource FILES = FileSource.resources(RoamingIT.class, "/");
     private static final Duration STEP = Duration.ofMillis(100);
     private static final int STEPS = 6000;
 
@@ -44,13 +46,29 @@ class WallFollowingIT {
         "pioneer3at, utm30lx, none, 2",
     })
     void followsTheWallForTenMinutesAndTouchesNothing(String model, String laser, String sonar, long seed) {
-        var walk = new Walk(model(model, laser, sonar), seed);
+        var walk = new Walk(model(model, laser, sonar), PioneerStack::followLeftWall, seed);
         walk.tenMinutes();
         assertThat(walk.run.simulation.contacts()).isEmpty();
         assertThat(walk.longestRest).as("time in one place").isLessThan(Duration.ofSeconds(90));
         assertThat(walk.way).as("way made [m]").isGreaterThan(120);
         assertThat(walk.squareMeters).as("places visited").hasSizeGreaterThan(15);
         assertThat(walk.following).as("steps beside a wall").isGreaterThan(STEPS * 3 / 4);
+    }
+
+    @ParameterizedTest(name = "{0} with {1} and {2}, seed {3}")
+    @CsvSource({
+        "pioneer2dx, urg04lx, front8, 1",
+        "pioneer2dx, urg04lx, none, 2",
+        "pioneer2dx, none, front8, 3",
+        "pioneer3at, utm30lx, front8rear8, 4",
+    })
+    void wandersForTenMinutesAndTouchesNothing(String model, String laser, String sonar, long seed) {
+        var walk = new Walk(model(model, laser, sonar), PioneerStack::wander, seed);
+        walk.tenMinutes();
+        assertThat(walk.run.simulation.contacts()).isEmpty();
+        assertThat(walk.longestRest).as("time in one place").isLessThan(Duration.ofSeconds(90));
+        assertThat(walk.way).as("way made [m]").isGreaterThan(100);
+        assertThat(walk.squareMeters).as("places visited").hasSizeGreaterThan(15);
     }
 
     private static RobotModel model(String model, String laser, String sonar) {
@@ -70,7 +88,7 @@ class WallFollowingIT {
         private Pose2d anchor;
         private Instant anchored = Instant.EPOCH;
 
-        Walk(RobotModel model, long seed) {
+        Walk(RobotModel model, Function<RobotModel, Subsumption> stack, long seed) {
             OccupancyGrid office = new Maps(FILES).read("office", HERE);
             run = SimRun.seeded(office, seed, Runnable::run, List.of(SimRun.anywhere("r1", model)));
             Robot robot = run.robots.getFirst();
@@ -78,7 +96,7 @@ class WallFollowingIT {
             pilot = driver.create(
                     new DeviceDriver.Context("pilot", robot, office, Optional.empty(), run.scheduler, new Random(seed)),
                     Arguments.defaults(driver.parameters()));
-            pilot.engage(PioneerStack.followLeftWall(model));
+            pilot.engage(stack.apply(model));
             pilot.subscribe(decision -> {
                 if (decision.value().opinions().getFirst().state().equals("following")) {
                     following++;
