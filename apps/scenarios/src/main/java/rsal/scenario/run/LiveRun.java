@@ -50,8 +50,9 @@ public final class LiveRun implements AutoCloseable {
 
     private final RunPlan plan;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
-    private final Queue<Runnable> orders = new ConcurrentLinkedQueue<>(); // wait until the robots are there
     private final CompletableFuture<RunResult> result = new CompletableFuture<>();
+    private final Requests requests = // wait until the robots are there
+            new Requests(result.handle((_, _) -> new Answer.Refused("The run has ended.")));
     private final List<Runnable> snapshotListeners = new CopyOnWriteArrayList<>();
     private final List<Runnable> eventListeners = new CopyOnWriteArrayList<>();
     private final ExecutorService helpers;
@@ -298,11 +299,9 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private CompletionStage<Answer> ask(Function<Stage, Answer> order) {
-        var answer = new CompletableFuture<Answer>();
-        orders.add(() -> answer.complete(answer(order)));
+        CompletionStage<Answer> answer = requests.ask(() -> answer(order));
         wake();
-        var tooLate = result.handle((_, _) -> (Answer) new Answer.Refused("The run has ended."));
-        return answer.applyToEither(tooLate, Function.identity());
+        return answer;
     }
 
     private Answer answer(Function<Stage, Answer> order) {
@@ -354,16 +353,12 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private void takeCommands() {
-        takeAll(commands);
-        if (stage != null && stage.isReady()) {
-            takeAll(orders);
-            stage.beat(System.nanoTime());
-        }
-    }
-
-    private static void takeAll(Queue<Runnable> queue) {
-        for (Runnable next = queue.poll(); next != null; next = queue.poll()) {
+        for (Runnable next = commands.poll(); next != null; next = commands.poll()) {
             next.run();
+        }
+        if (stage != null && stage.isReady()) {
+            requests.take();
+            stage.beat(System.nanoTime());
         }
     }
 
