@@ -5,7 +5,7 @@ import { notices } from '../notices.svelte';
 import { Repeater } from './repeater';
 import { REST, steers, velocityOf, wishOf, type Velocity, type Wish } from './wish';
 
-/** What this page calls itself when it drives; nobody else sees it. */
+/** What this page calls itself when it drives. It tells pages apart and is no secret: all that watch see it. */
 const me = Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) =>
   byte.toString(16).padStart(2, '0'),
 ).join('');
