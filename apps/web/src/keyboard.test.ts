@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { actionOf, keys } from './keyboard';
+import { actionOf, isModified, keys } from './keyboard';
 
 function press(key: string, more: object = {}) {
   return actionOf({ key, ctrlKey: false, metaKey: false, altKey: false, target: null, ...more });
@@ -36,6 +36,14 @@ describe('a key', () => {
     expect(press('p', { ctrlKey: true })).toBeNull();
     expect(press('r', { metaKey: true })).toBeNull();
     expect(press('f', { altKey: true })).toBeNull();
+  });
+
+  it('is modified by Ctrl, Alt and Cmd, not by Shift', () => {
+    const none = { ctrlKey: false, metaKey: false, altKey: false, shiftKey: true };
+    expect(isModified(none)).toBe(false);
+    expect(isModified({ ...none, metaKey: true })).toBe(true);
+    expect(isModified({ ...none, ctrlKey: true })).toBe(true);
+    expect(isModified({ ...none, altKey: true })).toBe(true);
   });
 
   it('stops in an emergency wherever the focus is', () => {

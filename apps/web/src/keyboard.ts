@@ -86,7 +86,12 @@ export function actionOf(event: Pressed): Action | null {
 
 /** Whether a key means something to the page, and not to the browser or to what has the focus. */
 export function isOurs(event: Pressed): boolean {
-  return !(event.ctrlKey || event.metaKey || event.altKey || takesKeys(event.target, event.key));
+  return !(isModified(event) || takesKeys(event.target, event.key));
+}
+
+/** Whether what is pressed belongs to the browser or the system. On macOS nobody hears of keys released meanwhile. */
+export function isModified(event: Pick<Pressed, 'ctrlKey' | 'metaKey' | 'altKey'>): boolean {
+  return event.ctrlKey || event.metaKey || event.altKey;
 }
 
 /** Whether the focused element needs the key itself. */
