@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 import rsal.data.OccupancyGrid;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Steering;
@@ -39,17 +41,17 @@ record ShownWorld(
 
     record Plan(int columns, int rows, double cell) {}
 
-    /// Robots of one kind.
+    /// Robots of one role and model.
     ///
     /// @param devices by name, with the type of each
-    /// @param programs what drives some of them in Stage
+    /// @param programs what drives how many of them where the world comes from
     record Make(
             String role,
             int count,
             List<String> ids,
             String drive,
             Map<String, String> devices,
-            List<String> programs) {}
+            Map<String, Integer> programs) {}
 
     static ShownWorld of(String file, Scene scene, String image) {
         OccupancyGrid map = scene.map();
@@ -75,20 +77,22 @@ record ShownWorld(
     }
 
     private static List<Make> makes(Scene scene) {
-        var byModel = new LinkedHashMap<RobotModel, List<String>>();
+        record Kind(String role, RobotModel model) {}
+        var byKind = new LinkedHashMap<Kind, List<String>>();
         for (RobotSpec robot : scene.robots()) {
-            byModel.computeIfAbsent(robot.model(), _ -> new ArrayList<>()).add(robot.id());
+            byKind.computeIfAbsent(new Kind(robot.role(), robot.model()), _ -> new ArrayList<>())
+                    .add(robot.id());
         }
         var makes = new ArrayList<Make>();
-        byModel.forEach((model, ids) -> {
+        byKind.forEach((kind, ids) -> {
+            RobotModel model = kind.model;
             var devices = new LinkedHashMap<String, String>();
             model.sensors()
                     .forEach((name, part) -> devices.put(name, part.makes().getSimpleName()));
-            List<String> programs = ids.stream()
-                    .flatMap(id -> Optional.ofNullable(scene.programs().get(id)).stream())
-                    .distinct()
-                    .toList();
-            makes.add(new Make(model.name(), ids.size(), ids, drive(model.drive()), devices, programs));
+            var programs = new TreeMap<String, Integer>();
+            ids.forEach(id -> Optional.ofNullable(scene.programs().get(id))
+                    .ifPresent(program -> programs.merge(program, 1, Integer::sum)));
+            makes.add(new Make(kind.role, ids.size(), ids, drive(model.drive()), devices, programs));
         });
         return List.copyOf(makes);
     }
@@ -110,7 +114,7 @@ record ShownWorld(
     /// For people.
     String text() {
         var text = new StringBuilder();
-        text.append("%s: %s%n".formatted(file, title));
+        text.append("%s%s%n".formatted(file, title.isEmpty() ? "" : ": " + title));
         text.append(String.format(
                 Locale.ROOT,
                 "from (%.2f, %.2f) to (%.2f, %.2f) m, in steps of %.3g s%s%n",
@@ -151,7 +155,10 @@ record ShownWorld(
     }
 
     private static String programs(Make make) {
-        return make.programs.isEmpty() ? "" : "driven by " + String.join(", ", make.programs);
+        return make.programs.entrySet().stream()
+                .map(program -> "%sdriven by %s"
+                        .formatted(program.getValue() < make.count ? program.getValue() + " " : "", program.getKey()))
+                .collect(Collectors.joining(", "));
     }
 
     private static void section(StringBuilder text, String heading, Table table) {

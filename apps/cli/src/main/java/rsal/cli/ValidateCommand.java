@@ -5,6 +5,7 @@ import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rsal.scenario.Scenario;
+import rsal.scene.Scene;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
@@ -22,6 +23,8 @@ final class ValidateCommand extends Subcommand {
     private List<String> files;
 
     /// Problems are flat, for those who read JSON line by line.
+    ///
+    /// @param problems mistakes, or warnings when it is valid all the same
     record Checked(String file, boolean valid, List<Mistake> problems) {}
 
     record Mistake(String file, int line, int column, String message, String remedy) {
@@ -47,20 +50,39 @@ final class ValidateCommand extends Subcommand {
 
     private Checked check(String file) {
         try {
-            if (Scenario.isWorld(file) && Scenario.scene(file).robots().isEmpty()) {
-                tell("%s: right, a world without robots".formatted(file));
-                return new Checked(file, true, List.of());
-            }
-            Scenario scenario = Scenario.load(file);
-            scenario.check();
-            tell("%s: right, with %d configuration(s)"
-                    .formatted(file, scenario.configurations().size()));
-            return new Checked(file, true, List.of());
+            return Scenario.isWorld(file) ? checkWorld(file) : checkScenario(file);
         } catch (InvalidSettings mistakes) {
             tell(String.valueOf(mistakes.getMessage()));
             return new Checked(
                     file, false, mistakes.problems().stream().map(Mistake::of).toList());
         }
+    }
+
+    private Checked checkScenario(String file) {
+        Scenario scenario = Scenario.load(file);
+        scenario.check();
+        tell("%s: right, with %d configuration(s)"
+                .formatted(file, scenario.configurations().size()));
+        return new Checked(file, true, List.of());
+    }
+
+    /// Warnings are no mistakes, but nobody should miss them.
+    private Checked checkWorld(String file) {
+        Scene scene = Scenario.scene(file);
+        if (!scene.robots().isEmpty()) {
+            Scenario.load(file).check();
+        }
+        tell("%s: right, a world with %s"
+                .formatted(
+                        file,
+                        switch (scene.robots().size()) {
+                            case 0 -> "no robots";
+                            case 1 -> "1 robot";
+                            default -> scene.robots().size() + " robots";
+                        }));
+        scene.warnings().forEach(warning -> tell("  " + warning));
+        return new Checked(
+                file, true, scene.warnings().stream().map(Mistake::of).toList());
     }
 
     private void tell(String text) {

@@ -482,7 +482,7 @@ class CommandLineIT {
                 "driver ( name \"wavefront\" provides [\"planner:0\"] requires [\"6665:map:0\"] )");
         Ended planner = rsal.run("validate", "planner.cfg");
         assertThat(planner.code()).as(planner.err()).isZero();
-        assertThat(planner.out()).contains("planner.cfg: right, a world without robots");
+        assertThat(planner.out()).contains("planner.cfg: right, a world with no robots");
         assertThat(rsal.run("show", "planner.cfg").out())
                 .contains("planner:0", "wavefront on 6665:map:0", "the world is empty");
         Ended nobody = rsal.run("run", "planner.cfg", "--headless", "--for", "1");
