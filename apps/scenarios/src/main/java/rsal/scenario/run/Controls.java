@@ -129,7 +129,7 @@ final class Controls {
         Twist2d before = grip.wanted();
         grip.want(velocity, now, motors);
         if (!grip.wanted().equals(before)) {
-            journal.event("operator", robot.id(), Words.of(grip.wanted()));
+            journal.event("hand", robot.id(), Words.of(grip.wanted()));
         }
         base.command(grip.wanted());
         return new Answer.Done();

@@ -7,6 +7,7 @@ import java.security.NoSuchAlgorithmException;
 import java.time.Duration;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.Supplier;
 import rsal.data.Pose2d;
@@ -14,8 +15,13 @@ import rsal.data.Pose2d;
 /// What happened in a run: events to be read by any thread, and a hash over them and over all that only machines
 /// care about. Written on the run's thread.
 final class Journal {
-    /// More are hashed but not kept.
-    private static final int MOST_EVENTS = 100_000;
+    /// More are hashed but not kept, but for those that count most.
+    static final int MOST_EVENTS = 100_000;
+
+    /// How many of those that count most are kept beyond.
+    static final int RESERVE = 10_000;
+
+    private static final Set<String> COUNT_MOST = Set.of("operator", "fault", "run");
 
     private final ConcurrentSkipListMap<Long, RunEvent> events = new ConcurrentSkipListMap<>();
     private final ByteBuffer numbers = ByteBuffer.allocate(4 * Long.BYTES);
@@ -39,16 +45,17 @@ final class Journal {
     /// Something that people may want to know.
     void event(String kind, String subject, String text) {
         hash(kind, subject, text);
-        if (sequence == MOST_EVENTS) {
-            return;
+        if (sequence == MOST_EVENTS - 1) {
+            keep("run", "", "Too many events: of some kinds no more are kept.");
         }
+        if (sequence < MOST_EVENTS + (COUNT_MOST.contains(kind) ? RESERVE : 0)) {
+            keep(kind, subject, text);
+        }
+    }
+
+    private void keep(String kind, String subject, String text) {
         sequence++;
-        boolean last = sequence == MOST_EVENTS;
-        events.put(
-                sequence,
-                last
-                        ? new RunEvent(sequence, time.get(), "run", "", "Too many events: no more are kept.")
-                        : new RunEvent(sequence, time.get(), kind, subject, text));
+        events.put(sequence, new RunEvent(sequence, time.get(), kind, subject, text));
         onEvent.run();
     }
 

@@ -6,6 +6,7 @@ import java.time.Duration;
 ///
 /// @param sequence from 1, without gaps
 /// @param time since the run's start
-/// @param kind `run`, `agent`, `message`, `goal`, `caught`, `collision`, `operator`, `health` or `fault`
+/// @param kind `run`, `agent`, `message`, `goal`, `caught`, `collision`, `operator`, `hand`, `health`
+/// or `fault`
 /// @param subject name of the robot, agent or device it is about; empty for the run itself
 public record RunEvent(long sequence, Duration time, String kind, String subject, String text) {}
