@@ -195,9 +195,15 @@ final class Controls {
             return new Answer.Refused("Robot (%s) can't be given a behavior. %s"
                     .formatted(robot.id(), spares.pilot().refusal()));
         }
+        Optional<Pilot> pilot;
+        try {
+            pilot = stack.map(_ -> spare(Pilot.class, spares.pilot()));
+        } catch (RunBroken e) {
+            return unequipped(e);
+        }
         cancel();
         behavior = name;
-        stack.ifPresent(s -> spare(Pilot.class, spares.pilot()).engage(s));
+        pilot.ifPresent(own -> own.engage(stack.orElseThrow()));
         journal.event("operator", robot.id(), name.isEmpty() ? "told nothing any more" : "told to " + name);
         settle();
         return new Answer.Done();
@@ -212,7 +218,12 @@ final class Controls {
             return new Answer.Refused("Robot (%s) can't be sent anywhere. %s"
                     .formatted(robot.id(), spares.navigation().refusal()));
         }
-        Navigator navigator = spare(Navigator.class, spares.navigation());
+        Navigator navigator;
+        try {
+            navigator = spare(Navigator.class, spares.navigation());
+        } catch (RunBroken e) {
+            return unequipped(e);
+        }
         stopBehaving();
         trip = null; // the navigator goes on from the one before
         var going = navigator.goTo(mapFromGoal, Tolerance.DEFAULT);
@@ -221,6 +232,11 @@ final class Controls {
         settle();
         going.result().thenAccept(result -> ended(going, mapFromGoal, result));
         return new Answer.Done();
+    }
+
+    /// What an order needs can't be made: that is no reason for the run to end.
+    private static Answer unequipped(RunBroken why) {
+        return new Answer.Refused(String.valueOf(why.getMessage()));
     }
 
     private Answer driven() {
@@ -279,7 +295,9 @@ final class Controls {
         return outfit.require(type);
     }
 
-    /// Gives the helm to whoever comes first, and lets the others wait.
+    /// Gives the helm to whoever comes first, and lets the others wait. Who has paused by themselves before stay so;
+    /// but
+    /// a pause that an agent wants meanwhile ends with the waiting.
     private void settle() {
         boolean ordered = !behavior.isEmpty() || trip != null;
         Hand next = grip != null ? Hand.KEYS : ordered ? Hand.ORDERS : Hand.AGENTS;
