@@ -295,9 +295,8 @@ final class Controls {
         return outfit.require(type);
     }
 
-    /// Gives the helm to whoever comes first, and lets the others wait. Who has paused by themselves before stay so;
-    /// but
-    /// a pause that an agent wants meanwhile ends with the waiting.
+    /// Gives the helm to whoever comes first, and lets the others wait. Who was paused before stays so; a pause that
+    /// an agent wants meanwhile ends with the waiting.
     private void settle() {
         boolean ordered = !behavior.isEmpty() || trip != null;
         Hand next = grip != null ? Hand.KEYS : ordered ? Hand.ORDERS : Hand.AGENTS;
