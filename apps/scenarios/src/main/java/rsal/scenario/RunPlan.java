@@ -67,6 +67,11 @@ public record RunPlan(
     ///
     /// @param seed of its own randomness
     public record Mrs(RobotSystemProvider provider, Arguments settings, long seed) {
+        /// As people know it: `Robot system (sim)`.
+        public String name() {
+            return "Robot system (%s)".formatted(provider.key());
+        }
+
         /// What its provider asks for to make it.
         public RobotSystemProvider.Config config(Scene scene, List<PlannedRobot> robots) {
             return new RobotSystemProvider.Config(

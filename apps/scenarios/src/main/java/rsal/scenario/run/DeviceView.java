@@ -1,10 +1,58 @@
 package rsal.scenario.run;
 
+import java.util.List;
+import rsal.behavior.Pilot;
+import rsal.device.Actuator;
+import rsal.device.Battery;
+import rsal.device.BlobFinder;
+import rsal.device.Bumper;
+import rsal.device.Device;
+import rsal.device.DriveBase;
+import rsal.device.FiducialFinder;
+import rsal.device.Gripper;
 import rsal.device.Health;
+import rsal.device.LaserScanner;
+import rsal.device.Light;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.device.Planner;
+import rsal.device.SimulationControl;
+import rsal.device.SonarArray;
 
 /// A device as people see it.
 ///
 /// @param name within its robot (`laser`)
 /// @param driver what makes it work (`sim`, `amcl`)
 /// @param type what it is (`LaserScanner`)
-public record DeviceView(String name, String driver, String type, Health health) {}
+public record DeviceView(String name, String driver, String type, Health health) {
+    /// What a device can be, the most special first.
+    private static final List<Class<? extends Device>> CONTRACTS = List.of(
+            DriveBase.class,
+            LaserScanner.class,
+            SonarArray.class,
+            BlobFinder.class,
+            FiducialFinder.class,
+            Gripper.class,
+            Bumper.class,
+            Actuator.class,
+            Battery.class,
+            Light.class,
+            Localizer.class,
+            Navigator.class,
+            Planner.class,
+            Pilot.class,
+            SimulationControl.class);
+
+    static DeviceView of(Device device) {
+        return new DeviceView(device.info().name(), device.info().driver(), type(device), device.health());
+    }
+
+    /// The contract that it fulfils: `LaserScanner`.
+    private static String type(Device device) {
+        return CONTRACTS.stream()
+                .filter(contract -> contract.isInstance(device))
+                .map(Class::getSimpleName)
+                .findFirst()
+                .orElse("Device");
+    }
+}

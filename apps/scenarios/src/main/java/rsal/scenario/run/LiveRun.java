@@ -168,43 +168,43 @@ public final class LiveRun implements AutoCloseable {
     /// Puts a robot somewhere: in the simulated world, if there is one, and in its localizer's belief. Or a thing of
     /// the simulated world.
     public CompletionStage<Answer> place(String entity, Pose2d mapFromEntity) {
-        return ask(stage -> stage.place(entity, mapFromEntity));
+        return ask(stage -> stage.world().place(entity, mapFromEntity));
     }
 
     /// Puts something new into the simulated world.
     ///
     /// @return [Answer.Added] when it is there
     public CompletionStage<Answer> add(Prop prop, Pose2d mapFromThing) {
-        return ask(stage -> stage.add(prop, mapFromThing));
+        return ask(stage -> stage.world().add(prop, mapFromThing));
     }
 
     /// Puts another robot into the simulated world, with devices and agents like those of one that is or was there.
     ///
     /// @return [Answer.Added] when it is there
     public CompletionStage<Answer> addRobot(String like, Pose2d mapFromBase) {
-        return ask(stage -> stage.addRobot(like, mapFromBase));
+        return ask(stage -> stage.world().addRobot(like, mapFromBase));
     }
 
     /// Takes a robot with its agents, or a thing, out of the simulated world.
     public CompletionStage<Answer> remove(String entity) {
-        return ask(stage -> stage.remove(entity));
+        return ask(stage -> stage.world().remove(entity));
     }
 
     /// Has a robot drive somewhere, by its agent if that can.
     public CompletionStage<Answer> goTo(String robot, Pose2d mapFromGoal) {
-        return ask(stage -> stage.goTo(robot, mapFromGoal));
+        return ask(stage -> stage.orders().goTo(robot, mapFromGoal));
     }
 
     /// Has a robot do something until it is told something else.
     ///
     /// @param behavior one of [rsal.behavior.Repertoire], `stand`, or empty to leave it to its agents again
     public CompletionStage<Answer> behave(String robot, String behavior) {
-        return ask(stage -> stage.behave(robot, behavior));
+        return ask(stage -> stage.orders().behave(robot, behavior));
     }
 
     /// What a robot can be told to do, as [Answer.Able].
     public CompletionStage<Answer> abilities(String robot) {
-        return ask(stage -> stage.abilities(robot));
+        return ask(stage -> stage.orders().abilities(robot));
     }
 
     /// Drives a robot by hand, instead of whoever else would, until [#letGo]. Must be said again and again: the robot
@@ -214,21 +214,21 @@ public final class LiveRun implements AutoCloseable {
     /// @param velocity wanted now; the base makes of it what it can
     public CompletionStage<Answer> drive(String robot, String driver, Twist2d velocity) {
         long now = System.nanoTime();
-        return ask(stage -> stage.drive(robot, driver, velocity, now));
+        return ask(stage -> stage.orders().drive(robot, driver, velocity, now));
     }
 
     /// Gives a robot back to its agents that was driven by hand.
     public CompletionStage<Answer> letGo(String robot, String driver) {
-        return ask(stage -> stage.letGo(robot, driver));
+        return ask(stage -> stage.orders().letGo(robot, driver));
     }
 
     /// Switches off all motors, until [#rearm].
     public CompletionStage<Answer> estop() {
-        return ask(stage -> stage.stop(true));
+        return ask(stage -> stage.orders().stop(true));
     }
 
     public CompletionStage<Answer> rearm() {
-        return ask(stage -> stage.stop(false));
+        return ask(stage -> stage.orders().stop(false));
     }
 
     /// The newest there is. Asking for it asks for a newer one, too.
@@ -358,7 +358,7 @@ public final class LiveRun implements AutoCloseable {
         }
         if (stage != null && stage.isReady()) {
             requests.take();
-            stage.beat(System.nanoTime());
+            stage.orders().beat(System.nanoTime());
         }
     }
 
@@ -475,14 +475,14 @@ public final class LiveRun implements AutoCloseable {
                 snapshot.sequence() + 1,
                 elapsed(),
                 paused,
-                stage != null && stage.stopped(),
+                stage != null && stage.orders().stopped(),
                 pace.speed(),
                 paused ? 0 : pace.rate(elapsed().toNanos()),
                 Optional.ofNullable(outcome),
                 stage == null ? List.of() : stage.robotViews(),
                 stage == null ? List.of() : stage.agentViews(),
                 stage == null ? List.of() : stage.team(),
-                stage == null ? List.of() : stage.things());
+                stage == null ? List.of() : stage.world().things());
         tell(snapshotListeners);
     }
 

@@ -24,6 +24,7 @@ final class Newcomers {
     private final Map<String, PlannedRobot> robots = new HashMap<>();
     private final Map<String, List<PlannedAgent>> agents = new HashMap<>(); // by robot
     private final Set<String> agentNames = new HashSet<>();
+    private final Map<String, String> expected = new HashMap<>(); // whom those who are to come are made after
     private final List<PlannedRobot> planned;
 
     Newcomers(RunPlan plan) {
@@ -39,10 +40,18 @@ final class Newcomers {
         }
     }
 
-    /// An id for a robot like another one, that no robot has or had: the role's name and the next number.
+    /// A robot is to come that is made after another one: finds an id for it that no robot has or had, the role's
+    /// name and the next number.
     ///
     /// @param taken by others
-    Optional<String> idLike(String robot, Set<String> taken) {
+    /// @return empty when there never was that other one
+    Optional<String> expect(String example, Set<String> taken) {
+        Optional<String> id = idLike(example, taken);
+        id.ifPresent(free -> expected.put(free, example));
+        return id;
+    }
+
+    private Optional<String> idLike(String robot, Set<String> taken) {
         return Optional.ofNullable(robots.get(robot)).map(like -> {
             String role = like.spec().role();
             int number = 1;
@@ -53,11 +62,10 @@ final class Newcomers {
         });
     }
 
-    /// Plans a robot that is there already.
-    ///
-    /// @param like id of the robot it was made after; when nobody knows, it is one of its role and model
-    PlannedRobot plan(Robot robot, Optional<String> like, Optional<Pose2d> mapFromBase) {
-        Optional<PlannedRobot> example = like.map(robots::get)
+    /// Plans a robot that is there already. When nobody expected it, it is made after one of its role and model.
+    PlannedRobot plan(Robot robot, Optional<Pose2d> mapFromBase) {
+        Optional<PlannedRobot> example = Optional.ofNullable(expected.remove(robot.id()))
+                .map(robots::get)
                 .or(() -> planned.stream().filter(one -> isLike(one, robot)).findFirst());
         String id = robot.id();
         String color = example.map(one -> one.spec().color()).orElse("#808080");

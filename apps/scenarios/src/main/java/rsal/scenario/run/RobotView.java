@@ -20,8 +20,7 @@ import rsal.data.Stamped;
 /// @param path the way its navigator intends to take
 /// @param goal where its navigator drives to
 /// @param inCharge name of the behavior that drives it, or of its navigator; empty when an agent drives it, or a
-/// person,
-/// or nobody
+/// person, or nobody
 /// @param behavior what a person told it to do, as [LiveRun#behave] has it; empty when nobody did
 /// @param driver who drives it by keys, as [LiveRun#drive] has it; empty when nobody does
 /// @param lit whether its light shines

@@ -1,0 +1,174 @@
+package rsal.scenario.run;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rsal.agent.AgentHost;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentSpec;
+import rsal.agent.Message;
+import rsal.agent.Society;
+import rsal.agent.message.Caught;
+import rsal.agent.message.GoalReached;
+import rsal.agent.message.NewGoal;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.PoseRequest;
+import rsal.data.Pose2d;
+import rsal.device.SimulationControl;
+import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.time.Scheduler;
+
+/// The agents of a run: starts them, asks them for people, and journals what they say and what becomes of them. All
+/// calls on the run's thread.
+final class Agents implements AutoCloseable {
+    private static final int LAST_MESSAGES = 5;
+
+    private final RunPlan plan;
+    private final Scheduler scheduler;
+    private final Journal journal;
+    private final Observer observer;
+    private final Faults faults;
+    private final Team team;
+    private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
+    private final Map<String, String> lastWords = new HashMap<>();
+    private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
+    private Optional<Society> society = Optional.empty();
+    private boolean closed;
+
+    Agents(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Faults faults, Team team) {
+        this.plan = plan;
+        this.scheduler = scheduler;
+        this.journal = journal;
+        this.observer = observer;
+        this.faults = faults;
+        this.team = team;
+    }
+
+    /// Makes their society; from now on agents can be started.
+    void gather(Optional<SimulationControl> simulation) {
+        AgentHostProvider provider = plan.mas().provider();
+        AgentHost host = RunBroken.blaming(
+                "Multi-agent system (%s)".formatted(provider.key()),
+                () -> provider.create(plan.mas().settings(), scheduler));
+        var agents = new Society(scheduler, host, simulation);
+        society = Optional.of(agents);
+        agents.onMessage(message -> heard(message, simulation));
+        agents.onChange(this::changed);
+        if (!plan.faults().isEmpty()) {
+            agents.deliverBy(faults.delivery());
+        }
+    }
+
+    boolean isGathered() {
+        return society.isPresent();
+    }
+
+    void start(PlannedAgent agent) {
+        society.orElseThrow()
+                .start(new AgentSpec(
+                        agent.name(),
+                        agent.role(),
+                        agent.type(),
+                        agent.arguments(),
+                        agent.robot().flatMap(team::robot),
+                        agent.seed()));
+    }
+
+    /// A robot has left: its agents end as they would at the end of the run.
+    void leave(String robot) {
+        mapFromAsked.remove(robot);
+        society.ifPresent(agents -> agents.directory().agents().stream()
+                .filter(agent -> agent.robot().equals(robot))
+                .forEach(agent -> agents.stop(agent.name())));
+    }
+
+    /// Whether any of them has this robot.
+    boolean runOn(String robot) {
+        return society.orElseThrow().directory().agents().stream()
+                .anyMatch(agent -> agent.robot().equals(robot));
+    }
+
+    /// Asks those of a robot to have it drive somewhere.
+    void ask(String robot, Pose2d mapFromGoal) {
+        journal.event("operator", robot, "sent to " + Words.of(mapFromGoal));
+        mapFromAsked.put(robot, mapFromGoal);
+        society.orElseThrow().publish("operator", NewGoal.TOPIC, new NewGoal(robot, mapFromGoal));
+    }
+
+    private void heard(Message<?> message, Optional<SimulationControl> simulation) {
+        if (closed || faults.isSilent(message.sender())) {
+            return;
+        }
+        var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
+        last.addLast(message);
+        if (last.size() > LAST_MESSAGES) {
+            last.removeFirst();
+        }
+        String words = Words.of(message);
+        switch (message.content()) {
+            case PoseReport _, PoseRequest _ ->
+                journal.hash(message.sender(), message.topic().name(), words);
+            case NewGoal _ -> journal.event("goal", message.sender(), words);
+            case GoalReached end -> {
+                journal.event("goal", message.sender(), words);
+                ended(end);
+            }
+            case Caught caught -> {
+                journal.event("caught", message.sender(), words);
+                observer.heard(caught, simulation);
+            }
+            default -> journal.event("message", message.sender(), words);
+        }
+    }
+
+    /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled has given way
+    /// to another, maybe to the same place again.
+    private void ended(GoalReached end) {
+        if (end.ending().equals("cancelled") || !end.mapFromGoal().equals(mapFromAsked.get(end.robot()))) {
+            return;
+        }
+        mapFromAsked.remove(end.robot());
+        if (!end.ending().equals("reached")) {
+            journal.event(
+                    "unreached",
+                    end.robot(),
+                    "can't get to %s: %s".formatted(Words.of(end.mapFromGoal()), end.ending()));
+        }
+    }
+
+    private void changed(Society.View view) {
+        String words = switch (view.status()) {
+            case RUNNING -> view.state().isEmpty() ? "has started" : view.state();
+            case ENDED -> "has ended";
+            case FAILED -> "has failed: " + view.state();
+        };
+        String name = view.agent().name();
+        if (!closed && !words.equals(lastWords.put(name, words))) {
+            journal.event(view.status() == Society.Status.FAILED ? "fault" : "agent", name, words);
+        }
+    }
+
+    List<AgentView> views() {
+        return society.stream()
+                .flatMap(agents -> agents.views().stream())
+                .map(view -> new AgentView(view, lastMessages(view.agent().name())))
+                .toList();
+    }
+
+    private List<String> lastMessages(String agent) {
+        return lastMessages.getOrDefault(agent, new ArrayDeque<>()).stream()
+                .map(message -> message.topic().name() + ": " + Words.of(message))
+                .toList();
+    }
+
+    /// Stops them all; what they still say is not journaled.
+    @Override
+    public void close() {
+        closed = true;
+        society.ifPresent(Society::close);
+    }
+}

@@ -1,0 +1,114 @@
+package rsal.scenario.run;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
+import rsal.device.Navigator;
+
+/// What people tell robots to do, and all of them to stop. All calls on the run's thread.
+final class Orders {
+    private final OccupancyGrid map;
+    private final Journal journal;
+    private final Faults faults;
+    private final SimulatedWorld world;
+    private final Team team;
+    private final Agents agents;
+    private boolean stopped;
+
+    Orders(OccupancyGrid map, Journal journal, Faults faults, SimulatedWorld world, Team team, Agents agents) {
+        this.map = map;
+        this.journal = journal;
+        this.faults = faults;
+        this.world = world;
+        this.team = team;
+        this.agents = agents;
+    }
+
+    /// Has a robot drive somewhere: its agent, if it has one and a navigator.
+    Answer goTo(String id, Pose2d mapFromGoal) {
+        Optional<Answer> nobody = nobody(id);
+        if (nobody.isPresent()) {
+            return nobody.get();
+        }
+        if (!map.isFree(mapFromGoal.x(), mapFromGoal.y())) {
+            return new Answer.Refused("There is a wall or nothing known at %s.".formatted(Words.of(mapFromGoal)));
+        }
+        boolean navigates =
+                team.robot(id).flatMap(robot -> robot.find(Navigator.class)).isPresent();
+        return navigates && agents.runOn(id) ? askAgent(id, mapFromGoal) : tell(id, told -> told.goTo(mapFromGoal));
+    }
+
+    private Answer askAgent(String id, Pose2d mapFromGoal) {
+        Optional<Answer> refused = team.controls(id).flatMap(Controls::leave);
+        if (refused.isPresent()) {
+            return refused.get();
+        }
+        agents.ask(id, mapFromGoal);
+        return new Answer.Done();
+    }
+
+    Answer abilities(String id) {
+        return tell(id, told -> new Answer.Able(told.abilities()));
+    }
+
+    Answer behave(String id, String behavior) {
+        return tell(id, told -> told.behave(behavior));
+    }
+
+    /// @param heard when its driver said so [ns]
+    Answer drive(String id, String driver, Twist2d velocity, long heard) {
+        return velocity.isFinite()
+                ? tell(id, told -> told.drive(driver, velocity, heard, !stopped))
+                : new Answer.Refused("A velocity must be finite, not (%s).".formatted(velocity));
+    }
+
+    Answer letGo(String id, String driver) {
+        return tell(id, told -> told.letGo(driver));
+    }
+
+    private Answer tell(String id, Function<Controls, Answer> order) {
+        return nobody(id)
+                .or(() -> team.controls(id).map(order))
+                .orElseGet(() -> new Answer.Refused("Robot (%s) has no drive.".formatted(id)));
+    }
+
+    /// Says why a robot can't be told anything at all, if so.
+    private Optional<Answer> nobody(String id) {
+        if (!team.has(id)) {
+            return Optional.of(world.unknown(id));
+        }
+        return faults.isGone(id)
+                ? Optional.of(new Answer.Refused("Robot (%s) is gone.".formatted(id)))
+                : Optional.empty();
+    }
+
+    /// Lets those who are driven by hand go on, as long as their drivers are heard.
+    ///
+    /// @param now [ns]
+    void beat(long now) {
+        team.controls().forEach(told -> told.beat(now));
+    }
+
+    /// Switches all motors off or on again.
+    Answer stop(boolean stop) {
+        stopped = stop;
+        List.copyOf(team.controls()).forEach(stop ? Controls::stop : Controls::rearm);
+        journal.event("operator", "", stop ? "emergency stop" : "motors on again");
+        return new Answer.Done();
+    }
+
+    /// Whether the emergency stop holds.
+    boolean stopped() {
+        return stopped;
+    }
+
+    /// A robot has come, and stands still, too, while the emergency stop holds.
+    void joined(String robot) {
+        if (stopped) {
+            team.controls(robot).ifPresent(Controls::stop);
+        }
+    }
+}

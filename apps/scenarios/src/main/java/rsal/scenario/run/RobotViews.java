@@ -1,0 +1,102 @@
+package rsal.scenario.run;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Optional;
+import rsal.behavior.Pilot;
+import rsal.data.Path2d;
+import rsal.device.Device;
+import rsal.device.DriveBase;
+import rsal.device.Gripper;
+import rsal.device.LaserScanner;
+import rsal.device.Light;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.device.SonarArray;
+import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
+
+/// Shows robots as people see them, without what those that are gone or elsewhere now sensed and believed before.
+/// All calls on the run's thread.
+final class RobotViews {
+    private final Team team;
+    private final SimulatedWorld world;
+    private final Faults faults;
+
+    RobotViews(Team team, SimulatedWorld world, Faults faults) {
+        this.team = team;
+        this.world = world;
+        this.faults = faults;
+    }
+
+    /// All that are there, in the order in which they came.
+    List<RobotView> all() {
+        return team.mates().stream()
+                .map(Teammate::spec)
+                .flatMap(spec -> team.robot(spec.id()).map(robot -> view(spec, robot)).stream())
+                .toList();
+    }
+
+    private RobotView view(RobotSpec spec, Robot robot) {
+        String id = robot.id();
+        Placements placements = world.placements();
+        boolean there = !faults.isGone(id) && !world.lacks(id);
+        Optional<Controls> told = team.controls(id);
+        Optional<Localizer> localizer = team.localizer(robot).filter(_ -> there && placements.isBeliefOfHere(id));
+        Optional<Navigator> navigator = told.flatMap(orders -> orders.outfit().find(Navigator.class))
+                .filter(spare -> spare.goal().isPresent())
+                .or(() -> robot.find(Navigator.class))
+                .filter(_ -> there);
+        return new RobotView(
+                id,
+                robot.role(),
+                spec.color(),
+                robot.model().name(),
+                world.truth(id),
+                robot.find(DriveBase.class).filter(_ -> there).flatMap(DriveBase::latest),
+                localizer.flatMap(Localizer::latest).filter(estimate -> placements.isOfHere(id, estimate)),
+                localizer.flatMap(Localizer::particles).filter(cloud -> placements.isOfHere(id, cloud)),
+                robot.find(LaserScanner.class)
+                        .flatMap(LaserScanner::latest)
+                        .filter(scan -> there && placements.isOfHere(id, scan)),
+                robot.find(SonarArray.class)
+                        .flatMap(SonarArray::latest)
+                        .filter(ranges -> there && placements.isOfHere(id, ranges)),
+                navigator.map(Navigator::path).orElse(Path2d.EMPTY),
+                navigator.flatMap(Navigator::goal),
+                told.map(Controls::incharge)
+                        .orElse(Optional.of(robot))
+                        .map(RobotViews::inCharge)
+                        .orElse(""),
+                told.map(Controls::behavior).orElse(""),
+                told.map(Controls::driver).orElse(""),
+                robot.find(Gripper.class).filter(_ -> there).flatMap(Gripper::latest),
+                robot.find(Light.class)
+                        .filter(_ -> there)
+                        .flatMap(Light::latest)
+                        .filter(light -> light.value().lit())
+                        .isPresent(),
+                devices(robot, told).stream().map(DeviceView::of).toList());
+    }
+
+    /// Its own, and those besides that are of another name.
+    private static List<Device> devices(Robot robot, Optional<Controls> told) {
+        var all = new LinkedHashMap<String, Device>();
+        robot.devices().forEach(device -> all.put(device.info().name(), device));
+        told.ifPresent(orders ->
+                orders.made().forEach(device -> all.putIfAbsent(device.info().name(), device)));
+        return List.copyOf(all.values());
+    }
+
+    /// An engaged pilot comes first: it commands the base, whatever goal the navigator still has.
+    private static String inCharge(Robot robot) {
+        return robot.find(Pilot.class)
+                .filter(Pilot::engaged)
+                .flatMap(Pilot::latest)
+                .map(decision -> decision.value().inCharge())
+                .or(() -> robot.find(Navigator.class)
+                        .filter(navigator -> navigator.goal().isPresent() && !navigator.paused())
+                        .map(navigator -> navigator.info().name()))
+                .orElse("");
+    }
+}

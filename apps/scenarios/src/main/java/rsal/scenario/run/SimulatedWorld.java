@@ -1,0 +1,205 @@
+package rsal.scenario.run;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import rsal.data.Covariance2d;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.Solid;
+import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Placement;
+import rsal.device.SimulationControl.Standing;
+import rsal.robot.Robot;
+import rsal.scenario.RunPlan;
+import rsal.system.RobotSystem;
+import rsal.time.Scheduler;
+
+/// The world of a run as people see and change it, if it is simulated. Where there is only reality nobody knows the
+/// truth, and robots are placed in nothing but their own belief. All calls on the run's thread.
+final class SimulatedWorld {
+    private static final int MOST_ADDED = 1000; // things by hand at once, and robots in a run
+    private static final Covariance2d PLACED_BY_HAND = Covariance2d.ofDeviations(0.1, 0.1, Math.toRadians(5));
+
+    private final RunPlan plan;
+    private final RobotSystem system;
+    private final Scheduler scheduler;
+    private final Journal journal;
+    private final Observer observer;
+    private final Newcomers newcomers;
+    private final Team team;
+    private final Placements placements = new Placements();
+    private final Set<String> props = new HashSet<>(); // things that were added by hand and are there
+    private int robotsAdded; // by hand
+
+    SimulatedWorld(
+            RunPlan plan,
+            RobotSystem system,
+            Scheduler scheduler,
+            Journal journal,
+            Observer observer,
+            Newcomers newcomers,
+            Team team) {
+        this.plan = plan;
+        this.system = system;
+        this.scheduler = scheduler;
+        this.journal = journal;
+        this.observer = observer;
+        this.newcomers = newcomers;
+        this.team = team;
+    }
+
+    /// Where a robot really is, in the map frame.
+    Optional<Pose2d> truth(String robot) {
+        return system.simulation().flatMap(truth -> truth.truth(robot));
+    }
+
+    /// What a robot looks like.
+    Optional<Solid> body(String robot) {
+        return system.simulation().flatMap(truth -> truth.body(robot));
+    }
+
+    /// Whether a robot is gone from it: what it believed there is not shown.
+    boolean lacks(String robot) {
+        return system.simulation().filter(truth -> truth.truth(robot).isEmpty()).isPresent();
+    }
+
+    /// Which robots were put elsewhere in it.
+    Placements placements() {
+        return placements;
+    }
+
+    /// What of it is no robot.
+    List<Standing> things() {
+        return system.simulation().map(SimulationControl::things).orElse(List.of());
+    }
+
+    /// Puts a robot somewhere, in truth and in its own belief, or a thing.
+    Answer place(String id, Pose2d mapFromBase) {
+        return team.robot(id).map(robot -> placeRobot(robot, mapFromBase)).orElseGet(() -> placeThing(id, mapFromBase));
+    }
+
+    private Answer placeRobot(Robot robot, Pose2d mapFromBase) {
+        String id = robot.id();
+        if (lacks(id)) {
+            return new Answer.Refused("Robot (%s) is gone.".formatted(id));
+        }
+        OccupancyGrid map = plan.map();
+        if (!mapFromBase.isFinite() || !map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))) {
+            return new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromBase)));
+        }
+        Optional<SimulationControl> simulation = system.simulation();
+        if (simulation.isPresent()
+                && simulation.get().place(id, mapFromBase) instanceof Placement.Refused(String why)) {
+            return new Answer.Refused(why);
+        }
+        observer.placed(id);
+        CompletableFuture<Void> believed = team.localizer(robot)
+                .map(localizer -> localizer.relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND)))
+                .map(CompletionStage::toCompletableFuture)
+                .orElse(CompletableFuture.completedFuture(null));
+        if (simulation.isPresent()) {
+            placements.add(id, scheduler.instant(), believed);
+        }
+        journal.event("operator", id, "placed at " + Words.of(mapFromBase));
+        return new Answer.Done();
+    }
+
+    private Answer placeThing(String name, Pose2d mapFromThing) {
+        if (things().stream().noneMatch(thing -> thing.name().equals(name))) {
+            return unknown(name);
+        }
+        return answer(
+                system.simulation().orElseThrow().place(name, mapFromThing),
+                name,
+                "placed at " + Words.of(mapFromThing),
+                new Answer.Done());
+    }
+
+    /// Journals what an operator did to the simulated world, if it was done.
+    private Answer answer(Placement placement, String name, String words, Answer done) {
+        if (placement instanceof Placement.Refused(String why)) {
+            return new Answer.Refused(why);
+        }
+        journal.event("operator", name, words);
+        return done;
+    }
+
+    /// Puts something new into the world.
+    Answer add(Prop prop, Pose2d mapFromThing) {
+        Optional<SimulationControl> simulation = system.simulation();
+        if (simulation.isEmpty()) {
+            return nothingSimulated();
+        }
+        var taken = new HashSet<>(simulation.get().entities());
+        props.retainAll(taken);
+        if (props.size() == MOST_ADDED) {
+            return new Answer.Refused("%d things were added already; remove some first.".formatted(MOST_ADDED));
+        }
+        String name = prop.name(taken);
+        Answer answer = answer(
+                simulation.get().add(prop.at(name, mapFromThing)),
+                name,
+                "added at " + Words.of(mapFromThing),
+                new Answer.Added(name));
+        if (answer instanceof Answer.Added) {
+            props.add(name);
+        }
+        return answer;
+    }
+
+    /// Puts another robot into the world.
+    Answer addRobot(String example, Pose2d mapFromBase) {
+        Optional<SimulationControl> simulation = system.simulation();
+        if (simulation.isEmpty()) {
+            return nothingSimulated();
+        }
+        if (robotsAdded == MOST_ADDED) {
+            return new Answer.Refused("%d robots were added already; that is enough for a run.".formatted(MOST_ADDED));
+        }
+        Optional<String> id =
+                newcomers.expect(example, new HashSet<>(simulation.get().entities()));
+        if (id.isEmpty()) {
+            return unknown(example);
+        }
+        Answer answer = answer(
+                simulation.get().addRobot(id.get(), example, mapFromBase),
+                id.get(),
+                "added at " + Words.of(mapFromBase),
+                new Answer.Added(id.get()));
+        robotsAdded += answer instanceof Answer.Added ? 1 : 0;
+        return answer;
+    }
+
+    /// Takes a robot or a thing out of the world.
+    Answer remove(String entity) {
+        Optional<SimulationControl> simulation = system.simulation();
+        if (simulation.isEmpty()) {
+            return nothingSimulated();
+        }
+        boolean removed = team.has(entity)
+                ? simulation.get().removeRobot(entity)
+                : simulation.get().remove(entity);
+        if (!removed) {
+            return unknown(entity);
+        }
+        props.remove(entity);
+        journal.event("operator", entity, "removed");
+        return new Answer.Done();
+    }
+
+    private Answer nothingSimulated() {
+        return new Answer.Refused("%s simulates no world that could be changed."
+                .formatted(plan.mrs().name()));
+    }
+
+    /// Says that no robot and no thing has a name.
+    Answer unknown(String name) {
+        return new Answer.Refused("There is no (%s); there are the robots %s and %d other things."
+                .formatted(name, team.robots().keySet(), things().size()));
+    }
+}
