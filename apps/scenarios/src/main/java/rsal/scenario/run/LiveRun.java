@@ -14,7 +14,6 @@ import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -45,7 +44,6 @@ import rsal.time.WallScheduler;
 public final class LiveRun implements AutoCloseable {
     private static final Logger LOG = System.getLogger(LiveRun.class.getName());
     private static final AtomicLong RUNS = new AtomicLong();
-    private static final long SNAPSHOT_PERIOD = 45_000_000; // ns
     private static final Duration PATIENCE = Duration.ofSeconds(1);
 
     private final RunPlan plan;
@@ -53,8 +51,7 @@ public final class LiveRun implements AutoCloseable {
     private final CompletableFuture<RunResult> result = new CompletableFuture<>();
     private final Requests requests = // wait until the robots are there
             new Requests(result.handle((_, _) -> new Answer.Refused("The run has ended.")));
-    private final List<Runnable> snapshotListeners = new CopyOnWriteArrayList<>();
-    private final List<Runnable> eventListeners = new CopyOnWriteArrayList<>();
+    private final Viewers eventViewers = new Viewers();
     private final ExecutorService helpers;
     private final Scheduler scheduler;
     private final Instant began;
@@ -62,16 +59,14 @@ public final class LiveRun implements AutoCloseable {
     private final Journal journal;
     private final Observer observer;
     private final Pace pace;
+    private final Snapshots snapshots;
     private volatile @Nullable Thread thread;
-    private volatile Snapshot snapshot;
-    private volatile boolean snapshotWanted;
 
     // of the run's thread
     private @Nullable Stage stage;
     private @Nullable String outcome;
     private boolean paused;
     private int stepsWanted;
-    private long snapshotMade;
 
     private LiveRun(RunPlan plan, String name, int helpers) {
         this.plan = plan;
@@ -82,21 +77,10 @@ public final class LiveRun implements AutoCloseable {
             case WALL -> new WallScheduler(name, this.helpers, this::breaks);
         };
         this.began = scheduler.instant();
-        this.journal = new Journal(this::elapsed, () -> tell(eventListeners));
+        this.journal = new Journal(this::elapsed, eventViewers::tell);
         this.observer = new Observer(plan, journal, scheduler);
         this.pace = new Pace(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
-        this.snapshot = new Snapshot(
-                0,
-                Duration.ZERO,
-                false,
-                false,
-                pace.speed(),
-                0,
-                Optional.empty(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of());
+        this.snapshots = new Snapshots(System::nanoTime, this::snapshot);
     }
 
     /// Starts a run. Robots and agents are made on its own thread; what goes wrong there ends its [#result].
@@ -233,15 +217,14 @@ public final class LiveRun implements AutoCloseable {
 
     /// The newest there is. Asking for it asks for a newer one, too.
     public Snapshot snapshot() {
-        snapshotWanted = true;
+        snapshots.want();
         wake();
-        return snapshot;
+        return snapshots.newest();
     }
 
     /// Tells when there is a new snapshot. A listener that throws is told no more.
     public Subscription onSnapshot(Runnable listener) {
-        snapshotListeners.add(listener);
-        return () -> snapshotListeners.remove(listener);
+        return snapshots.viewers().add(listener);
     }
 
     /// What has happened after an event, oldest first.
@@ -253,8 +236,7 @@ public final class LiveRun implements AutoCloseable {
 
     /// Tells when there is a new event. A listener that throws is told no more.
     public Subscription onEvents(Runnable listener) {
-        eventListeners.add(listener);
-        return () -> eventListeners.remove(listener);
+        return eventViewers.add(listener);
     }
 
     /// Ends the run, if it has not ended, and waits up to a second until it has.
@@ -348,7 +330,7 @@ public final class LiveRun implements AutoCloseable {
         if (outcome != null) {
             finish();
         } else {
-            makeSnapshotIfDue();
+            snapshots.makeIfDue();
         }
     }
 
@@ -378,16 +360,14 @@ public final class LiveRun implements AutoCloseable {
         }
         stepsWanted = Math.max(0, stepsWanted - 1);
         time.advance(plan.step());
-        makeSnapshotIfDue();
+        snapshots.makeIfDue();
     }
 
     /// Waits, or makes a snapshot if one is wanted; returns early when there is something to do.
     private void rest(long nanos) {
-        if (makeSnapshotIfDue()) {
-            return;
+        if (!snapshots.makeIfDue()) {
+            LockSupport.parkNanos(this, Math.min(nanos, snapshots.untilDue()));
         }
-        long wait = snapshotWanted ? Math.min(nanos, untilNextSnapshot()) : nanos;
-        LockSupport.parkNanos(this, wait);
     }
 
     private void end(String how) {
@@ -398,7 +378,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private void finish() {
-        makeSnapshot();
+        snapshots.make();
         RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) / 1e9);
         letGo();
         result.complete(ended);
@@ -412,7 +392,7 @@ public final class LiveRun implements AutoCloseable {
         var broken = cause instanceof RunBroken known ? known : new RunBroken("The run", cause);
         journal.event("fault", "", String.valueOf(broken.getMessage()));
         end("broken");
-        for (Runnable rest : List.<Runnable>of(this::makeSnapshot, this::letGo)) {
+        for (Runnable rest : List.<Runnable>of(snapshots::make, this::letGo)) {
             try {
                 rest.run();
             } catch (RuntimeException | Error e) {
@@ -456,23 +436,9 @@ public final class LiveRun implements AutoCloseable {
                 outOfBounds);
     }
 
-    private long untilNextSnapshot() {
-        return snapshotMade + SNAPSHOT_PERIOD - System.nanoTime();
-    }
-
-    private boolean makeSnapshotIfDue() {
-        boolean due = snapshotWanted && untilNextSnapshot() <= 0;
-        if (due) {
-            makeSnapshot();
-        }
-        return due;
-    }
-
-    private void makeSnapshot() {
-        snapshotWanted = false;
-        snapshotMade = System.nanoTime();
-        snapshot = new Snapshot(
-                snapshot.sequence() + 1,
+    private Snapshot snapshot(long sequence) {
+        return new Snapshot(
+                sequence,
                 elapsed(),
                 paused,
                 stage != null && stage.orders().stopped(),
@@ -483,18 +449,6 @@ public final class LiveRun implements AutoCloseable {
                 stage == null ? List.of() : stage.agentViews(),
                 stage == null ? List.of() : stage.team(),
                 stage == null ? List.of() : stage.world().things());
-        tell(snapshotListeners);
-    }
-
-    private static void tell(List<Runnable> listeners) {
-        listeners.forEach(listener -> {
-            try {
-                listener.run();
-            } catch (RuntimeException e) {
-                listeners.remove(listener);
-                LOG.log(Level.ERROR, "A viewer failed and is not told any more.", e);
-            }
-        });
     }
 
     private Duration elapsed() {
