@@ -17,6 +17,7 @@ import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.RunPlan.Spare;
 import rsal.scenario.RunPlan.Spares;
+import rsal.scene.NamedSeed;
 
 /// What robots are to have that nobody planned: the software devices and agents of one that was planned, each with
 /// a random stream of its own.
@@ -120,6 +121,6 @@ final class Newcomers {
     }
 
     private static long seed(long example, String robot) {
-        return new SplittableRandom(31 * example + robot.hashCode()).nextLong();
+        return new SplittableRandom(NamedSeed.of(example, robot)).nextLong();
     }
 }
