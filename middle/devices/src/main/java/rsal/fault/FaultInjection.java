@@ -15,7 +15,7 @@ public interface FaultInjection {
     ///
     /// @param device name within the robot (`laser`); empty when the whole robot is meant
     /// @param random a stream of this fault's own
-    /// @return ends it
+    /// @return ends it; a robot that was gone may have to wait for room until it appears
     /// @throws IllegalArgumentException when there is a [#refusal]
     Subscription begin(String robot, String device, Fault fault, RandomGenerator random);
 }

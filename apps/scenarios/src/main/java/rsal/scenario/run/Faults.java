@@ -2,9 +2,11 @@ package rsal.scenario.run;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
@@ -32,6 +34,8 @@ final class Faults {
     private final Breaker breaker;
     private final Mishaps mishaps;
     private final Tally gone = new Tally(); // robots
+    private final Map<String, Runnable> ending = new HashMap<>(); // absences, by robots that have no room yet
+    private final Set<String> left = new HashSet<>(); // robots that were taken out of the world
 
     /// Breaks robots and their devices.
     interface Breaker {
@@ -62,6 +66,17 @@ final class Faults {
     /// Whether a robot is gone.
     boolean isGone(String robot) {
         return gone.contains(robot);
+    }
+
+    /// A robot is there again, or for the first time.
+    void appeared(String robot) {
+        Optional.ofNullable(ending.remove(robot)).ifPresent(Runnable::run);
+    }
+
+    /// A robot was taken out of the world: it does not come back.
+    void left(String robot) {
+        left.add(robot);
+        appeared(robot);
     }
 
     /// Whether an agent is not heard, as its robot is gone.
@@ -154,27 +169,42 @@ final class Faults {
                 target.words()
                         + length.map(time -> String.format(Locale.ROOT, " for %.2f s", time.toNanos() / 1e9))
                                 .orElse(""));
+        Runnable over = () -> journal.event("fault", target.name(), "no longer " + target.words());
+        if (target instanceof OfRobot lost && lost.fault() instanceof Fault.Gone) {
+            return gone(lost, random, over);
+        }
         Subscription begun = switch (target) {
             case OfMessages messages -> mishaps.begin(messages, random);
-            case OfRobot broken when broken.fault() instanceof Fault.Gone -> gone(broken, random);
             case OfRobot broken -> breaker.begin(broken, random);
         };
         return () -> {
             begun.cancel();
-            journal.event("fault", target.name(), "no longer " + target.words());
+            over.run();
         };
     }
 
-    private Subscription gone(OfRobot lost, RandomGenerator random) {
-        gone.add(lost.robot());
+    /// It ends when the robot is there again, which may have to wait for room.
+    private Subscription gone(OfRobot lost, RandomGenerator random, Runnable over) {
+        String robot = lost.robot();
+        appeared(robot); // what waited for room ends, as it is gone anew
+        gone.add(robot);
         Subscription silence = mishaps.silence(agentsOf(lost.robot()));
         Subscription absence = breaker.begin(lost, random);
         observer.gone(gone.names());
-        return () -> {
-            gone.remove(lost.robot());
-            absence.cancel();
+        Runnable end = () -> {
+            gone.remove(robot);
             silence.cancel();
             observer.gone(gone.names());
+            over.run();
+        };
+        return () -> {
+            if (gone.times(robot) == 1 && !left.contains(robot)) {
+                ending.put(robot, end);
+                absence.cancel();
+            } else {
+                absence.cancel();
+                end.run();
+            }
         };
     }
 

@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,6 +23,7 @@ final class RobotBreaker implements Faults.Breaker {
     private final RobotSystem system;
     private final Set<String> breaking; // all that faults can strike, by name
     private final Map<String, FaultyLocalizer> localizers = new HashMap<>(); // by the device's id
+    private final Set<String> left = new HashSet<>(); // robots
 
     RobotBreaker(RobotSystem system, List<PlannedFault> faults) {
         this.system = system;
@@ -42,8 +44,17 @@ final class RobotBreaker implements Faults.Breaker {
         return device;
     }
 
+    /// A robot was taken out of the world, with all of its devices.
+    void leave(String robot) {
+        localizers.values().removeIf(localizer -> localizer.info().robot().equals(robot));
+        left.add(robot);
+    }
+
     @Override
     public Optional<String> refusal(OfRobot broken) {
+        if (left.contains(broken.robot())) {
+            return Optional.of("There is no robot (%s).".formatted(broken.robot()));
+        }
         return localizers.containsKey(broken.name())
                 ? Optional.empty()
                 : injection().refusal(broken.robot(), broken.device(), broken.fault());

@@ -32,6 +32,7 @@ final class SimulatedWorld {
     private final Observer observer;
     private final Newcomers newcomers;
     private final Team team;
+    private final Faults faults;
     private final Placements placements = new Placements();
     private final Set<String> props = new HashSet<>(); // things that were added by hand and are there
     private int robotsAdded; // by hand
@@ -43,7 +44,8 @@ final class SimulatedWorld {
             Journal journal,
             Observer observer,
             Newcomers newcomers,
-            Team team) {
+            Team team,
+            Faults faults) {
         this.plan = plan;
         this.system = system;
         this.scheduler = scheduler;
@@ -51,6 +53,7 @@ final class SimulatedWorld {
         this.observer = observer;
         this.newcomers = newcomers;
         this.team = team;
+        this.faults = faults;
     }
 
     /// Where a robot really is, in the map frame.
@@ -85,7 +88,7 @@ final class SimulatedWorld {
 
     private Answer placeRobot(Robot robot, Pose2d mapFromBase) {
         String id = robot.id();
-        if (lacks(id)) {
+        if (lacks(id) || faults.isGone(id)) {
             return new Answer.Refused("Robot (%s) is gone.".formatted(id));
         }
         OccupancyGrid map = plan.map();

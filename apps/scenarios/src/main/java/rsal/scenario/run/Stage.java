@@ -20,6 +20,7 @@ final class Stage implements AutoCloseable {
     private final Observer observer;
     private final RobotSystem system;
     private final Newcomers newcomers;
+    private final RobotBreaker breaker;
     private final Faults faults;
     private final SimulatedWorld world;
     private final Equipper equipper;
@@ -42,9 +43,9 @@ final class Stage implements AutoCloseable {
                 () -> plan.mrs()
                         .provider()
                         .create(plan.mrs().config(plan.scene(), plan.robots()), new GuardedScheduler(name, scheduler)));
-        var breaker = new RobotBreaker(system, plan.faults());
+        this.breaker = new RobotBreaker(system, plan.faults());
         this.faults = new Faults(plan, scheduler, journal, observer, breaker);
-        this.world = new SimulatedWorld(plan, system, scheduler, journal, observer, newcomers, team);
+        this.world = new SimulatedWorld(plan, system, scheduler, journal, observer, newcomers, team, faults);
         this.equipper = new Equipper(plan, scheduler, journal, breaker, world, team);
         this.agents = new Agents(plan, scheduler, journal, observer, faults, team);
         this.orders = new Orders(plan.map(), journal, faults, world, team, agents);
@@ -95,6 +96,7 @@ final class Stage implements AutoCloseable {
         switch (change) {
             case RobotSystem.Change.Appeared(Robot robot) -> {
                 journal.event("run", robot.id(), "is there");
+                faults.appeared(robot.id());
                 if (!team.has(robot.id())) {
                     join(robot);
                 }
@@ -128,6 +130,8 @@ final class Stage implements AutoCloseable {
         team.leave(id);
         agents.leave(id);
         equipper.leave(id);
+        breaker.leave(id);
+        faults.left(id);
     }
 
     /// Looks at everything after a step.

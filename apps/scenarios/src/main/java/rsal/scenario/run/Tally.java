@@ -21,6 +21,11 @@ final class Tally {
         return counts.containsKey(name);
     }
 
+    /// How much more often it was said than taken back.
+    int times(String name) {
+        return counts.getOrDefault(name, 0);
+    }
+
     boolean isEmpty() {
         return counts.isEmpty();
     }

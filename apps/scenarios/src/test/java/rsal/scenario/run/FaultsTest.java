@@ -255,6 +255,52 @@ class FaultsTest {
     }
 
     @Test
+    void nobodyPlacesOneThatStaysWhereItIsGone() {
+        var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1, stays: true}");
+        try (var run = LiveRun.start(plan)) {
+            assertThat(run.place("hunter-1", new Pose2d(-6, -1, 0))
+                            .toCompletableFuture()
+                            .join())
+                    .isEqualTo(new Answer.Refused("Robot (hunter-1) is gone."));
+        }
+    }
+
+    @Test
+    void oneWithoutRoomIsGoneUntilItHasSome() {
+        var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1, for: 5}");
+        try (var run = LiveRun.start(plan)) {
+            assertThat(run.place("hunter-2", new Pose2d(-8, -1, 0))
+                            .toCompletableFuture()
+                            .join())
+                    .isEqualTo(new Answer.Done());
+            run.speed(Double.POSITIVE_INFINITY);
+            Runs.result(run);
+            assertThat(run.events(0))
+                    .extracting(RunEvent::text)
+                    .contains("gone for 5.00 s")
+                    .doesNotContain("no longer gone");
+            assertThat(run.snapshot().robots())
+                    .filteredOn(robot -> robot.id().equals("hunter-1"))
+                    .singleElement()
+                    .satisfies(robot -> assertThat(robot.truth()).isEmpty());
+        }
+    }
+
+    @Test
+    void nothingStrikesTheLocalizerOfARobotThatWasRemoved() {
+        var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: dead, robots: prey, devices: localizer, at: 5}");
+        try (var run = LiveRun.start(plan)) {
+            assertThat(run.remove("prey").toCompletableFuture().join()).isEqualTo(new Answer.Done());
+            run.speed(Double.POSITIVE_INFINITY);
+            Runs.result(run);
+            assertThat(run.events(0))
+                    .filteredOn(event -> event.kind().equals("fault"))
+                    .extracting(RunEvent::text)
+                    .containsExactly("not dead: There is no robot (prey).");
+        }
+    }
+
+    @Test
     void oneThatComesBackGoesOn() {
         Ended run = run(plan("{kind: gone, robots: hunter-1, at: 4, for: 3}"));
         assertThat(run.faults()).containsExactly("4000 ms hunter-1 gone for 3.00 s", "7000 ms hunter-1 no longer gone");
