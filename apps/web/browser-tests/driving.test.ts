@@ -147,6 +147,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
   });
 
   it.each([
+    ['Cmd goes down, which keeps keyups from us', async () => page.keyboard.down('Meta')],
     ['the page loses the focus', async () => page.evaluate(() => window.dispatchEvent(new Event('blur')))],
     [
       'the tab is hidden',
@@ -163,9 +164,30 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await take('idle');
     await page.keyboard.down('w');
     await moved('idle');
+    const there = await pose('idle');
     await happens();
     page = other;
     await stands('idle');
+    expect((await pose('idle')).x).toBeLessThan(there.x + 3); // long before the wall
+  });
+
+  it('stand when they are taken again after a refusal, though a key was down then', async () => {
+    await take('idle');
+    await page.keyboard.down('w');
+    await moved('idle');
+    await page.route('**/api/run/drive', (route) =>
+      route.fulfill({ status: 409, json: { message: 'Not now.', problems: [] } }),
+    );
+    await page.getByText('Not now.').waitFor();
+    await page.getByText('You drive idle').waitFor({ state: 'hidden' });
+    await page.keyboard.up('w');
+    await page.unroute('**/api/run/drive');
+    await stands('idle');
+    const [told] = await Promise.all([page.waitForRequest('**/api/run/drive'), take('idle')]);
+    expect(told.postDataJSON()).toMatchObject({ vx: 0, vy: 0, omega: 0 });
+    await page.keyboard.down('w');
+    await moved('idle');
+    await page.keyboard.up('w');
   });
 
   it('stop in an emergency, and wait until all keys were released', async () => {
