@@ -1,6 +1,5 @@
 package rsal.scenario.run;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import rsal.data.OccupancyGrid;
@@ -95,7 +94,7 @@ final class Orders {
     /// Switches all motors off or on again.
     Answer stop(boolean stop) {
         stopped = stop;
-        List.copyOf(team.controls()).forEach(stop ? Controls::stop : Controls::rearm);
+        team.controls().forEach(stop ? Controls::stop : Controls::rearm);
         journal.event("operator", "", stop ? "emergency stop" : "motors on again");
         return new Answer.Done();
     }

@@ -1,6 +1,5 @@
 package rsal.scenario.run;
 
-import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -51,8 +50,9 @@ final class Team {
         return Optional.ofNullable(controls.get(id));
     }
 
-    Collection<Controls> controls() {
-        return Collections.unmodifiableCollection(controls.values());
+    /// All there are now; who comes or leaves meanwhile does not change it.
+    List<Controls> controls() {
+        return List.copyOf(controls.values());
     }
 
     /// A robot's own, or else one that it was given to do what people told it.
