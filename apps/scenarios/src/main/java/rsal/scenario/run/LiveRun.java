@@ -22,6 +22,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
+import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
@@ -56,6 +57,7 @@ public final class LiveRun implements AutoCloseable {
     private final Scheduler scheduler;
     private final Instant began;
     private final long beganNanos = System.nanoTime();
+    private final LongSupplier handClock;
     private final Journal journal;
     private final Observer observer;
     private final Pace pace;
@@ -68,8 +70,9 @@ public final class LiveRun implements AutoCloseable {
     private boolean paused;
     private int stepsWanted;
 
-    private LiveRun(RunPlan plan, String name, int helpers) {
+    private LiveRun(RunPlan plan, String name, int helpers, LongSupplier handClock) {
         this.plan = plan;
+        this.handClock = handClock;
         this.helpers = Executors.newFixedThreadPool(
                 helpers, Thread.ofPlatform().daemon().name(name + "-helper-", 1).factory());
         this.scheduler = switch (plan.clock()) {
@@ -85,13 +88,22 @@ public final class LiveRun implements AutoCloseable {
 
     /// Starts a run. Robots and agents are made on its own thread; what goes wrong there ends its [#result].
     public static LiveRun start(RunPlan plan) {
-        return start(plan, Math.max(1, Runtime.getRuntime().availableProcessors() - 1));
+        return start(plan, System::nanoTime);
+    }
+
+    /// @param handClock how long hands that drive robots are not heard is measured by [ns]; any thread asks it
+    static LiveRun start(RunPlan plan, LongSupplier handClock) {
+        return start(plan, Math.max(1, Runtime.getRuntime().availableProcessors() - 1), handClock);
     }
 
     /// @param helpers how many threads help the run's own with heavy work
     static LiveRun start(RunPlan plan, int helpers) {
+        return start(plan, helpers, System::nanoTime);
+    }
+
+    private static LiveRun start(RunPlan plan, int helpers, LongSupplier handClock) {
         String name = "run-" + RUNS.incrementAndGet();
-        var run = new LiveRun(plan, name, helpers);
+        var run = new LiveRun(plan, name, helpers, handClock);
         switch (run.scheduler) {
             case LockstepScheduler time ->
                 Thread.ofPlatform().name(name).daemon().start(() -> run.simulate(time));
@@ -197,7 +209,7 @@ public final class LiveRun implements AutoCloseable {
     /// @param driver who that is; as long as one drives, no other can
     /// @param velocity wanted now; the base makes of it what it can
     public CompletionStage<Answer> drive(String robot, String driver, Twist2d velocity) {
-        long now = System.nanoTime();
+        long now = handClock.getAsLong();
         return ask(stage -> stage.orders().drive(robot, driver, velocity, now));
     }
 
@@ -340,7 +352,7 @@ public final class LiveRun implements AutoCloseable {
         }
         if (stage != null && stage.isReady()) {
             requests.take();
-            stage.orders().beat(System.nanoTime());
+            stage.orders().beat(handClock.getAsLong());
         }
     }
 

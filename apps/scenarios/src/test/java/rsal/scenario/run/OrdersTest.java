@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -44,13 +45,14 @@ class OrdersTest {
     @TempDir
     private Path folder;
 
+    private final AtomicLong handClock = new AtomicLong(); // [ns]
     private LiveRun run;
 
     @BeforeEach
     void start() {
         try {
             Path world = Files.writeString(folder.resolve("hall.world"), HALL);
-            run = LiveRun.start(Scenario.load(world.toString()).plan(RunOptions.NONE.withSpeed(1)));
+            run = LiveRun.start(Scenario.load(world.toString()).plan(RunOptions.NONE.withSpeed(1)), handClock::get);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -192,10 +194,12 @@ class OrdersTest {
     void aRobotStandsStillWhenItsDriverFallsSilentAndIsGivenBack() {
         drive("roamer", Twist2d.drive(-0.3, 0), 3);
         run.resume();
+        handClock.addAndGet(Grip.DEADMAN + 1);
         await(_ -> happened("roamer", "stands still: its driver is not heard"));
         await(s ->
                 robot(s, "roamer").odometry().orElseThrow().value().velocity().equals(Twist2d.STOP));
         assertThat(robot(now(), "roamer").driver()).isEqualTo("me");
+        handClock.addAndGet(Grip.LEASE);
         await(s -> robot(s, "roamer").driver().isEmpty());
         assertThat(happened("roamer", "its driver is gone")).isTrue();
         await(s -> roams(robot(s, "roamer")));
