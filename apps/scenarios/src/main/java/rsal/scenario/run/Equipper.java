@@ -70,10 +70,11 @@ final class Equipper implements AutoCloseable {
     private Device make(PlannedDevice device, Robot robot, Optional<Pose2d> mapFromBase) {
         String name = "Device (%s/%s)".formatted(robot.id(), device.name());
         var lane = new GuardedScheduler(name, scheduler);
-        lanes.computeIfAbsent(robot.id(), _ -> new ArrayList<>()).add(lane);
         var context = new DeviceDriver.Context(
                 device.name(), robot, plan.map(), mapFromBase, lane, new SplittableRandom(device.seed()));
-        return RunBroken.blaming(name, () -> device.driver().create(context, device.options()));
+        Device made = lane.making(() -> device.driver().create(context, device.options()));
+        lanes.computeIfAbsent(robot.id(), _ -> new ArrayList<>()).add(lane);
+        return made;
     }
 
     private void watch(Device device) {

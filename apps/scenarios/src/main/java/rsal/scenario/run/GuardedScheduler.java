@@ -20,6 +20,18 @@ final class GuardedScheduler implements Scheduler {
         this.scheduler = scheduler;
     }
 
+    /// Makes the part. When that fails, nothing runs that it has scheduled so far.
+    ///
+    /// @throws RunBroken when that fails
+    <T> T making(Supplier<T> part) {
+        try {
+            return RunBroken.blaming(owner, part);
+        } catch (RunBroken e) {
+            end();
+            throw e;
+        }
+    }
+
     /// The part has left the run: nothing of it runs any more.
     void end() {
         ended = true;

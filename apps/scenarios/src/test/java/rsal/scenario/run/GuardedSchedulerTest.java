@@ -1,8 +1,10 @@
 package rsal.scenario.run;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
@@ -19,6 +21,21 @@ class GuardedSchedulerTest {
         assertThatThrownBy(() -> time.advance(Duration.ZERO))
                 .isInstanceOf(RunBroken.class)
                 .hasMessage("Device (lamp) failed: it went out");
+    }
+
+    @Test
+    void runsNothingOfWhatCouldNotBeMade() {
+        var shone = new AtomicInteger();
+        assertThatThrownBy(() -> guarded.making(() -> {
+                    guarded.every(Duration.ofSeconds(1), Phase.DEVICES, shone::incrementAndGet);
+                    guarded.after(Duration.ofSeconds(1), Phase.DEVICES, shone::incrementAndGet);
+                    guarded.execute(shone::incrementAndGet);
+                    throw new IllegalStateException("no bulb");
+                }))
+                .isInstanceOf(RunBroken.class)
+                .hasMessage("Device (lamp) failed: no bulb");
+        time.advance(Duration.ofSeconds(3));
+        assertThat(shone).hasValue(0);
     }
 
     @Test
