@@ -118,6 +118,7 @@ final class Controls {
     /// @param now when it was said [ns]
     /// @param motors whether they are switched on
     Answer drive(String driver, Twist2d velocity, long now, boolean motors) {
+        takeBack(now);
         if (grip != null && !grip.driver().equals(driver)) {
             return new Answer.Refused("Somebody else drives robot (%s) by keys.".formatted(robot.id()));
         }
@@ -153,17 +154,23 @@ final class Controls {
     ///
     /// @param now [ns]
     void beat(long now) {
+        takeBack(now);
         if (grip == null) {
-            return;
-        }
-        if (grip.isOverAt(now)) {
-            end("no longer driven by keys: its driver is gone");
             return;
         }
         if (grip.fadesAt(now)) {
             journal.event("operator", robot.id(), "stands still: its driver is not heard");
         }
         base.command(grip.wanted());
+    }
+
+    /// Ends the grip of a driver who had not been heard for long by then. Orders are judged by when they were given,
+    /// since the run may come to them late: then neither does who is gone keep others out, nor is who is there
+    /// taken for gone.
+    private void takeBack(long then) {
+        if (grip != null && grip.isOverAt(then)) {
+            end("no longer driven by keys: its driver is gone");
+        }
     }
 
     /// Switches the motors off in an emergency.
@@ -182,7 +189,9 @@ final class Controls {
     /// Does something until it is told something else.
     ///
     /// @param name of the [Repertoire], [#STAND], or empty to leave it to its agents
-    Answer behave(String name) {
+    /// @param given when somebody said so [ns]
+    Answer behave(String name, long given) {
+        takeBack(given);
         if (grip != null) {
             return driven();
         }
@@ -210,7 +219,10 @@ final class Controls {
     }
 
     /// Goes somewhere, and then back to its agents.
-    Answer goTo(Pose2d mapFromGoal) {
+    ///
+    /// @param given when somebody said so [ns]
+    Answer goTo(Pose2d mapFromGoal, long given) {
+        takeBack(given);
         if (grip != null) {
             return driven();
         }
@@ -245,8 +257,10 @@ final class Controls {
 
     /// Whether an agent of it may be asked to do something.
     ///
+    /// @param given when somebody said so [ns]
     /// @return why not
-    Optional<Answer> leave() {
+    Optional<Answer> leave(long given) {
+        takeBack(given);
         if (grip != null) {
             return Optional.of(driven());
         }

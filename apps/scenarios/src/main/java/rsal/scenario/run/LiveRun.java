@@ -188,14 +188,16 @@ public final class LiveRun implements AutoCloseable {
 
     /// Has a robot drive somewhere, by its agent if that can.
     public CompletionStage<Answer> goTo(String robot, Pose2d mapFromGoal) {
-        return ask(stage -> stage.orders().goTo(robot, mapFromGoal));
+        long now = handClock.getAsLong();
+        return ask(stage -> stage.orders().goTo(robot, mapFromGoal, now));
     }
 
     /// Has a robot do something until it is told something else.
     ///
     /// @param behavior one of [rsal.behavior.Repertoire], `stand`, or empty to leave it to its agents again
     public CompletionStage<Answer> behave(String robot, String behavior) {
-        return ask(stage -> stage.orders().behave(robot, behavior));
+        long now = handClock.getAsLong();
+        return ask(stage -> stage.orders().behave(robot, behavior, now));
     }
 
     /// What a robot can be told to do, as [Answer.Able].

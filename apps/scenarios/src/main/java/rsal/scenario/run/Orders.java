@@ -27,7 +27,9 @@ final class Orders {
     }
 
     /// Has a robot drive somewhere: its agent, if it has one and a navigator.
-    Answer goTo(String id, Pose2d mapFromGoal) {
+    ///
+    /// @param given when somebody said so [ns]
+    Answer goTo(String id, Pose2d mapFromGoal, long given) {
         Optional<Answer> nobody = nobody(id);
         if (nobody.isPresent()) {
             return nobody.get();
@@ -37,11 +39,13 @@ final class Orders {
         }
         boolean navigates =
                 team.robot(id).flatMap(robot -> robot.find(Navigator.class)).isPresent();
-        return navigates && agents.runOn(id) ? askAgent(id, mapFromGoal) : tell(id, told -> told.goTo(mapFromGoal));
+        return navigates && agents.runOn(id)
+                ? askAgent(id, mapFromGoal, given)
+                : tell(id, told -> told.goTo(mapFromGoal, given));
     }
 
-    private Answer askAgent(String id, Pose2d mapFromGoal) {
-        Optional<Answer> refused = team.controls(id).flatMap(Controls::leave);
+    private Answer askAgent(String id, Pose2d mapFromGoal, long given) {
+        Optional<Answer> refused = team.controls(id).flatMap(told -> told.leave(given));
         if (refused.isPresent()) {
             return refused.get();
         }
@@ -53,8 +57,9 @@ final class Orders {
         return tell(id, told -> new Answer.Able(told.abilities()));
     }
 
-    Answer behave(String id, String behavior) {
-        return tell(id, told -> told.behave(behavior));
+    /// @param given when somebody said so [ns]
+    Answer behave(String id, String behavior, long given) {
+        return tell(id, told -> told.behave(behavior, given));
     }
 
     /// @param heard when its driver said so [ns]

@@ -35,11 +35,11 @@ class ControlsTest {
                     throw new RunBroken("Device (r1/pilot)", new IllegalStateException("no batteries"));
                 },
                 new Journal(() -> Duration.ZERO, () -> {}));
-        assertThat(controls.behave("stand")).isEqualTo(new Answer.Done());
+        assertThat(controls.behave("stand", 0)).isEqualTo(new Answer.Done());
         var refused = new Answer.Refused("Device (r1/pilot) failed: no batteries");
-        assertThat(controls.behave("wander")).isEqualTo(refused);
+        assertThat(controls.behave("wander", 0)).isEqualTo(refused);
         assertThat(controls.behavior()).isEqualTo("stand");
-        assertThat(controls.goTo(new Pose2d(1, 1, 0))).isEqualTo(refused);
+        assertThat(controls.goTo(new Pose2d(1, 1, 0), 0)).isEqualTo(refused);
         assertThat(controls.behavior()).isEqualTo("stand");
     }
 }

@@ -219,6 +219,19 @@ class OrdersTest {
     }
 
     @Test
+    void whoIsHeardNoLongerKeepsNobodyOut() {
+        for (int time = 0; time < 20; time++) {
+            done(run.drive("idle", "me", Twist2d.STOP));
+            handClock.addAndGet(Grip.LEASE + 1);
+            done(run.goTo("idle", new Pose2d(3, 0, 0)));
+            done(run.drive("idle", "me", Twist2d.STOP));
+            handClock.addAndGet(Grip.LEASE + 1);
+            done(run.drive("idle", "you", Twist2d.STOP));
+            done(run.letGo("idle", "you"));
+        }
+    }
+
+    @Test
     void theEmergencyStopComesFirst() {
         drive("idle", Twist2d.drive(0.5, 0), 5);
         done(run.estop());
