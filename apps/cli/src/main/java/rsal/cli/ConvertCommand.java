@@ -146,7 +146,7 @@ final class ConvertCommand extends Subcommand {
                     files,
                     scene.things().size(),
                     scene.robots().size(),
-                    scene.warnings().stream().map(ValidateCommand.Mistake::of).toList()));
+                    ValidateCommand.Mistake.of(scene.warnings())));
             return;
         }
         scene.warnings().forEach(warning -> err().println(warning));

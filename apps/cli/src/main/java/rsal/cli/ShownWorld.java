@@ -72,7 +72,7 @@ record ShownWorld(
                 scene.things().size(),
                 makes(scene),
                 scene.services(),
-                scene.warnings().stream().map(ValidateCommand.Mistake::of).toList(),
+                ValidateCommand.Mistake.of(scene.warnings()),
                 image);
     }
 

@@ -28,7 +28,11 @@ final class ValidateCommand extends Subcommand {
     record Checked(String file, boolean valid, List<Mistake> problems) {}
 
     record Mistake(String file, int line, int column, String message, String remedy) {
-        static Mistake of(Problem problem) {
+        static List<Mistake> of(List<Problem> problems) {
+            return problems.stream().map(Mistake::of).toList();
+        }
+
+        private static Mistake of(Problem problem) {
             return new Mistake(
                     problem.location().file(),
                     problem.location().line(),
@@ -53,8 +57,7 @@ final class ValidateCommand extends Subcommand {
             return Scenario.isWorld(file) ? checkWorld(file) : checkScenario(file);
         } catch (InvalidSettings mistakes) {
             tell(String.valueOf(mistakes.getMessage()));
-            return new Checked(
-                    file, false, mistakes.problems().stream().map(Mistake::of).toList());
+            return new Checked(file, false, Mistake.of(mistakes.problems()));
         }
     }
 
@@ -80,9 +83,8 @@ final class ValidateCommand extends Subcommand {
                             case 1 -> "1 robot";
                             default -> scene.robots().size() + " robots";
                         }));
-        scene.warnings().forEach(warning -> tell("  " + warning));
-        return new Checked(
-                file, true, scene.warnings().stream().map(Mistake::of).toList());
+        scene.warnings().forEach(warning -> tell(ShownWorld.line(warning)));
+        return new Checked(file, true, Mistake.of(scene.warnings()));
     }
 
     private void tell(String text) {

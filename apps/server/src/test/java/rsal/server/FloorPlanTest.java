@@ -44,6 +44,7 @@ class FloorPlanTest {
                 Map.of(),
                 Map.of(),
                 Collections.emptySortedMap(),
+                List.of(),
                 List.of());
     }
 

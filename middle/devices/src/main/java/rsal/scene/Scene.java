@@ -56,38 +56,6 @@ public record Scene(
         warnings = List.copyOf(warnings);
     }
 
-    /// A world of which servers offer nothing.
-    public Scene(
-            String title,
-            OccupancyGrid map,
-            Optional<Duration> step,
-            Optional<Duration> end,
-            Touch touch,
-            List<Raster> walls,
-            List<Entity> things,
-            List<RobotSpec> robots,
-            Map<String, Entity> robotBodies,
-            Map<String, Pose2d> odomFromBase,
-            Map<String, String> programs,
-            SortedMap<String, Integer> contents,
-            List<Problem> warnings) {
-        this(
-                title,
-                map,
-                step,
-                end,
-                touch,
-                walls,
-                things,
-                robots,
-                robotBodies,
-                odomFromBase,
-                programs,
-                contents,
-                List.of(),
-                warnings);
-    }
-
     /// The world of a map: its walls, as high as you like, and nothing else.
     public static Scene of(OccupancyGrid map) {
         return new Scene(
@@ -103,6 +71,7 @@ public record Scene(
                 Map.of(),
                 Map.of(),
                 Collections.emptySortedMap(),
+                List.of(),
                 List.of());
     }
 

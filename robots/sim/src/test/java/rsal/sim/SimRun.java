@@ -64,6 +64,7 @@ final class SimRun {
                 Map.of(),
                 Map.of(),
                 bare.contents(),
+                List.of(),
                 List.of());
         return in(scene, robots);
     }

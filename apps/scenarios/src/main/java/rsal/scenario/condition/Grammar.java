@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import rsal.settings.Suggestion;
 
 /// Reads conditions and measures by recursive descent.
@@ -31,9 +32,10 @@ public final class Grammar {
     private static final Pattern TOKEN =
             Pattern.compile("\\s*(?:(?<word>\\p{Alpha}[\\w-]*)|(?<number>-?\\d+(?:\\.\\d+)?)|(?<sign>[<>=!]=?|[()]))");
     private static final List<String> QUANTITIES =
-            List.of("time", "collisions", "wallCollisions", "caught", "gone", "faults", "lostMessages");
-    private static final List<String> PREDICATES = List.of(
-            "allCaught", "time", "collisions", "wallCollisions", "caught", "gone", "faults", "lostMessages", "not");
+            Arrays.stream(Quantity.Kind.values()).map(Quantity.Kind::word).toList();
+    private static final List<String> PREDICATES = Stream.of(List.of("allCaught"), QUANTITIES, List.of("not"))
+            .flatMap(List::stream)
+            .toList();
     private static final List<String> MEASURES =
             List.of("firstTime", "count", "distance", "min", "mean", "p50", "p95", "p99", "max");
 
@@ -125,28 +127,9 @@ public final class Grammar {
 
     /// @param known words that may stand here
     private Quantity quantity(List<String> known) {
-        if (takes("time")) {
-            return new Quantity.Time();
-        }
-        if (takes("collisions")) {
-            return new Quantity.Collisions();
-        }
-        if (takes("wallCollisions")) {
-            return new Quantity.WallCollisions();
-        }
-        if (takes("caught")) {
-            return new Quantity.Caught(role());
-        }
-        if (takes("gone")) {
-            return new Quantity.Gone(role());
-        }
-        if (takes("faults")) {
-            return new Quantity.Faults();
-        }
-        if (takes("lostMessages")) {
-            return new Quantity.LostMessages();
-        }
-        throw unknown("a condition or quantity", known);
+        Quantity.Kind kind = word(Quantity.Kind.values(), Quantity.Kind::word)
+                .orElseThrow(() -> unknown("a condition or quantity", known));
+        return new Quantity(kind, kind.isOfRole() ? role() : "");
     }
 
     private Measure measure() {

@@ -1,97 +1,52 @@
 package rsal.scenario.condition;
 
-/// A number that a run has at any instant. As text it is as people write it.
-public sealed interface Quantity {
-    double of(Facts facts);
+/// A number that a run has at any instant. As text it is as people write it: `time`, `caught(prey)`.
+///
+/// @param role of robots; empty where the kind is of the whole run
+public record Quantity(Kind kind, String role) {
+    /// What there is to ask, in the order in which people are told.
+    public enum Kind {
+        /// [s]
+        TIME("time", false),
+        COLLISIONS("collisions", false),
+        WALL_COLLISIONS("wallCollisions", false),
+        CAUGHT("caught", true),
+        GONE("gone", true),
+        FAULTS("faults", false),
+        LOST_MESSAGES("lostMessages", false);
 
-    /// `time` [s].
-    record Time() implements Quantity {
-        @Override
-        public double of(Facts facts) {
-            return facts.time();
+        private final String word;
+        private final boolean ofRole;
+
+        Kind(String word, boolean ofRole) {
+            this.word = word;
+            this.ofRole = ofRole;
         }
 
-        @Override
-        public String toString() {
-            return "time";
-        }
-    }
-
-    /// `collisions`.
-    record Collisions() implements Quantity {
-        @Override
-        public double of(Facts facts) {
-            return facts.collisions();
+        public String word() {
+            return word;
         }
 
-        @Override
-        public String toString() {
-            return "collisions";
-        }
-    }
-
-    /// `wallCollisions`.
-    record WallCollisions() implements Quantity {
-        @Override
-        public double of(Facts facts) {
-            return facts.wallCollisions();
-        }
-
-        @Override
-        public String toString() {
-            return "wallCollisions";
+        /// Whether each role has its own.
+        public boolean isOfRole() {
+            return ofRole;
         }
     }
 
-    /// `faults`.
-    record Faults() implements Quantity {
-        @Override
-        public double of(Facts facts) {
-            return facts.faults();
-        }
-
-        @Override
-        public String toString() {
-            return "faults";
-        }
+    public double of(Facts facts) {
+        return switch (kind) {
+            case TIME -> facts.time();
+            case COLLISIONS -> facts.collisions();
+            case WALL_COLLISIONS -> facts.wallCollisions();
+            case CAUGHT -> facts.caught(role);
+            case GONE -> facts.gone(role);
+            case FAULTS -> facts.faults();
+            case LOST_MESSAGES -> facts.lostMessages();
+        };
     }
 
-    /// `lostMessages`.
-    record LostMessages() implements Quantity {
-        @Override
-        public double of(Facts facts) {
-            return facts.lostMessages();
-        }
-
-        @Override
-        public String toString() {
-            return "lostMessages";
-        }
-    }
-
-    /// `gone(prey)`.
-    record Gone(String role) implements Quantity {
-        @Override
-        public double of(Facts facts) {
-            return facts.gone(role);
-        }
-
-        @Override
-        public String toString() {
-            return "gone(" + role + ")";
-        }
-    }
-
-    /// `caught(prey)`.
-    record Caught(String role) implements Quantity {
-        @Override
-        public double of(Facts facts) {
-            return facts.caught(role);
-        }
-
-        @Override
-        public String toString() {
-            return "caught(" + role + ")";
-        }
+    @Override
+    public String toString() {
+        return kind.ofRole ? kind.word + "(" + role + ")" : kind.word;
     }
 }

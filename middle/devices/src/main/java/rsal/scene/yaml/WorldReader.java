@@ -239,6 +239,7 @@ final class WorldReader {
                     odometry,
                     programs,
                     contents,
+                    List.of(),
                     warnings);
         }
 

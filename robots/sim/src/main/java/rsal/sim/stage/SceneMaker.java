@@ -78,6 +78,7 @@ final class SceneMaker {
                     odomFromBase,
                     programs,
                     contents,
+                    List.of(),
                     warnings);
         } catch (MapPainter.TooLarge e) {
             throw new InvalidSettings(

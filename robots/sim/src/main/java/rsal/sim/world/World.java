@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiPredicate;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 
@@ -282,14 +283,7 @@ public final class World {
 
     /// Whether two bodies are within 1 cm of each other.
     public boolean touching(Body one, Body other) {
-        for (Piece piece : one.figure.pieces) {
-            for (Piece second : other.figure.pieces) {
-                if (inTheWay(piece, second) && piece.separation(second) < TOUCH) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return touch(one, other, World::inTheWay);
     }
 
     /// Whether a body is within 1 cm of a wall.
@@ -299,9 +293,13 @@ public final class World {
 
     /// Whether a body is within 1 cm of another, seen from above: beside it, on it, under it.
     public boolean meets(Body one, Body other) {
+        return touch(one, other, (_, _) -> true);
+    }
+
+    private static boolean touch(Body one, Body other, BiPredicate<Piece, Piece> counts) {
         for (Piece piece : one.figure.pieces) {
             for (Piece second : other.figure.pieces) {
-                if (piece.separation(second) < TOUCH) {
+                if (counts.test(piece, second) && piece.separation(second) < TOUCH) {
                     return true;
                 }
             }
