@@ -6,6 +6,7 @@ module rsal.navigation {
     requires static org.jspecify;
 
     exports rsal.navigation.amcl;
+    exports rsal.navigation.avoid;
     exports rsal.navigation.grid;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;

@@ -11,7 +11,7 @@ import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.RangeSensor;
 import rsal.device.SonarArray;
-import rsal.navigation.vfh.DriveLimits;
+import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.vfh.Vfh;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;

@@ -23,11 +23,12 @@ import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.Sensor;
 import rsal.device.SonarArray;
+import rsal.navigation.avoid.BlindSpot;
+import rsal.navigation.avoid.DriveLimits;
+import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.LocalPlanner.Motion;
+import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.grid.DistanceField;
-import rsal.navigation.vfh.BlindSpot;
-import rsal.navigation.vfh.DriveLimits;
-import rsal.navigation.vfh.Obstacles;
-import rsal.navigation.vfh.Vfh;
 import rsal.navigation.wavefront.CostMap;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
@@ -53,7 +54,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Localizer localizer,
             Optional<LaserScanner> laser,
             Optional<SonarArray> sonars,
-            Vfh vfh,
+            LocalPlanner avoidance,
             CostMap costs,
             DistanceField toNotFree) {}
 
@@ -72,13 +73,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Duration patience) {}
 
     /// What a beat sees.
-    record Situation(
-            Instant now,
-            PoseEstimate estimate,
-            Pose2d odomFromBase,
-            Twist2d velocity,
-            boolean stalled,
-            Obstacles obstacles) {
+    record Situation(Instant now, PoseEstimate estimate, Motion motion, boolean stalled, Obstacles obstacles) {
         Pose2d mapFromBase() {
             return estimate.mapFromBase();
         }
@@ -116,7 +111,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         var next = new Trip(parts, settings, scheduler, random, mapFromGoal, tolerance, this::onEnd);
         trip = next;
         if (old == null) {
-            parts.vfh().reset();
+            parts.avoidance().reset();
         } else {
             next.succeed(old);
             old.end(new Result.Cancelled());
@@ -210,8 +205,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         return Optional.of(new Situation(
                 scheduler.instant(),
                 estimate.get().value(),
-                odomFromBase,
-                odometry.get().value().velocity(),
+                new Motion(odomFromBase, odometry.get().value().velocity()),
                 odometry.get().value().stalled(),
                 obstacles));
     }

@@ -18,10 +18,11 @@ import rsal.device.GoalSource;
 import rsal.device.Navigator.Progress;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
+import rsal.navigation.avoid.LocalPlanner.Target;
+import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.device.PathNavigator.Parts;
 import rsal.navigation.device.PathNavigator.Settings;
 import rsal.navigation.device.PathNavigator.Situation;
-import rsal.navigation.vfh.Obstacles;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.Plan;
 import rsal.navigation.wavefront.Route;
@@ -190,14 +191,10 @@ final class Trip {
 
     private Twist2d driveTo(Point2d target, Situation now) {
         boolean last = target.distanceTo(mapFromGoal.position()) < settings.lookahead() / 8;
-        return parts.vfh()
-                .drive(
-                        now.obstacles(),
-                        mapFromBase.bearingTo(target),
-                        mapFromBase.position().distanceTo(target),
-                        last,
-                        now.odomFromBase().theta(),
-                        now.velocity());
+        Pose2d baseFromMap = mapFromBase.inverse();
+        List<Point2d> way = path().points().stream().map(baseFromMap::transform).toList();
+        return parts.avoidance()
+                .drive(now.obstacles(), new Target(baseFromMap.transform(target), last, way), now.motion());
     }
 
     private Twist2d turnToGoal(Situation now) {
@@ -207,7 +204,7 @@ final class Trip {
             return Twist2d.STOP;
         }
         watch(now, Math.abs(angle));
-        return source.ended() ? Twist2d.STOP : parts.vfh().turn(now.obstacles(), angle, now.velocity());
+        return source.ended() ? Twist2d.STOP : parts.avoidance().turn(now.obstacles(), angle, now.motion());
     }
 
     // Where am I?
@@ -225,15 +222,9 @@ final class Trip {
             end(new Result.Stuck(mapFromBase, Duration.between(started, now.now())));
             return Twist2d.STOP;
         }
-        Twist2d ahead = parts.vfh()
-                .drive(
-                        now.obstacles(),
-                        0,
-                        settings.lookahead(),
-                        false,
-                        now.odomFromBase().theta(),
-                        now.velocity());
-        return ahead.equals(Twist2d.STOP) ? parts.vfh().turn(now.obstacles(), Math.PI / 2, now.velocity()) : ahead;
+        Target onward = Target.at(new Point2d(settings.lookahead(), 0), false);
+        Twist2d ahead = parts.avoidance().drive(now.obstacles(), onward, now.motion());
+        return ahead.equals(Twist2d.STOP) ? parts.avoidance().turn(now.obstacles(), Math.PI / 2, now.motion()) : ahead;
     }
 
     // Does it get on?
@@ -282,14 +273,14 @@ final class Trip {
         } else {
             manoeuvre = Manoeuvre.NONE;
             nearer = now.now();
-            parts.vfh().reset();
+            parts.avoidance().reset();
             planned = now.now().minus(settings.replanPeriod());
         }
     }
 
     private Twist2d backOff(Situation now) {
         Twist2d back = Twist2d.drive(-settings.escapeSpeed(), 0);
-        Twist2d safe = parts.vfh().guarded(back, now.velocity(), now.obstacles());
+        Twist2d safe = parts.avoidance().guarded(now.obstacles(), back, now.motion());
         if (safe.equals(Twist2d.STOP)) {
             endManoeuvre(now);
         }
@@ -301,7 +292,7 @@ final class Trip {
         if (Math.abs(bearing) < 2 * NEARER) {
             endManoeuvre(now);
         }
-        return parts.vfh().turn(now.obstacles(), bearing, now.velocity());
+        return parts.avoidance().turn(now.obstacles(), bearing, now.motion());
     }
 
     // Which way?

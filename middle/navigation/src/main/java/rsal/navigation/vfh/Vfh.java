@@ -4,6 +4,10 @@ import java.util.Arrays;
 import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.Caution;
+import rsal.navigation.avoid.DriveLimits;
+import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Obstacles;
 
 /// Chooses a direction by a polar histogram of obstacles: I. Ulrich, J. Borenstein, VFH+: Reliable Obstacle
 /// Avoidance for Fast Mobile Robots (ICRA 1998), equations 1–19.
@@ -15,10 +19,10 @@ import rsal.data.Twist2d;
 /// * Obstacles behind the target do not count.
 /// * The safety distance grows with speed the other way round: directions are open as at standstill, and the room
 ///   beside the chosen one says how fast it may be taken.
-/// * The last word has a [ContactGuard].
+/// * The last word has [Caution].
 ///
 /// Keeps the last histogram and direction, so each robot needs its own.
-public final class Vfh {
+public final class Vfh implements LocalPlanner {
     private static final int SECTORS = 72;
     private static final double SECTOR = 2 * Math.PI / SECTORS;
     private static final int WIDE = 16; // sectors; s_max in the paper
@@ -30,7 +34,6 @@ public final class Vfh {
     private static final double TURN_FIRST = Math.toRadians(60); // no driving while so much is missing
     private static final double SLOWEST = 0.08; // m/s; slower than this it would never get through
     private static final double CLOSE_BY = Math.toRadians(75); // closed to each side by what is nearer than allowed
-    private static final double MARGIN = 0.04; // m; about what odometry and scans are wrong within a robot's length
     private static final double COSTLY = 1e9;
 
     /// @param lookahead obstacles beyond this distance do not close a direction [m]
@@ -40,13 +43,12 @@ public final class Vfh {
 
     private final Settings settings;
     private final DriveLimits limits;
-    private final ContactGuard guard;
+    private final Caution caution;
     private final double radius;
     private final double[] nearest = new double[SECTORS];
     private final boolean[] closed = new boolean[SECTORS]; // by direction in the odometry frame, for hysteresis
     private final boolean[] masked = new boolean[SECTORS];
     private double previous = Double.NaN;
-    private double creeping; // m/s
     private double bestCost;
     private double bestDirection;
 
@@ -55,30 +57,24 @@ public final class Vfh {
         this.settings = settings;
         this.limits = limits;
         this.radius = footprint.inscribedRadius();
-        this.guard = new ContactGuard(footprint, limits, MARGIN, reaction);
+        this.caution = new Caution(footprint, limits, reaction);
     }
 
-    /// Forgets what it did, as when the robot has been carried away.
+    @Override
     public void reset() {
         Arrays.fill(closed, false);
         previous = Double.NaN;
-        creeping = 0;
+        caution.reset();
     }
 
-    /// The command that brings the robot nearer to a target; [Twist2d#STOP] when no direction is open.
-    ///
-    /// @param bearing of the target in the base frame [rad]
-    /// @param distance of the target [m]
-    /// @param arriving whether to come to rest at the target
-    /// @param heading of the robot in the odometry frame [rad]
-    /// @param velocity measured
-    public Twist2d drive(
-            Obstacles obstacles, double bearing, double distance, boolean arriving, double heading, Twist2d velocity) {
-        double reach = Math.min(settings.lookahead(), distance);
-        fill(obstacles, reach, heading);
-        mask(obstacles, heading, velocity);
-        double target = Angles.wrap(heading + bearing);
-        if (!choose(target, heading)) {
+    /// [Twist2d#STOP] when no direction is open.
+    @Override
+    public Twist2d drive(Obstacles obstacles, Target target, Motion motion) {
+        double distance = target.distance();
+        double heading = motion.odomFromBase().theta();
+        fill(obstacles, Math.min(settings.lookahead(), distance), heading);
+        mask(obstacles, heading, motion.velocity());
+        if (!choose(Angles.wrap(heading + target.bearing()), heading)) {
             previous = Double.NaN;
             return Twist2d.STOP;
         }
@@ -87,44 +83,20 @@ public final class Vfh {
         double omega = Math.clamp(STEERING * turn, -limits.turnRate(), limits.turnRate());
         double straightness = Math.max(0, 1 - Math.abs(turn) / TURN_FIRST);
         double speed = Math.min(limits.speed(), speedBeside(obstacles, turn)) * straightness;
-        if (arriving) {
+        if (target.arriving()) {
             speed = Math.min(speed, Math.sqrt(limits.acceleration() * distance)); // half of what braking can do
         }
-        return safely(Twist2d.drive(speed, omega), turn, velocity, obstacles);
+        return caution.guarded(Twist2d.drive(speed, omega), turn, motion.velocity(), obstacles);
     }
 
-    /// The command that turns the robot in place by an angle [rad].
-    public Twist2d turn(Obstacles obstacles, double angle, Twist2d velocity) {
-        double most = Math.min(limits.turnRate(), Math.sqrt(limits.turnAcceleration() * Math.abs(angle)));
-        double omega = Math.clamp(STEERING * angle, -most, most);
-        return safely(Twist2d.drive(0, omega), angle, velocity, obstacles);
+    @Override
+    public Twist2d turn(Obstacles obstacles, double angle, Motion motion) {
+        return caution.turn(angle, motion.velocity(), obstacles);
     }
 
-    /// What of a command is safe. Where the robot is too long to turn, it creeps on or back first, until it can
-    /// turn or can't creep any more.
-    private Twist2d safely(Twist2d wanted, double turn, Twist2d velocity, Obstacles obstacles) {
-        Twist2d safe = guard.limit(wanted, velocity, obstacles);
-        boolean wedged = Math.abs(safe.vx()) < SLOWEST / 4 && Math.abs(safe.omega()) < Math.abs(wanted.omega()) / 2;
-        if (!wedged || Math.abs(turn) < SECTOR) {
-            creeping = 0;
-            return safe;
-        }
-        if (creeping == 0) {
-            creeping = Math.abs(turn) < Math.PI / 2 ? SLOWEST : -SLOWEST;
-        }
-        for (int way = 0; way < 2; way++) {
-            Twist2d crept = guard.limit(Twist2d.drive(creeping, 0), velocity, obstacles);
-            if (crept.vx() == creeping) {
-                return crept;
-            }
-            creeping = -creeping;
-        }
-        return safe;
-    }
-
-    /// What of any other command is safe.
-    public Twist2d guarded(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
-        return guard.limit(wanted, velocity, obstacles);
+    @Override
+    public Twist2d guarded(Obstacles obstacles, Twist2d wanted, Motion motion) {
+        return caution.guarded(wanted, motion.velocity(), obstacles);
     }
 
     /// The primary histogram, made binary: which directions lead to an obstacle, grown by the robot's radius and

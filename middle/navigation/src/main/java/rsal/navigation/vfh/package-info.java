@@ -1,4 +1,4 @@
-/// Local avoidance: which way to drive now, so that the robot comes nearer to its target and touches nothing.
+/// Avoidance by a vector field histogram.
 @NullMarked
 package rsal.navigation.vfh;
 

@@ -11,6 +11,11 @@ import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.ContactGuard;
+import rsal.navigation.avoid.DriveLimits;
+import rsal.navigation.avoid.LocalPlanner.Motion;
+import rsal.navigation.avoid.LocalPlanner.Target;
+import rsal.navigation.avoid.Obstacles;
 
 class VfhTest {
     private static final Footprint BOX = Footprint.box(0.44, 0.38, new Point2d(-0.04, 0));
@@ -22,12 +27,12 @@ class VfhTest {
 
     @Test
     void nothingAroundItGoesStraightAtFullSpeed() {
-        assertThat(vfh.drive(obstacles, 0, 3, false, 0.7, Twist2d.STOP)).isEqualTo(Twist2d.drive(0.4, 0));
+        assertThat(drive(obstacles, 0, 3, false, 0.7)).isEqualTo(Twist2d.drive(0.4, 0));
     }
 
     @Test
     void turnsOnTheSpotToWhatIsBehind() {
-        Twist2d command = vfh.drive(obstacles, 2.5, 3, false, 0, Twist2d.STOP);
+        Twist2d command = drive(obstacles, 2.5, 3, false, 0);
         assertThat(command.vx()).isZero();
         assertThat(command.omega()).isCloseTo(1.2, within(1e-9));
     }
@@ -35,34 +40,33 @@ class VfhTest {
     @Test
     void passesAPostOnTheSideOfTheTarget() {
         obstacles.add(0.8, 0.05);
-        assertThat(vfh.drive(obstacles, -0.1, 3, false, 0, Twist2d.STOP).omega())
-                .isNegative();
+        assertThat(drive(obstacles, -0.1, 3, false, 0).omega()).isNegative();
         vfh.reset();
-        assertThat(vfh.drive(obstacles, 0.2, 3, false, 0, Twist2d.STOP).omega()).isPositive();
+        assertThat(drive(obstacles, 0.2, 3, false, 0).omega()).isPositive();
     }
 
     @Test
     void keepsToTheSideItChose() {
         obstacles.add(0.8, 0);
-        double first = vfh.drive(obstacles, 0.02, 3, false, 0, Twist2d.STOP).omega();
-        double second = vfh.drive(obstacles, -0.02, 3, false, 0, Twist2d.STOP).omega();
+        double first = drive(obstacles, 0.02, 3, false, 0).omega();
+        double second = drive(obstacles, -0.02, 3, false, 0).omega();
         assertThat(Math.signum(second)).isEqualTo(Math.signum(first));
     }
 
     @Test
     void whatLiesBehindTheTargetDoesNotMatter() {
         obstacles.add(1.3, 0);
-        assertThat(vfh.drive(obstacles, 0, 0.6, false, 0, Twist2d.STOP).omega()).isCloseTo(0, within(1e-9));
+        assertThat(drive(obstacles, 0, 0.6, false, 0).omega()).isCloseTo(0, within(1e-9));
     }
 
     @Test
     void goesSlowlyThroughADoor() {
         wall(1.2, 0.45, 2);
         wall(1.2, -2, -0.45);
-        Twist2d open = vfh.drive(new Obstacles(3), 0, 2, false, 0, Twist2d.STOP);
+        Twist2d open = drive(new Obstacles(3), 0, 2, false, 0);
         wall(0.05, 0.36, 0.4);
         wall(0.05, -0.4, -0.36);
-        Twist2d narrow = vfh.drive(obstacles, 0, 2, false, 0, Twist2d.STOP);
+        Twist2d narrow = drive(obstacles, 0, 2, false, 0);
         assertThat(narrow.omega()).isCloseTo(0, within(0.1));
         assertThat(narrow.vx()).isBetween(0.05, 0.7 * open.vx());
     }
@@ -72,12 +76,12 @@ class VfhTest {
         for (int i = 0; i < 360; i += 3) {
             obstacles.add(0.6 * Math.cos(Math.toRadians(i)), 0.6 * Math.sin(Math.toRadians(i)));
         }
-        assertThat(vfh.drive(obstacles, 0, 3, false, 0, Twist2d.STOP)).isEqualTo(Twist2d.STOP);
+        assertThat(drive(obstacles, 0, 3, false, 0)).isEqualTo(Twist2d.STOP);
     }
 
     @Test
     void comesToRestAtTheTarget() {
-        assertThat(vfh.drive(obstacles, 0, 0.05, true, 0, Twist2d.STOP).vx()).isBetween(0.05, 0.25);
+        assertThat(drive(obstacles, 0, 0.05, true, 0).vx()).isBetween(0.05, 0.25);
     }
 
     /// Drives a robot with the dynamics of its limits among random posts, for a minute each.
@@ -105,13 +109,8 @@ class VfhTest {
                 Point2d seen = baseFromWorld.transform(post);
                 obstacles.add(seen.x(), seen.y());
             }
-            Twist2d command = vfh.drive(
-                    obstacles,
-                    pose.bearingTo(target),
-                    pose.position().distanceTo(target),
-                    true,
-                    pose.theta(),
-                    velocity);
+            Twist2d command =
+                    vfh.drive(obstacles, Target.at(baseFromWorld.transform(target), true), new Motion(pose, velocity));
             for (int part = 0; part < 10; part++) {
                 velocity = Twist2d.drive(
                         approach(velocity.vx(), command.vx(), LIMITS.acceleration() * BEAT / 10),
@@ -128,6 +127,11 @@ class VfhTest {
             }
         }
         assertThat(way).as("way made with seed %d", seed).isGreaterThan(0.5);
+    }
+
+    private Twist2d drive(Obstacles around, double bearing, double distance, boolean arriving, double heading) {
+        var target = Target.at(Pose2d.polar(distance, bearing).position(), arriving);
+        return vfh.drive(around, target, new Motion(new Pose2d(0, 0, heading), Twist2d.STOP));
     }
 
     private void wall(double x, double fromY, double toY) {

@@ -1,4 +1,4 @@
-package rsal.navigation.vfh;
+package rsal.navigation.avoid;
 
 /// What a differential drive may do.
 ///

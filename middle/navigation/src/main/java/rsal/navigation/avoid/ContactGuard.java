@@ -1,4 +1,4 @@
-package rsal.navigation.vfh;
+package rsal.navigation.avoid;
 
 import rsal.data.Footprint;
 import rsal.data.Point2d;
@@ -64,7 +64,7 @@ public final class ContactGuard {
 
     /// How far a point is from the outline [m], negative inside: the greatest distance from one of its sides,
     /// which beyond a corner is somewhat less than the true one.
-    double distance(double x, double y) {
+    public double distance(double x, double y) {
         double distance = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < edgeX.length; i++) {
             distance = Math.max(distance, edgeX[i] * x + edgeY[i] * y - edgeDistance[i]);

@@ -1,4 +1,4 @@
-package rsal.navigation.vfh;
+package rsal.navigation.avoid;
 
 import java.time.Duration;
 import java.time.Instant;

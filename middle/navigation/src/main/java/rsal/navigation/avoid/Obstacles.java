@@ -1,4 +1,4 @@
-package rsal.navigation.vfh;
+package rsal.navigation.avoid;
 
 import java.util.Arrays;
 import java.util.function.DoublePredicate;

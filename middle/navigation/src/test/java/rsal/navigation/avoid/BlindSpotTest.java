@@ -1,4 +1,4 @@
-package rsal.navigation.vfh;
+package rsal.navigation.avoid;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

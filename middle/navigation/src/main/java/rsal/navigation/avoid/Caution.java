@@ -1,0 +1,66 @@
+package rsal.navigation.avoid;
+
+import rsal.data.Footprint;
+import rsal.data.Twist2d;
+
+/// The last word of a local planner: a [ContactGuard], turning in place, and what to do where the robot is too long
+/// to turn. Each robot needs its own.
+public final class Caution {
+    /// Room that is kept from all obstacles [m]: about what odometry and scans are wrong within a robot's length.
+    public static final double MARGIN = 0.04;
+
+    private static final double STEERING = 2.0; // 1/s; turn rate per angle that is missing
+    private static final double CREEP = 0.08; // m/s
+    private static final double SMALL = Math.toRadians(5); // not worth creeping for
+
+    private final DriveLimits limits;
+    private final ContactGuard guard;
+    private double creeping; // m/s
+
+    /// @param reaction how long a command lasts before the next one can take effect [s]
+    public Caution(Footprint footprint, DriveLimits limits, double reaction) {
+        this.limits = limits;
+        this.guard = new ContactGuard(footprint, limits, MARGIN, reaction);
+    }
+
+    /// What of a command is safe.
+    public Twist2d guarded(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
+        return guard.limit(wanted, velocity, obstacles);
+    }
+
+    /// What of a command is safe. Where the robot is too long to turn, it creeps on or back first, until it can
+    /// turn or can't creep any more.
+    ///
+    /// @param turn that is missing [rad]
+    public Twist2d guarded(Twist2d wanted, double turn, Twist2d velocity, Obstacles obstacles) {
+        Twist2d safe = guard.limit(wanted, velocity, obstacles);
+        boolean wedged = Math.abs(safe.vx()) < CREEP / 4 && Math.abs(safe.omega()) < Math.abs(wanted.omega()) / 2;
+        if (!wedged || Math.abs(turn) < SMALL) {
+            creeping = 0;
+            return safe;
+        }
+        if (creeping == 0) {
+            creeping = Math.abs(turn) < Math.PI / 2 ? CREEP : -CREEP;
+        }
+        for (int way = 0; way < 2; way++) {
+            Twist2d crept = guard.limit(Twist2d.drive(creeping, 0), velocity, obstacles);
+            if (crept.vx() == creeping) {
+                return crept;
+            }
+            creeping = -creeping;
+        }
+        return safe;
+    }
+
+    /// Turns in place by an angle [rad].
+    public Twist2d turn(double angle, Twist2d velocity, Obstacles obstacles) {
+        double most = Math.min(limits.turnRate(), Math.sqrt(limits.turnAcceleration() * Math.abs(angle)));
+        double omega = Math.clamp(STEERING * angle, -most, most);
+        return guarded(Twist2d.drive(0, omega), angle, velocity, obstacles);
+    }
+
+    /// Forgets what it did.
+    public void reset() {
+        creeping = 0;
+    }
+}
