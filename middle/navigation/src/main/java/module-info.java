@@ -7,6 +7,7 @@ module rsal.navigation {
 
     exports rsal.navigation.amcl;
     exports rsal.navigation.avoid;
+    exports rsal.navigation.carmen;
     exports rsal.navigation.grid;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;

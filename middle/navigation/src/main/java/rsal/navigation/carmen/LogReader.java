@@ -1,0 +1,265 @@
+package rsal.navigation.carmen;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import rsal.data.LaserScan;
+import rsal.data.Pose2d;
+import rsal.navigation.carmen.Fields.Misread;
+import rsal.navigation.carmen.LogEntry.Motion;
+import rsal.navigation.carmen.LogEntry.Parameter;
+import rsal.navigation.carmen.LogEntry.Poses;
+import rsal.navigation.carmen.LogEntry.Scan;
+
+/// Reads logs of CARMEN (M. Montemerlo, N. Roy, S. Thrun: Perspectives on Standardization in Mobile Robot
+/// Programming: The Carnegie Mellon Navigation Toolkit, IROS 2003) as a stream of messages: `ODOM`, `FLASER`,
+/// `RAWLASER1`, `ROBOTLASER1` and `PARAM`, plain or packed with gzip. Other kinds are passed over.
+///
+/// * **Angles.** A `FLASER` has no angles: its first reading is at half the field of view to the right. An odd
+///   count of readings has one at each end (181, 361); of an even count the last is missing, as lasers of SICK are
+///   recorded (180, 360).
+/// * **Nothing there.** Readings from the range limit on, and what lasers of SICK send instead of a range, become
+///   +∞; zeros become −∞ (too close), what is no length NaN. The last two are counted per scan. A scan in which
+///   nothing was measured is skipped.
+/// * **Time.** The clock is the first one that a message tells: that of the sender or, when this is 0, that of the
+///   logger. A message without it has the time of the one before. What goes back in time is skipped, each kind
+///   of message by itself; after [#RESTART] that go on from there, the clock has been set back and is believed.
+/// * **Mount.** A laser is where the log has it beside the robot; a `FLASER` only if it was moved straight ahead,
+///   as in many logs the first of its poses is not the laser's but a corrected one of the robot.
+///
+/// A message that does not say what its kind promises is skipped, and counted by reason; a file that is cut short
+/// or damaged is a [BrokenLog].
+public final class LogReader {
+    static final int RESTART = 3;
+    private static final int MOST_READINGS = 100_000;
+    private static final double FARTHEST_MOUNT = 1.5; // m
+    private static final double FARTHEST = 1e6; // m, rad
+    private static final double NO_OFFSET = 1e-3; // m, rad
+
+    /// @param fieldOfView of a `FLASER` [rad]
+    /// @param rangeMax readings from here on hit nothing [m]
+    public record Options(double fieldOfView, double rangeMax) {
+        /// Half a turn, and 50 m: less than lasers of SICK send for nothing, more than they see.
+        public static final Options DEFAULT = new Options(Math.PI, 50);
+
+        public Options {
+            if (!(fieldOfView > 0 && fieldOfView <= 2 * Math.PI)) {
+                throw new IllegalArgumentException(
+                        "A field of view must be in (0, 2 π] rad, not (%s).".formatted(fieldOfView));
+            }
+            if (!(rangeMax > 0)) {
+                throw new IllegalArgumentException(
+                        "The longest range must be more than 0 m, not (%s).".formatted(rangeMax));
+            }
+        }
+    }
+
+    private final Lines lines;
+    private final Options options;
+    private final Consumer<? super LogEntry> entries;
+    private final Map<String, Integer> counts = new LinkedHashMap<>();
+    private final List<Skipped.Place> first = new ArrayList<>();
+    private final Clock clock = new Clock();
+    private int otherKinds;
+    private int understood;
+
+    private LogReader(Lines lines, Options options, Consumer<? super LogEntry> entries) {
+        this.lines = lines;
+        this.options = options;
+        this.entries = entries;
+    }
+
+    /// Hands over one message after the other, in the order of the file.
+    ///
+    /// @throws BrokenLog when the file is cut short, damaged or no log; what came before was handed over
+    /// @throws IOException when the file can't be read
+    public static Skipped read(Path file, Options options, Consumer<? super LogEntry> entries) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            return read(file.toString(), in, options, entries);
+        }
+    }
+
+    /// @param file its name, for messages
+    public static Skipped read(String file, InputStream in, Options options, Consumer<? super LogEntry> entries)
+            throws IOException {
+        var reader = new LogReader(new Lines(file, in), options, entries);
+        reader.read();
+        if (reader.understood == 0 && reader.counts.isEmpty()) {
+            throw new BrokenLog(
+                    file,
+                    0,
+                    "There is no message of CARMEN in it (ODOM, FLASER, RAWLASER1, ROBOTLASER1, PARAM)."
+                            + " Maybe it is another kind of file.");
+        }
+        return new Skipped(reader.counts, reader.first, reader.otherKinds);
+    }
+
+    private void read() throws IOException {
+        for (String line = lines.read(); line != null; line = lines.read()) {
+            var fields = new Fields(line);
+            if (!fields.hasNext()) {
+                continue;
+            }
+            try {
+                LogEntry entry = entry(fields);
+                if (entry == null) {
+                    otherKinds++;
+                } else {
+                    understood++;
+                    entries.accept(entry);
+                }
+            } catch (Misread e) {
+                skip(lines.cutShort() ? "cut short" : e.reason(), String.valueOf(e.getMessage()));
+            }
+        }
+    }
+
+    private void skip(String reason, String what) {
+        counts.merge(reason, 1, Integer::sum);
+        if (first.size() < Skipped.TOLD) {
+            first.add(new Skipped.Place(lines.number(), what));
+        }
+    }
+
+    private @Nullable LogEntry entry(Fields fields) throws Misread {
+        return switch (fields.word()) {
+            case "ODOM" -> motion(fields);
+            case "FLASER" -> plainScan(fields);
+            case "RAWLASER1" -> configuredScan(fields, false);
+            case "ROBOTLASER1" -> configuredScan(fields, true);
+            case "PARAM" -> new Parameter(lines.number(), fields.word(), fields.rest());
+            default -> null;
+        };
+    }
+
+    /// `ODOM x y theta speed turnRate acceleration time host loggerTime`
+    private Motion motion(Fields fields) throws Misread {
+        Pose2d pose = pose(fields);
+        double speed = fields.finite("speed");
+        double turnRate = fields.finite("turn rate");
+        fields.finite("acceleration");
+        return new Motion(lines.number(), clock.read(fields, Clock.MOTION), pose, speed, turnRate);
+    }
+
+    /// `FLASER count readings… laserX laserY laserTheta odomX odomY odomTheta time host loggerTime`
+    private Scan plainScan(Fields fields) throws Misread {
+        int count = readingCount(fields);
+        var readings = readings(fields, count, options.rangeMax());
+        Pose2d mapFromLaser = pose(fields);
+        Pose2d odomFromBase = pose(fields);
+        Pose2d mount = odomFromBase.inverse().compose(mapFromLaser);
+        boolean ahead = Math.abs(mount.x()) <= FARTHEST_MOUNT
+                && Math.abs(mount.y()) < NO_OFFSET
+                && Math.abs(mount.theta()) < NO_OFFSET;
+        Pose2d baseFromLaser = ahead && Math.abs(mount.x()) >= NO_OFFSET ? new Pose2d(mount.x(), 0, 0) : Pose2d.ORIGIN;
+        Instant time = clock.read(fields, Clock.SCAN);
+        double step = count == 1 ? 0 : options.fieldOfView() / (count % 2 == 0 ? count : count - 1);
+        return scan(
+                time,
+                new LaserScan(
+                        baseFromLaser, -options.fieldOfView() / 2, step, 0, options.rangeMax(), readings.meters()),
+                new Poses.Told(odomFromBase, ahead ? odomFromBase : mapFromLaser),
+                readings);
+    }
+
+    /// `RAWLASER1 type startAngle fieldOfView step rangeMax accuracy remissionMode count readings… count
+    /// remissions…`, for `ROBOTLASER1` also `laserX laserY laserTheta robotX robotY robotTheta speed turnRate
+    /// forwardSafety sideSafety turnAxis`, then `time host loggerTime`.
+    private Scan configuredScan(Fields fields, boolean posed) throws Misread {
+        fields.skip(1);
+        double start = fields.finite("first angle");
+        double fieldOfView = fields.finite("field of view");
+        double step = fields.finite("angle between readings");
+        double rangeMax = fields.finite("longest range");
+        fields.skip(2);
+        int count = readingCount(fields);
+        if (step == 0 && count > 1) { // some drivers leave it out
+            step = fieldOfView / (count - 1);
+        }
+        if (!(rangeMax > 0) || Math.abs(start) > 2 * Math.PI || !(step * (count - 1) <= 2 * Math.PI + Math.abs(step))) {
+            throw new Misread(
+                    "a laser that can't be",
+                    "Its first angle is (%s), the angle between readings (%s), its longest range (%s)."
+                            .formatted(start, step, rangeMax));
+        }
+        double limit = Math.min(rangeMax, options.rangeMax());
+        var readings = readings(fields, count, limit);
+        fields.skip(fields.count("remissions", MOST_READINGS));
+        Pose2d baseFromLaser = Pose2d.ORIGIN;
+        Poses poses = new Poses.Untold();
+        if (posed) {
+            Pose2d odomFromLaser = pose(fields);
+            Pose2d odomFromBase = pose(fields);
+            fields.skip(5);
+            Pose2d mount = odomFromBase.inverse().compose(odomFromLaser);
+            boolean near = Math.hypot(mount.x(), mount.y()) <= FARTHEST_MOUNT;
+            baseFromLaser = near ? mount : Pose2d.ORIGIN;
+            poses = new Poses.Told(odomFromBase, near ? odomFromBase : odomFromLaser);
+        }
+        Instant time = clock.read(fields, Clock.SCAN);
+        return scan(time, new LaserScan(baseFromLaser, start, step, 0, limit, readings.meters()), poses, readings);
+    }
+
+    private Scan scan(Instant time, LaserScan scan, Poses poses, Readings readings) throws Misread {
+        if (readings.broken() == scan.count()) {
+            throw new Misread("nothing measured", "None of its %d readings is a range.".formatted(scan.count()));
+        }
+        return new Scan(lines.number(), time, scan, poses, readings.broken());
+    }
+
+    private static int readingCount(Fields fields) throws Misread {
+        int count = fields.count("readings", MOST_READINGS);
+        if (count == 0) {
+            throw new Misread("no readings", "It has no readings.");
+        }
+        return count;
+    }
+
+    private record Readings(float[] meters, int broken) {}
+
+    private static Readings readings(Fields fields, int count, double rangeMax) throws Misread {
+        var meters = new float[count];
+        int broken = 0;
+        for (int i = 0; i < count; i++) {
+            float read = (float) fields.number();
+            if (Float.isNaN(read) || read < 0) {
+                meters[i] = Float.NaN;
+                broken++;
+            } else if (read == 0) {
+                meters[i] = Float.NEGATIVE_INFINITY;
+                broken++;
+            } else {
+                meters[i] = read >= rangeMax || isCode(read) ? Float.POSITIVE_INFINITY : read;
+            }
+        }
+        return new Readings(meters, broken);
+    }
+
+    /// What lasers of SICK send instead of a range: the highest numbers of 13 and 15 bits, here of millimeters. Those
+    /// of centimeters are farther than anything seen. (SICK: Telegrams for Configuring and Operating the LMS 2xx,
+    /// on measured values beyond the range.)
+    private static boolean isCode(float range) {
+        long millimeters = Math.round(range * 1000.0);
+        boolean of15Bits = millimeters >= 32_759 && millimeters <= 32_767;
+        boolean of13Bits = millimeters >= 8183 && millimeters <= 8191 && millimeters % 10 != 0;
+        return of15Bits || of13Bits;
+    }
+
+    private static Pose2d pose(Fields fields) throws Misread {
+        double x = fields.finite("pose's x");
+        double y = fields.finite("pose's y");
+        double theta = fields.finite("pose's heading");
+        if (!(Math.max(Math.abs(x), Math.abs(y)) <= FARTHEST && Math.abs(theta) <= FARTHEST)) {
+            throw new Misread("a pose that can't be", "It is at (%s, %s, %s).".formatted(x, y, theta));
+        }
+        return new Pose2d(x, y, theta);
+    }
+}

@@ -1,0 +1,246 @@
+package rsal.navigation.carmen;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.zip.GZIPOutputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Pose2d;
+import rsal.navigation.carmen.LogEntry.Motion;
+import rsal.navigation.carmen.LogEntry.Parameter;
+import rsal.navigation.carmen.LogEntry.Poses;
+import rsal.navigation.carmen.LogEntry.Scan;
+
+class LogReaderTest {
+    private final List<LogEntry> entries = new ArrayList<>();
+
+    @Test
+    void readsOdometryParametersAndScansInTheirOrder() throws IOException {
+        Skipped skipped = read("""
+                # comments say nothing
+                PARAM robot_front_laser_max 80.99 nohost 0
+                ODOM 1.5 -2 0.5 0.3 -0.1 0 976052857.25 host 3.25
+                FLASER 3 1.5 2.5 3.5 1 2 0.5 1 2 0.5 976052857.5 host 3.5
+                NEFF 60
+                """);
+
+        assertThat(entries.get(0)).isEqualTo(new Parameter(2, "robot_front_laser_max", "80.99 nohost 0"));
+        assertThat(entries.get(1))
+                .isEqualTo(new Motion(
+                        3, Instant.ofEpochSecond(976052857, 250_000_000), new Pose2d(1.5, -2, 0.5), 0.3, -0.1));
+        Scan scan = scans().getFirst();
+        assertThat(scan.line()).isEqualTo(4);
+        assertThat(scan.time()).isEqualTo(Instant.ofEpochSecond(976052857, 500_000_000));
+        assertThat(scan.scan().ranges()).containsExactly(1.5f, 2.5f, 3.5f);
+        assertThat(scan.poses()).isEqualTo(new Poses.Told(new Pose2d(1, 2, 0.5), new Pose2d(1, 2, 0.5)));
+        assertThat(skipped.total()).isZero();
+        assertThat(skipped.otherKinds()).isEqualTo(2);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"180, 1, 89", "181, 1, 90", "360, 0.5, 89.5", "361, 0.5, 90"})
+    void theReadingsOfAPlainScanBeginAtTheRight(int count, double stepDegrees, double lastDegrees) throws IOException {
+        read(flaser(count, 2));
+
+        var scan = scans().getFirst().scan();
+        assertThat(Math.toDegrees(scan.angle(0))).isCloseTo(-90, within(1e-9));
+        assertThat(Math.toDegrees(scan.angleIncrement())).isCloseTo(stepDegrees, within(1e-9));
+        assertThat(Math.toDegrees(scan.angle(count - 1))).isCloseTo(lastDegrees, within(1e-9));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"81.91", "81.83", "51.15", "50", "32.767", "8.191", "8.187", "inf", "1e30"})
+    void whatStandsForNothingIsNoHit(String reading) throws IOException {
+        read("FLASER 2 %s 3 0 0 0 0 0 0 1 h 1".formatted(reading));
+
+        assertThat(scans().getFirst().scan().ranges()).containsExactly(Float.POSITIVE_INFINITY, 3);
+        assertThat(scans().getFirst().broken()).isZero();
+    }
+
+    @Test
+    void whatIsNoLengthIsBrokenAndCounted() throws IOException {
+        read("FLASER 5 nan -1 0 -inf 3 0 0 0 0 0 0 1 h 1");
+
+        assertThat(scans().getFirst().scan().ranges())
+                .containsExactly(Float.NaN, Float.NaN, Float.NEGATIVE_INFINITY, Float.NaN, 3);
+        assertThat(scans().getFirst().broken()).isEqualTo(4);
+    }
+
+    @Test
+    void readsALaserThatTellsItsAnglesAndMount() throws IOException {
+        read("ROBOTLASER1 0 -1.0 2.0 0.5 20 0.01 0 5 1 2 3 25 4 2 7 8 1.2 1 0 1 1 0 0 0 0 0 0 12 h 13");
+
+        Scan scan = scans().getFirst();
+        assertThat(scan.scan().angle(4)).isCloseTo(1.0, within(1e-12));
+        assertThat(scan.scan().ranges()).containsExactly(1, 2, 3, Float.POSITIVE_INFINITY, 4);
+        assertThat(scan.scan().baseFromLaser().x()).isCloseTo(0.2, within(1e-12));
+        assertThat(scan.poses()).isEqualTo(new Poses.Told(new Pose2d(1, 1, 0), new Pose2d(1, 1, 0)));
+        assertThat(scan.time()).isEqualTo(Instant.ofEpochSecond(12));
+    }
+
+    @Test
+    void aRawLaserDoesNotTellWhereItWas() throws IOException {
+        read("RAWLASER1 0 -1.570796 3.141593 0.5 81.9 0.01 0 3 1 2 3 0 12 h 13");
+
+        assertThat(scans().getFirst().poses()).isEqualTo(new Poses.Untold());
+    }
+
+    @Test
+    void aLaserOfAPlainScanIsMovedAheadButACorrectedPoseIsNoMount() throws IOException {
+        read("""
+                FLASER 1 1 1.1 2 0 1 2 0 1 h 1
+                FLASER 1 1 1.3 2.4 0.2 1 2 0 2 h 2
+                """);
+
+        assertThat(scans().get(0).scan().baseFromLaser().x()).isCloseTo(0.1, within(1e-12));
+        assertThat(scans().get(1).scan().baseFromLaser()).isEqualTo(Pose2d.ORIGIN);
+        assertThat(scans().get(1).poses()).isEqualTo(new Poses.Told(new Pose2d(1, 2, 0), new Pose2d(1.3, 2.4, 0.2)));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "FLASER 4 1 2 3 0 0 0 0 0 0 1 h 1     | not a number",
+                "FLASER 9 1 2 3 0 0 0 0 0 0 1 1 1     | cut short",
+                "FLASER 2 1 2 3 0 0 0 0 0 0 1 1 1     | a count that is not that of its readings",
+                "FLASER -1 1 0 0 0 0 0 0 1 h 1        | a count that can't be",
+                "FLASER 2000000000 1 0 0 0 0 0 0 1 h 1| a count that can't be",
+                "FLASER 0 0 0 0 0 0 0 1 h 1           | no readings",
+                "FLASER 2 0 nan 0 0 0 0 0 0 1 h 1     | nothing measured",
+                "FLASER 1 1 nan 0 0 0 0 0 1 h 1       | not finite",
+                "FLASER 1 1 0 0 0 1e300 0 0 1 h 1     | a pose that can't be",
+                "FLASER 1 1 0 0 0 0 0 0 inf h 1       | not finite",
+                "ROBOTLASER1 0 0 1 1 -5 0 0 1 1 0 0 0 0 0 0 0 0 0 0 0 0 1 h 1 | a laser that can't be",
+                "ODOM 0 0 nan 0 0 0 1 h 1             | not finite",
+                "ODOM 0 0 O 0 0 0 1 h 1               | not a number"
+            })
+    void whatDoesNotSayWhatItsKindPromisesIsSkippedAndCounted(String line, String reason) throws IOException {
+        Skipped skipped = read("PARAM a b\n" + line + "\nPARAM c d\n");
+
+        assertThat(entries).hasSize(2);
+        assertThat(skipped.counts()).containsOnlyKeys(reason);
+        assertThat(skipped.first())
+                .singleElement()
+                .extracting(Skipped.Place::line)
+                .isEqualTo(2);
+    }
+
+    @Test
+    void aLastLineThatWasCutShortIsSkipped() throws IOException {
+        assertThat(read("ODOM 0 0 0 0 0 0 1 h 1\nODOM 1 0 0 0 ").counts()).containsOnlyKeys("cut short");
+    }
+
+    @Test
+    void whatGoesBackInTimeIsSkippedUntilTheClockHasClearlyBeenSetBack() throws IOException {
+        String log = IntStream.of(10, 12, 11, 13, 2, 3, 4, 5, 6)
+                .mapToObj("ODOM 0 0 0 0 0 0 %d h 0\n"::formatted)
+                .collect(Collectors.joining());
+
+        Skipped skipped = read(log);
+
+        assertThat(entries.stream().map(e -> ((Motion) e).time().getEpochSecond()))
+                .containsExactly(10L, 12L, 13L, 5L, 6L);
+        assertThat(skipped.counts()).isEqualTo(java.util.Map.of("back in time", 4));
+        assertThat(skipped.first().getFirst().what()).contains("11.0").contains("12.0");
+    }
+
+    @Test
+    void aMessageWithoutATimeHasThatOfTheOneBefore() throws IOException {
+        read("""
+                ODOM 0 0 0 0 0 0 0 h 0
+                ODOM 0 0 0 0 0 0 0 h 5
+                ODOM 0 0 0 0 0 0 7 h 0
+                ODOM 0 0 0 0 0 0 0 h 6
+                """);
+
+        assertThat(entries.stream().map(e -> ((Motion) e).time().getEpochSecond()))
+                .containsExactly(0L, 5L, 5L, 6L);
+    }
+
+    @Test
+    void readsWhatGzipPacked() throws IOException {
+        LogReader.read("log", new ByteArrayInputStream(gzip(flaser(180, 2))), LogReader.Options.DEFAULT, entries::add);
+
+        assertThat(scans()).hasSize(1);
+    }
+
+    @Test
+    void aPackedFileThatWasCutShortIsBrokenAtItsLine() throws IOException {
+        byte[] packed = gzip(
+                IntStream.range(0, 500).mapToObj(i -> flaser(180, 1 + i * 0.01)).collect(Collectors.joining("\n")));
+        byte[] cut = Arrays.copyOf(packed, packed.length / 2);
+
+        assertThatThrownBy(() -> LogReader.read(
+                        "a.log.gz", new ByteArrayInputStream(cut), LogReader.Options.DEFAULT, entries::add))
+                .isInstanceOf(BrokenLog.class)
+                .hasMessageMatching("a\\.log\\.gz:\\d+: The packed file ends early.*");
+        assertThat(entries).isNotEmpty();
+    }
+
+    @Test
+    void aDamagedPackedFileIsBroken() throws IOException {
+        byte[] packed = gzip(flaser(360, 2) + "\n" + flaser(360, 3));
+        packed[packed.length - 5] ^= 0x55; // of the checksum
+
+        assertThatThrownBy(() ->
+                        LogReader.read("a", new ByteArrayInputStream(packed), LogReader.Options.DEFAULT, entries::add))
+                .isInstanceOf(BrokenLog.class)
+                .hasMessageContaining("damaged");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "resolution: 0.05\nimage: a.pgm\n", "\u0000\u0001\u0002"})
+    void whatIsNoLogIsSaidToBeNone(String text) {
+        assertThatThrownBy(() -> read(text)).isInstanceOf(BrokenLog.class).hasMessageContaining("no message of CARMEN");
+    }
+
+    @Test
+    void aLineWithoutEndIsRefused() {
+        assertThatThrownBy(() -> read("PARAM a b\nFLASER " + "1 ".repeat(1 << 20)))
+                .isInstanceOf(BrokenLog.class)
+                .hasMessageStartingWith("test.log:2:");
+    }
+
+    private Skipped read(String text) throws IOException {
+        entries.clear();
+        return LogReader.read(
+                "test.log",
+                new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)),
+                LogReader.Options.DEFAULT,
+                entries::add);
+    }
+
+    private List<Scan> scans() {
+        return entries.stream()
+                .filter(Scan.class::isInstance)
+                .map(Scan.class::cast)
+                .toList();
+    }
+
+    static String flaser(int count, double range) {
+        return "FLASER " + count + (" " + range).repeat(count) + " 0 0 0 0 0 0 1 h 1";
+    }
+
+    static byte[] gzip(String text) throws IOException {
+        var bytes = new ByteArrayOutputStream();
+        try (var packed = new GZIPOutputStream(bytes)) {
+            packed.write(text.getBytes(StandardCharsets.UTF_8));
+        }
+        return bytes.toByteArray();
+    }
+}
