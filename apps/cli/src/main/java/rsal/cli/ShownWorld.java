@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Steering;
@@ -44,6 +45,7 @@ record ShownWorld(
     /// Robots of one role and model.
     ///
     /// @param devices by name, with the type of each
+    /// @param carriers the actuators that devices stand on, by the device's name
     /// @param programs what drives how many of them where the world comes from
     record Make(
             String role,
@@ -51,6 +53,7 @@ record ShownWorld(
             List<String> ids,
             String drive,
             Map<String, String> devices,
+            Map<String, String> carriers,
             Map<String, Integer> programs) {}
 
     static ShownWorld of(String file, Scene scene, String image) {
@@ -92,7 +95,14 @@ record ShownWorld(
             var programs = new TreeMap<String, Integer>();
             ids.forEach(id -> Optional.ofNullable(scene.programs().get(id))
                     .ifPresent(program -> programs.merge(program, 1, Integer::sum)));
-            makes.add(new Make(kind.role, ids.size(), ids, drive(model.drive()), devices, programs));
+            makes.add(new Make(
+                    kind.role,
+                    ids.size(),
+                    ids,
+                    drive(model.drive()),
+                    devices,
+                    new TreeMap<>(model.carriers()),
+                    programs));
         });
         return List.copyOf(makes);
     }
@@ -105,6 +115,10 @@ record ShownWorld(
         };
         return String.format(
                 Locale.ROOT, "%s, %.2f m/s, %.0f°/s", steering, drive.maxSpeed(), Math.toDegrees(drive.maxTurnRate()));
+    }
+
+    private static String on(@Nullable String carrier) {
+        return carrier == null ? "" : " on (%s)".formatted(carrier);
     }
 
     private static double rounded(double value) {
@@ -136,7 +150,7 @@ record ShownWorld(
         var moving = new Table("  ");
         for (Make make : robots) {
             moving.row(make.role, make.count + " × " + make.drive, programs(make));
-            make.devices.forEach((name, type) -> moving.row("", name + ": " + type));
+            make.devices.forEach((name, type) -> moving.row("", name + ": " + type + on(make.carriers.get(name))));
         }
         section(text, "Robots", moving);
         var offered = new Table("  ");

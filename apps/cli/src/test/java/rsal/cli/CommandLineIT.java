@@ -608,6 +608,26 @@ class CommandLineIT {
     }
 
     @Test
+    void whatStandsOnActuatorsIsToldAndConverted() throws Exception {
+        Files.writeString(folder.resolve("turret.world"), """
+                position ( name "r" ctrl "wander"
+                  actuator ( noblocks 1 type "rotational" start_position 1 max_position 2
+                    actuator ( noblocks 1 axis [0 0 1] start_position 0.2
+                      ranger ( sensor ( range [0 5] fov 90 samples 10 ) ) ) ) )
+                """);
+        Ended shown = rsal.run("show", "turret.world");
+        assertThat(shown.err()).isEmpty();
+        assertThat(shown.out()).contains("actuator-2: Actuator on (actuator)", "laser: LaserScanner on (actuator-2)");
+        assertThat(rsal.run("convert", "turret.world").code()).isZero();
+        assertThat(folder.resolve("turret.world.yaml")).content().contains("laser: {actuator: actuator-2, pose: [");
+        String[] run = {"run", "turret.world", "--headless", "--for", "5", "--speed", "max", "--json"};
+        JsonNode stage = JsonMapper.shared().readTree(rsal.run(run).out());
+        run[1] = "turret.world.yaml";
+        JsonNode own = JsonMapper.shared().readTree(rsal.run(run).out());
+        assertThat(own.get("eventHash")).isEqualTo(stage.get("eventHash"));
+    }
+
+    @Test
     void convertOverwritesNothingUnlessItIsTold() throws Exception {
         writeStageWorld();
         Path image = Files.writeString(folder.resolve("own-1.png"), "precious");

@@ -191,10 +191,18 @@ final class PartReader {
                 name,
                 mount,
                 turns ? Joint.ROTATIONAL : Joint.LINEAR,
+                part.has("slope") ? slope(turns) : 0,
                 new Interval(limits.least() * unit, limits.most() * unit),
                 Numbers.positive(part, "maxSpeed") * unit,
                 home * unit,
                 period());
+    }
+
+    private double slope(boolean turns) {
+        if (turns) {
+            part.problem("slope", "(slope) is for linear joints; a rotational one turns around what points up.", "");
+        }
+        return Math.toRadians(Numbers.checked(part, "slope", -90, 90));
     }
 
     private Part battery() {

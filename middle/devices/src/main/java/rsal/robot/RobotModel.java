@@ -1,6 +1,7 @@
 package rsal.robot;
 
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Map;
 import rsal.data.ActuatorState.Joint;
@@ -16,21 +17,44 @@ import rsal.device.Device;
 import rsal.device.LaserScanner;
 import rsal.device.SonarArray;
 
-/// What a kind of robot is like: a file in `rsal/robot/models`, read by [RobotModels].
+/// What a kind of robot is like: a file in `rsal/robot/models`, read by [RobotModels]. All that actuators carry is
+/// told where it is while they are at home.
 ///
 /// @param name `pioneer2dx`
 /// @param title for people: `Pioneer 2-DX`
 /// @param body what is solid of it, in its base frame; pieces without a color have that of the robot
 /// @param sensors the parts it carries, by device name (`laser`, `sonar`), in the file's order
 /// @param heights above the floor [m] of those that do not sit on top of the body, by device name
+/// @param carriers the actuators that devices stand on, both by device name; those not named stand on the base
 public record RobotModel(
-        String name, String title, Solid body, Drive drive, Map<String, Part> sensors, Map<String, Double> heights) {
+        String name,
+        String title,
+        Solid body,
+        Drive drive,
+        Map<String, Part> sensors,
+        Map<String, Double> heights,
+        Map<String, String> carriers) {
     /// Of bodies for which none is told [m].
     static final double HEIGHT = 0.25;
 
     public RobotModel {
         sensors = java.util.Collections.unmodifiableMap(new java.util.LinkedHashMap<>(sensors));
         heights = Map.copyOf(heights);
+        carriers = Map.copyOf(carriers);
+        for (String device : carriers.keySet()) {
+            chain(device, sensors, carriers);
+        }
+    }
+
+    /// A model with all devices on its base.
+    public RobotModel(
+            String name,
+            String title,
+            Solid body,
+            Drive drive,
+            Map<String, Part> sensors,
+            Map<String, Double> heights) {
+        this(name, title, body, drive, sensors, heights, Map.of());
     }
 
     /// A model with all devices on top of its body.
@@ -53,9 +77,25 @@ public record RobotModel(
         return heights.getOrDefault(device, body.top());
     }
 
+    /// The actuators that carry a device, from the base outwards.
+    public List<String> carriersOf(String device) {
+        return chain(device, sensors, carriers);
+    }
+
+    private static List<String> chain(String device, Map<String, Part> sensors, Map<String, String> carriers) {
+        var chain = new ArrayDeque<String>();
+        for (String on = carriers.get(device); on != null; on = carriers.get(on)) {
+            if (!(sensors.get(on) instanceof Part.Actuator) || chain.contains(on)) {
+                throw new IllegalArgumentException("Device (%s) can't stand on (%s).".formatted(device, on));
+            }
+            chain.addFirst(on);
+        }
+        return List.copyOf(chain);
+    }
+
     /// The same robot with another drive.
     public RobotModel with(Drive other) {
-        return new RobotModel(name, title, body, other, sensors, heights);
+        return new RobotModel(name, title, body, other, sensors, heights, carriers);
     }
 
     /// How it moves.
@@ -361,7 +401,8 @@ public record RobotModel(
 
         /// A joint that is moved by a motor; lengths in m when it is linear, angles in rad when it is rotational.
         ///
-        /// @param baseFromJoint a linear one moves along its x axis
+        /// @param baseFromJoint a linear one moves along its x axis, a rotational one turns around its origin
+        /// @param slope of a linear one's way, upwards [rad]: π/2 is that of a lift
         /// @param limits of its position
         /// @param maxSpeed both ways
         /// @param home where it is at first, and at rest
@@ -369,11 +410,50 @@ public record RobotModel(
                 String name,
                 Pose2d baseFromJoint,
                 Joint joint,
+                double slope,
                 Interval limits,
                 double maxSpeed,
                 double home,
                 Duration period)
                 implements Part {
+            /// One that does not move up or down.
+            public Actuator(
+                    String name,
+                    Pose2d baseFromJoint,
+                    Joint joint,
+                    Interval limits,
+                    double maxSpeed,
+                    double home,
+                    Duration period) {
+                this(name, baseFromJoint, joint, 0, limits, maxSpeed, home, period);
+            }
+
+            /// How far what stands on it is from where it is while this is at home.
+            public Shift shift(double position) {
+                if (position == home) {
+                    return Shift.NONE;
+                }
+                double moved = position - home;
+                double x = baseFromJoint.x();
+                double y = baseFromJoint.y();
+                return switch (joint) {
+                    case LINEAR -> {
+                        double way = moved * StrictMath.cos(slope);
+                        yield new Shift(
+                                new Pose2d(
+                                        way * StrictMath.cos(baseFromJoint.theta()),
+                                        way * StrictMath.sin(baseFromJoint.theta()),
+                                        0),
+                                moved * StrictMath.sin(slope));
+                    }
+                    case ROTATIONAL -> {
+                        double cos = StrictMath.cos(moved);
+                        double sin = StrictMath.sin(moved);
+                        yield new Shift(new Pose2d(x - cos * x + sin * y, y - sin * x - cos * y, moved), 0);
+                    }
+                };
+            }
+
             @Override
             public Class<rsal.device.Actuator> makes() {
                 return rsal.device.Actuator.class;

@@ -3,7 +3,6 @@ package rsal.robot;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import rsal.data.Pose2d;
 import rsal.data.Solid;
 import rsal.robot.RobotModel.Drive;
@@ -97,7 +96,7 @@ public final class RobotModels {
     private RobotModel read(String name, String title, Solid body, Section section, Map<String, Choice> choices) {
         Problems problems = section.problems();
         Drive drive = DriveReader.read(section.section("drive"));
-        Map<String, Mount> mounts = mounts(section.section("mounts"));
+        Map<String, Mount> mounts = Mount.all(section.section("mounts"));
         Map<String, Choice> chosen = own(section.section("sensors"));
         section.done();
         problems.throwIfAny();
@@ -123,8 +122,9 @@ public final class RobotModels {
                 e.problems().forEach(problems::add);
             }
         });
+        Map<String, String> carriers = Mount.carriers(mounts, sensors, problems);
         problems.throwIfAny();
-        return new RobotModel(name, title, body, drive, sensors, heights);
+        return new RobotModel(name, title, body, drive, sensors, heights, carriers);
     }
 
     /// @param part name or file of a part
@@ -139,34 +139,6 @@ public final class RobotModels {
             return files.yaml(name, askedAt);
         }
         throw new InvalidSettings(askedAt, "There is no %s (%s).".formatted(what, name), Suggestion.among(name, known));
-    }
-
-    /// @param height above the floor [m]; empty on top of the body
-    private record Mount(Pose2d baseFromDevice, OptionalDouble height) {}
-
-    private static Map<String, Mount> mounts(Section section) {
-        var mounts = new LinkedHashMap<String, Mount>();
-        for (String device : section.names()) {
-            boolean high = section.find(device)
-                    .filter(v ->
-                            v instanceof Value.Sequence place && place.items().size() == 4)
-                    .isPresent();
-            section.numbers(device, high ? 4 : 3).ifPresent(place -> {
-                if (high && !(place[3] >= 0 && place[3] <= Numbers.MOST)) {
-                    section.problem(
-                            device,
-                            "(%s) must be from 0 to %s high, not (%s)."
-                                    .formatted(section.path(device), Numbers.MOST, place[3]),
-                            "");
-                }
-                mounts.put(
-                        device,
-                        new Mount(
-                                Pose2d.ofDegrees(place[0], place[1], place[2]),
-                                high ? OptionalDouble.of(place[3]) : OptionalDouble.empty()));
-            });
-        }
-        return mounts;
     }
 
     private static Map<String, Choice> own(Section section) {

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Footprint;
@@ -291,6 +292,62 @@ class RobotModelsTest {
         RobotModel cart = models.read("cart.yaml", HERE, Map.of("camera", new Choice("camera.yaml", HERE)));
         assertThat(cart.sensors()).containsOnlyKeys("laser", "battery", "camera");
         assertThat(PartReader.TYPES).allSatisfy(type -> assertThat(page).contains("| `" + type + "` |"));
+    }
+
+    private static String carrying(String mounts, String sensors) {
+        return CART.substring(0, CART.indexOf("mounts")) + "mounts: {" + mounts + "}\nsensors: {" + sensors + "}\n";
+    }
+
+    @Test
+    void aDeviceStandsOnTheActuatorThatItsMountNames() throws IOException {
+        write("eye.yaml", EYE);
+        write("cart.yaml", carrying("""
+                arm: [0, 0, 0], table: {actuator: arm, pose: [0.1, 0, 0]},
+                  eye: {actuator: table, pose: [0.2, 0, 90, 0.7]}, back: [0, 0, 180]""", """
+                arm: turntable, table: turntable, eye: eye.yaml, back: eye.yaml"""));
+        RobotModel cart = models.read("cart.yaml", HERE);
+        assertThat(cart.carriers()).isEqualTo(Map.of("table", "arm", "eye", "table"));
+        assertThat(cart.carriersOf("eye")).containsExactly("arm", "table");
+        assertThat(cart.carriersOf("back")).isEmpty();
+        assertThat(cart.height("eye")).isEqualTo(0.7);
+        assertThat(((Part.Laser) cart.sensors().get("eye")).baseFromLaser()).isEqualTo(Pose2d.ofDegrees(0.2, 0, 90));
+    }
+
+    @Test
+    void whereAnActuatorIsLeftOutItsLoadStandsOnWhatItWouldStandOn() throws IOException {
+        write("eye.yaml", EYE);
+        write("cart.yaml", carrying("""
+                arm: [0, 0, 0], table: {actuator: arm, pose: [0.1, 0, 0]}, eye: {actuator: table, pose: [0.2, 0, 0]}""", """
+                arm: turntable, table: turntable, eye: eye.yaml"""));
+        var none = new Choice(RobotModels.NO_PART, HERE);
+        assertThat(models.read("cart.yaml", HERE, Map.of("table", none)).carriers())
+                .isEqualTo(Map.of("eye", "arm"));
+        assertThat(models.read("cart.yaml", HERE, Map.of("table", none, "arm", none))
+                        .carriers())
+                .isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            eye: {actuator: tabel, pose: [0, 0, 0]} | (tabel), which (mounts) does not list. | Maybe (table) was meant?
+            eye: {actuator: eye, pose: [0, 0, 0]}   | (eye) stands on what stands on (eye).  | cart.yaml:10
+            eye: {actuator: table}                  | (mounts.eye.pose) is missing           | cart.yaml:10
+            eye: {pose: [0, 0, 0]}                  | (mounts.eye.actuator) is missing       | cart.yaml:10
+            eye: {actuator: table, pose: [0, 0]}    | must be a list of 3 numbers            | cart.yaml:10
+            eye: {actuator: table, pose: [0, 0, 0], on: 1} | is not known                    | cart.yaml:10
+            eye: {actuator: back, pose: [0, 0, 0]}  | (back), which is no actuator           | Only actuators carry
+            """)
+    void whatCantCarryIsRefused(String mount, String message, String more) throws IOException {
+        write("eye.yaml", EYE);
+        write(
+                "cart.yaml",
+                carrying(
+                        "table: [0, 0, 0], back: [0, 0, 0],\n  " + mount,
+                        "table: turntable, back: eye.yaml, eye: eye.yaml"));
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> models.read("cart.yaml", HERE))
+                .withMessageContaining(message)
+                .withMessageContaining(more);
     }
 
     private static final String CART = """

@@ -3,7 +3,9 @@ package rsal.sim;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
@@ -37,14 +39,40 @@ final class Assembly {
         this.things = things;
     }
 
+    /// A robot while its devices are made.
+    ///
+    /// @param mounts on its actuators, by device
+    private record Site(
+            RobotSpec spec, Body body, SimDrive drive, Map<String, SimActuator> actuators, Map<String, Mount> mounts) {
+        Mount mount(String device) {
+            String on = spec.model().carriers().get(device);
+            return on == null ? Mount.BASE : mounts.computeIfAbsent(on, _ -> new Mount(carriersOf(device)));
+        }
+
+        private List<SimActuator> carriersOf(String device) {
+            return spec.model().carriersOf(device).stream().map(this::actuator).toList();
+        }
+
+        SimActuator actuator(String name) {
+            return Objects.requireNonNull(actuators.get(name), name);
+        }
+    }
+
     SimRobot robot(RobotSpec spec, Body body) {
-        SimDrive drive = drive(spec);
+        var site = new Site(spec, body, drive(spec), actuators(spec), new HashMap<>());
         var devices = new ArrayList<SimSensor<?>>();
-        spec.model()
-                .sensors()
-                .forEach((name, part) ->
-                        devices.add(device(deviceOf(spec, name), part, height(spec.model(), name), body, drive)));
-        return SimRobot.of(spec, body, drive, devices);
+        spec.model().sensors().forEach((name, part) -> devices.add(device(site, name, part)));
+        return SimRobot.of(spec, body, site.drive, devices, List.copyOf(site.mounts.values()));
+    }
+
+    private Map<String, SimActuator> actuators(RobotSpec spec) {
+        var actuators = new HashMap<String, SimActuator>();
+        spec.model().sensors().forEach((name, part) -> {
+            if (part instanceof Part.Actuator actuator) {
+                actuators.put(name, new SimActuator(deviceOf(spec, name), actuator, scheduler, watchdog()));
+            }
+        });
+        return actuators;
     }
 
     /// Where a device is that the model does not tell the height of: half as high as the body, so that it meets what
@@ -66,7 +94,10 @@ final class Assembly {
                         seeds.stream(spec.id() + "/base")));
     }
 
-    private SimSensor<?> device(DeviceInfo info, Part part, double height, Body body, SimDrive drive) {
+    private SimSensor<?> device(Site site, String name, Part part) {
+        DeviceInfo info = deviceOf(site.spec, name);
+        double height = height(site.spec.model(), name);
+        Mount mount = site.mount(name);
         var kind = new Kind(part, height);
         return switch (part) {
             case Part.Laser laser ->
@@ -74,20 +105,23 @@ final class Assembly {
                         info,
                         laser,
                         beams.computeIfAbsent(kind, _ -> SimLaser.beams(laser, height)),
+                        mount,
                         noise(info, laser.noise()));
             case Part.Sonars sonars ->
                 new SimSonar(
                         info,
                         sonars,
                         beams.computeIfAbsent(kind, _ -> SimSonar.cones(sonars, height)),
+                        mount,
                         noise(info, sonars.noise()));
             case Part.BlobFinder finder ->
-                new SimBlobFinder(info, finder, views.computeIfAbsent(kind, _ -> SimBlobFinder.view(finder, height)));
-            case Part.FiducialFinder finder -> new SimFiducialFinder(info, finder, height);
-            case Part.Gripper gripper -> new SimGripper(info, gripper, world, things, body, height);
-            case Part.Bumper bumper -> new SimBumper(info, bumper, world, body, height);
-            case Part.Actuator actuator -> new SimActuator(info, actuator, scheduler, watchdog());
-            case Part.Battery battery -> new SimBattery(info, battery, body, drive);
+                new SimBlobFinder(
+                        info, finder, views.computeIfAbsent(kind, _ -> SimBlobFinder.view(finder, height)), mount);
+            case Part.FiducialFinder finder -> new SimFiducialFinder(info, finder, height, mount);
+            case Part.Gripper gripper -> new SimGripper(info, gripper, world, things, site.body, height, mount);
+            case Part.Bumper bumper -> new SimBumper(info, bumper, world, site.body, height, mount);
+            case Part.Actuator _ -> site.actuator(name);
+            case Part.Battery battery -> new SimBattery(info, battery, site.body, site.drive);
             case Part.Light light -> new SimLight(info, light, scheduler);
         };
     }

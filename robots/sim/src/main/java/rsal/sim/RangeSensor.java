@@ -9,8 +9,8 @@ import rsal.robot.RobotModel.RangeNoise;
 abstract class RangeSensor<T> extends SimEye<T> {
     private final Noise noise;
 
-    RangeSensor(DeviceInfo info, String frame, Duration period, Noise noise) {
-        super(info, frame, period);
+    RangeSensor(DeviceInfo info, String frame, Duration period, Mount mount, Noise noise) {
+        super(info, frame, period, mount);
         this.noise = noise;
     }
 

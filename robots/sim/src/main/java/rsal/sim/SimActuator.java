@@ -14,9 +14,10 @@ import rsal.device.GoalHandle;
 import rsal.device.GoalSource;
 import rsal.device.Health;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.Shift;
 
-/// A simulated joint, at its speed at once. (In Stage 4.3 joints don't move.) What is mounted on it does not move with
-/// it.
+/// A simulated joint, at its speed at once. (In Stage 4.3 joints don't move.) Devices that stand on it move with it;
+/// nothing is in their way.
 final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     private final Part.Actuator part;
     private final InstantSource clock;
@@ -59,6 +60,11 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
         stop(new Result.Cancelled());
         wanted = Interval.around0(part.maxSpeed()).clamp(newSpeed);
         commanded = clock.instant();
+    }
+
+    /// How far it has carried what stands on it.
+    Shift shift() {
+        return part.shift(position);
     }
 
     private void requireFinite(double value) {

@@ -23,8 +23,8 @@ final class SimBlobFinder extends SimEye<Blobs> implements BlobFinder {
     private final View view;
 
     /// @param view made by [#view]
-    SimBlobFinder(DeviceInfo info, Part.BlobFinder part, View view) {
-        super(info, info.id(), part.period());
+    SimBlobFinder(DeviceInfo info, Part.BlobFinder part, View view, Mount mount) {
+        super(info, info.id(), part.period(), mount);
         this.part = part;
         this.view = view;
     }
@@ -41,7 +41,7 @@ final class SimBlobFinder extends SimEye<Blobs> implements BlobFinder {
 
     @Override
     Blobs measure(World world, Body robot) {
-        return image(view.look(world, robot, part.rangeMax()));
+        return image(view.look(world, robot, shift(), part.rangeMax()));
     }
 
     private Blobs image(Sight sight) {
@@ -58,7 +58,7 @@ final class SimBlobFinder extends SimEye<Blobs> implements BlobFinder {
             }
             column = end;
         }
-        return new Blobs(part.baseFromCamera(), part.width(), part.height(), part.fieldOfView(), blobs);
+        return new Blobs(shift().moved(part.baseFromCamera()), part.width(), part.height(), part.fieldOfView(), blobs);
     }
 
     /// Null when it is nothing to tell of.

@@ -7,6 +7,7 @@ import rsal.data.Pose2d;
 import rsal.device.Bumper;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
+import rsal.robot.Shift;
 import rsal.sim.world.Body;
 import rsal.sim.world.Feeler;
 import rsal.sim.world.World;
@@ -17,12 +18,14 @@ final class SimBumper extends SimPart<BumperState> implements Bumper {
     private final Body robot;
     private final List<Pose2d> baseFromPads;
     private final List<Feeler> feelers;
+    private final Mount mount;
 
     /// @param height above the base [m]
-    SimBumper(DeviceInfo info, Part.Bumper part, World world, Body robot, double height) {
+    SimBumper(DeviceInfo info, Part.Bumper part, World world, Body robot, double height, Mount mount) {
         super(info, info.robot() + "/base_link", part.period());
         this.world = world;
         this.robot = robot;
+        this.mount = mount;
         this.baseFromPads =
                 part.pads().stream().map(Part.Bumper.Pad::baseFromPad).toList();
         this.feelers = part.pads().stream()
@@ -33,10 +36,11 @@ final class SimBumper extends SimPart<BumperState> implements Bumper {
     @Override
     void work(Instant now, double dt) {
         if (isDue(now)) {
+            Shift shift = mount.now();
             List<Boolean> pressed = feelers.stream()
-                    .map(feeler -> feeler.isPressed(world, robot))
+                    .map(feeler -> feeler.isPressed(world, robot, shift))
                     .toList();
-            take(new BumperState(baseFromPads, pressed), now);
+            take(new BumperState(baseFromPads.stream().map(shift::moved).toList(), pressed), now);
         }
     }
 }

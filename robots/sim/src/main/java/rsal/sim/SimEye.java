@@ -3,13 +3,22 @@ package rsal.sim;
 import java.time.Duration;
 import java.time.Instant;
 import rsal.device.DeviceInfo;
+import rsal.robot.Shift;
 import rsal.sim.world.Body;
 import rsal.sim.world.World;
 
 /// A sensor that looks into the distance, maybe on another thread than the run's.
 abstract class SimEye<T> extends SimSensor<T> {
-    SimEye(DeviceInfo info, String frame, Duration period) {
+    private final Mount mount;
+
+    SimEye(DeviceInfo info, String frame, Duration period, Mount mount) {
         super(info, frame, period);
+        this.mount = mount;
+    }
+
+    /// How far it had been carried from where its model tells it to be, when the world was last looked at.
+    final Shift shift() {
+        return mount.seen();
     }
 
     /// How many rays a reading takes.

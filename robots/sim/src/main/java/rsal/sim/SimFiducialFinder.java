@@ -22,8 +22,8 @@ final class SimFiducialFinder extends SimEye<Fiducials> implements FiducialFinde
     private final double height;
 
     /// @param height above the base [m]
-    SimFiducialFinder(DeviceInfo info, Part.FiducialFinder part, double height) {
-        super(info, info.robot() + "/base_link", part.period());
+    SimFiducialFinder(DeviceInfo info, Part.FiducialFinder part, double height, Mount mount) {
+        super(info, info.robot() + "/base_link", part.period(), mount);
         this.part = part;
         this.height = height;
     }
@@ -37,11 +37,12 @@ final class SimFiducialFinder extends SimEye<Fiducials> implements FiducialFinde
     Fiducials measure(World world, Body robot) {
         Pose2d mapFromBase = robot.seenPose();
         Pose2d baseFromMap = mapFromBase.inverse();
+        Pose2d baseFromFinder = shift().moved(part.baseFromFinder());
         List<Fiducial> fiducials = Search.markers(
                         world,
                         robot,
-                        mapFromBase.compose(part.baseFromFinder()),
-                        robot.height() + height,
+                        mapFromBase.compose(baseFromFinder),
+                        robot.height() + height + shift().rise(),
                         part.fieldOfView(),
                         part.rangeMax(),
                         part.key(),
@@ -51,6 +52,6 @@ final class SimFiducialFinder extends SimEye<Fiducials> implements FiducialFinde
                         found.distance() <= part.idRange() ? OptionalInt.of(found.id()) : OptionalInt.empty(),
                         baseFromMap.compose(found.mapFromMarker())))
                 .toList();
-        return new Fiducials(part.baseFromFinder(), part.fieldOfView(), part.rangeMax(), fiducials);
+        return new Fiducials(baseFromFinder, part.fieldOfView(), part.rangeMax(), fiducials);
     }
 }

@@ -33,6 +33,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     private final World world;
     private final Things things;
     private final Body robot;
+    private final Mount mount;
     private final Jaws jaws;
     private final Stroke paddles;
     private final Stroke lift;
@@ -40,16 +41,18 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     private GripperState state;
     private boolean ready = true; // to snatch what comes: when nothing was between the open paddles before
 
-    /// @param above how high the thing's base is above ground when the lift is down [m]
+    /// @param baseFromThing when actuators are at home
+    /// @param above how high the thing's base is above ground then, and when the lift is down [m]
     private record Held(Body thing, Pose2d baseFromThing, double above) {}
 
     /// @param height of its underside above the base [m]
-    SimGripper(DeviceInfo info, Part.Gripper part, World world, Things things, Body robot, double height) {
+    SimGripper(DeviceInfo info, Part.Gripper part, World world, Things things, Body robot, double height, Mount mount) {
         super(info, info.id(), part.period());
         this.part = part;
         this.world = world;
         this.things = things;
         this.robot = robot;
+        this.mount = mount;
         this.jaws = new Jaws(
                 world,
                 robot,
@@ -135,7 +138,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     @Override
     void work(Instant now, double dt) {
         lift.moveTo(lift.next(dt));
-        jaws.follow(raised());
+        jaws.follow(mount.now(), lifted());
         if (part.snatches()) {
             snatch();
         }
@@ -171,7 +174,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
 
     private void hold(Jaws.Grip grip) {
         Pose2d gripperFromThing = robot.pose()
-                .compose(part.baseFromGripper())
+                .compose(mount.now().moved(part.baseFromGripper()))
                 .inverse()
                 .compose(grip.thing().pose());
         Pose2d inTheMiddle =
@@ -187,13 +190,19 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     /// Takes what it holds along to where the robot is.
     void carry() {
         if (held != null) {
-            world.carry(held.thing, robot.pose().compose(held.baseFromThing), Math.max(0, held.above + raised()));
+            Pose2d baseFromThing = mount.now().moved(held.baseFromThing);
+            world.carry(held.thing, robot.pose().compose(baseFromThing), Math.max(0, held.above + raised()));
         }
     }
 
     /// By the lift [m].
-    private double raised() {
+    private double lifted() {
         return lift.position() * part.height();
+    }
+
+    /// By the lift, and by what it stands on [m].
+    private double raised() {
+        return lifted() + mount.now().rise();
     }
 
     private double gap(double closed) {
@@ -205,7 +214,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
         double raised = lift.position();
         double gap = gap(closed);
         Body thing = held == null ? null : held.thing;
-        jaws.follow(raised());
+        jaws.follow(mount.now(), lifted());
         Paddles standing = closed == 0 ? Paddles.OPEN : closed == 1 || held != null ? Paddles.CLOSED : Paddles.STOPPED;
         Lift level = raised == 0 ? Lift.DOWN : raised == 1 ? Lift.UP : Lift.STOPPED;
         return new GripperState(

@@ -16,8 +16,8 @@ final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
     private final Beams beams;
 
     /// @param beams made by [#beams]
-    SimLaser(DeviceInfo info, Laser laser, Beams beams, Noise noise) {
-        super(info, info.id(), laser.period(), noise);
+    SimLaser(DeviceInfo info, Laser laser, Beams beams, Mount mount, Noise noise) {
+        super(info, info.id(), laser.period(), mount, noise);
         this.laser = laser;
         this.beams = beams;
     }
@@ -36,14 +36,14 @@ final class SimLaser extends RangeSensor<LaserScan> implements LaserScanner {
 
     @Override
     LaserScan measure(World world, Body robot) {
-        double[] ways =
-                beams.cast(world, robot, laser.rangeMax(), noise().size().angle(), noise()::turn);
+        double[] ways = beams.cast(
+                world, robot, shift(), laser.rangeMax(), noise().size().angle(), noise()::turn);
         float[] ranges = new float[beams.count()];
         for (int i = 0; i < ranges.length; i++) {
             ranges[i] = shown(ways[i], laser.rangeMin(), laser.rangeMax());
         }
         return new LaserScan(
-                laser.baseFromLaser(),
+                shift().moved(laser.baseFromLaser()),
                 laser.angleMin(),
                 laser.angleIncrement(),
                 laser.rangeMin(),

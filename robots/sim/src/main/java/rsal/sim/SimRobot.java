@@ -2,6 +2,7 @@ package rsal.sim;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import rsal.device.Device;
 import rsal.device.Health;
@@ -16,16 +17,18 @@ import rsal.sim.world.World;
 ///
 /// @param devices all but the drive, in the order of its model
 /// @param eyes those devices that look into the distance
-/// @param parts those devices that feel or move
+/// @param parts those devices that feel or move, actuators before what may stand on them
+/// @param mounts of devices that actuators carry
 record SimRobot(
         RobotSpec spec,
         Body body,
         SimDrive drive,
         List<SimSensor<?>> devices,
         List<SimEye<?>> eyes,
-        List<SimPart<?>> parts) {
+        List<SimPart<?>> parts,
+        List<Mount> mounts) {
 
-    static SimRobot of(RobotSpec spec, Body body, SimDrive drive, List<SimSensor<?>> devices) {
+    static SimRobot of(RobotSpec spec, Body body, SimDrive drive, List<SimSensor<?>> devices, List<Mount> mounts) {
         var eyes = new ArrayList<SimEye<?>>();
         var parts = new ArrayList<SimPart<?>>();
         for (SimSensor<?> device : devices) {
@@ -35,7 +38,9 @@ record SimRobot(
                 parts.add(part);
             }
         }
-        return new SimRobot(spec, body, drive, List.copyOf(devices), List.copyOf(eyes), List.copyOf(parts));
+        parts.sort(Comparator.comparing(part -> !(part instanceof SimActuator)));
+        return new SimRobot(
+                spec, body, drive, List.copyOf(devices), List.copyOf(eyes), List.copyOf(parts), List.copyOf(mounts));
     }
 
     String id() {
@@ -69,6 +74,13 @@ record SimRobot(
     void work(Instant now, double dt) {
         for (SimPart<?> part : parts) {
             part.work(now, dt);
+        }
+    }
+
+    /// From now on its sensors look from where actuators have carried them now.
+    void lookFromHere() {
+        for (Mount mount : mounts) {
+            mount.look();
         }
     }
 

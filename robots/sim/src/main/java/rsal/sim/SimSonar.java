@@ -1,5 +1,6 @@
 package rsal.sim;
 
+import java.util.List;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.device.DeviceInfo;
@@ -21,8 +22,8 @@ final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
     private final int raysOfEach;
 
     /// @param cones made by [#cones]
-    SimSonar(DeviceInfo info, Sonars sonars, Beams cones, Noise noise) {
-        super(info, info.robot() + "/base_link", sonars.period(), noise);
+    SimSonar(DeviceInfo info, Sonars sonars, Beams cones, Mount mount, Noise noise) {
+        super(info, info.robot() + "/base_link", sonars.period(), mount, noise);
         this.sonars = sonars;
         this.cones = cones;
         this.raysOfEach = cones.count() / sonars.baseFromSensors().size();
@@ -53,7 +54,7 @@ final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
     @Override
     RangeArray measure(World world, Body robot) {
         float[] ranges = new float[sonars.baseFromSensors().size()];
-        double[] ways = cones.cast(world, robot, sonars.rangeMax());
+        double[] ways = cones.cast(world, robot, shift(), sonars.rangeMax());
         for (int i = 0; i < ranges.length; i++) {
             double shortest = Double.POSITIVE_INFINITY;
             for (int ray = i * raysOfEach; ray < (i + 1) * raysOfEach; ray++) {
@@ -61,7 +62,9 @@ final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
             }
             ranges[i] = shown(shortest, sonars.rangeMin(), sonars.rangeMax());
         }
-        return new RangeArray(
-                sonars.baseFromSensors(), sonars.fieldOfView(), sonars.rangeMin(), sonars.rangeMax(), ranges);
+        List<Pose2d> baseFromSensors = shift().isNone()
+                ? sonars.baseFromSensors()
+                : sonars.baseFromSensors().stream().map(shift()::moved).toList();
+        return new RangeArray(baseFromSensors, sonars.fieldOfView(), sonars.rangeMin(), sonars.rangeMax(), ranges);
     }
 }

@@ -129,6 +129,7 @@ final class SimSystem implements RobotSystem {
         var together = new ArrayList<SimRobot>();
         int rays = 0;
         for (SimRobot robot : team.robots()) {
+            robot.lookFromHere();
             together.add(robot);
             rays += robot.raysDue(now);
             if (rays >= WORTH_A_TASK) {

@@ -9,7 +9,9 @@ import rsal.data.BatteryState;
 import rsal.data.BatteryState.Charging;
 import rsal.data.Fiducials;
 import rsal.data.LaserScan;
+import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.device.Actuator;
 import rsal.device.Battery;
 import rsal.device.FiducialFinder;
 import rsal.device.LaserScanner;
@@ -82,6 +84,38 @@ class StageRunTest {
                         .fiducials())
                 .as("behind what is as low")
                 .hasSize(1);
+    }
+
+    private static LaserScan carried(String actuator, double position) {
+        var run = run("""
+                position ( name "r" size [0.4 0.4 0.3]
+                  actuator ( noblocks 1 pose [0.1 0 0 90] min_position -90 max_position 90 max_speed 900 %s
+                    ranger ( pose [0.2 0 -1 0] sensor ( range [0 20] fov 180 samples 181 ) ) ) )
+                define wall model ( size [0.2 10 1] )
+                wall ( pose [5 0 0 0] ) wall ( pose [-4 0 0 0] ) wall ( pose [0 3 0 90] ) wall ( pose [0 -2 0 90] )
+                """.formatted(actuator));
+        run.robot("r").require(Actuator.class).goTo(position);
+        run.advance(0.3);
+        return run.robot("r").require(LaserScanner.class).latest().orElseThrow().value();
+    }
+
+    private static void assertAt(LaserScan scan, double x, double y, double degrees, double ahead) {
+        Pose2d there = Pose2d.ofDegrees(x, y, degrees);
+        assertThat(scan.baseFromLaser().isNear(there, 1e-9, 1e-9))
+                .as("%s", scan.baseFromLaser())
+                .isTrue();
+        assertThat(scan.ranges()[90]).isCloseTo((float) ahead, within(1e-5f));
+    }
+
+    @Test
+    void rangersLookFromWhereActuatorsHaveCarriedThem() {
+        assertAt(carried("type \"linear\" axis [1 0 0]", 0), 0.1, 0.2, 90, 2.9 - 0.2);
+        assertAt(carried("type \"linear\" axis [1 0 0]", 0.5), 0.1, 0.7, 90, 2.9 - 0.7);
+        assertAt(carried("type \"linear\" axis [0 2 0]", 0.5), -0.4, 0.2, 90, 2.9 - 0.2);
+        assertAt(carried("type \"linear\" axis [0 0 1] start_position 0.5", 0), 0.1, 0.2, 90, 2.9 - 0.2);
+        assertAt(carried("type \"rotational\"", 0), 0.1, 0.2, 90, 2.9 - 0.2);
+        assertAt(carried("type \"rotational\"", Math.PI / 2), -0.1, 0, 180, 3.9 - 0.1);
+        assertAt(carried("type \"rotational\" start_position 30", -Math.PI / 2), 0.3, 0, 0, 4.9 - 0.3);
     }
 
     private static LaserScan scan(String noise) {

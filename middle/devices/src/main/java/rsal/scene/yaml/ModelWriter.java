@@ -108,7 +108,8 @@ final class ModelWriter {
             if (height != null) {
                 mount.add(height);
             }
-            mounts.put(device, mount);
+            String carrier = model.carriers().get(device);
+            mounts.put(device, carrier == null ? mount : onActuator(carrier, mount));
             sensors.put(device, partName(part.name(), told.settings()));
         });
         if (!sensors.isEmpty()) {
@@ -116,6 +117,13 @@ final class ModelWriter {
             written.put("sensors", sensors);
         }
         return written;
+    }
+
+    private static Map<String, Object> onActuator(String carrier, List<?> pose) {
+        var mount = new LinkedHashMap<String, Object>();
+        mount.put("actuator", carrier);
+        mount.put("pose", pose);
+        return mount;
     }
 
     private String partName(String wanted, Map<String, Object> settings) {

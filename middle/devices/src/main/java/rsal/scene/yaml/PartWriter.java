@@ -13,6 +13,7 @@ import rsal.robot.RobotModel.RangeNoise;
 /// Writes parts of robots as part files have them.
 final class PartWriter {
     private static final double FULL_TURN = 360;
+    private static final double STRAIGHT_UP = 90;
 
     private PartWriter() {}
 
@@ -152,6 +153,9 @@ final class PartWriter {
         double most = inUnits(actuator.limits().most(), unit);
         told.put("type", "actuator");
         told.put("joint", turns ? "rotational" : "linear");
+        if (actuator.slope() != 0) {
+            told.put("slope", Math.clamp(YamlText.degrees(actuator.slope()), -STRAIGHT_UP, STRAIGHT_UP));
+        }
         told.put("limits", List.of(least, most));
         told.put("maxSpeed", inUnits(actuator.maxSpeed(), unit));
         told.put("home", Math.clamp(inUnits(actuator.home(), unit), least, most));

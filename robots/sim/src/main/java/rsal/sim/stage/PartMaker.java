@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import rsal.data.ActuatorState.Joint;
@@ -25,6 +26,7 @@ final class PartMaker {
     private final Duration step;
     private final Map<String, Integer> names = new HashMap<>();
     private final List<Device> devices = new ArrayList<>();
+    private Optional<String> carrier = Optional.empty(); // of what is added
 
     /// @param step between two states of the world
     PartMaker(Duration step) {
@@ -35,8 +37,9 @@ final class PartMaker {
     ///
     /// @param name of the device
     /// @param height above the underside of the robot [m]
+    /// @param carrier the actuator that it stands on
     /// @param model that it was made of
-    record Device(String name, Part part, double height, StageModel model) {}
+    record Device(String name, Part part, double height, Optional<String> carrier, StageModel model) {}
 
     List<Device> devices() {
         return devices;
@@ -45,7 +48,18 @@ final class PartMaker {
     /// Adds what a model becomes, if it is one that senses or acts.
     ///
     /// @param robotFromModel where it is on the robot, its height above the robot's underside
-    void add(StageModel model, Placement robotFromModel) {
+    /// @param carrier the actuator that it stands on
+    /// @return the actuator that carries what is in the model
+    Optional<String> add(StageModel model, Placement robotFromModel, Optional<String> carrier) {
+        int before = devices.size();
+        this.carrier = carrier;
+        add(model, robotFromModel);
+        return model.traits().kind() instanceof Kind.Actuator && devices.size() > before
+                ? Optional.of(devices.getLast().name())
+                : carrier;
+    }
+
+    private void add(StageModel model, Placement robotFromModel) {
         Duration period = period(model.traits().updateInterval());
         Pose2d pose = robotFromModel.pose();
         String name = model.macro();
@@ -126,6 +140,7 @@ final class PartMaker {
         Traits.Energy energy = robot.traits().energy();
         OptionalDouble stored = energy.stored();
         OptionalDouble capacity = energy.capacity();
+        carrier = Optional.empty();
         if (stored.isPresent() && capacity.isPresent() && Double.isFinite(capacity.getAsDouble())) {
             device(
                     "battery",
@@ -171,15 +186,29 @@ final class PartMaker {
                 period);
     }
 
-    private static Part actuator(String name, Kind.Actuator actuator, Pose2d pose, Duration period) {
-        var limits = new Interval(
+    private static Interval limits(Kind.Actuator actuator) {
+        return new Interval(
                 Math.min(actuator.positions().min(), actuator.positions().max()),
                 Math.max(actuator.positions().min(), actuator.positions().max()));
+    }
+
+    /// Where an actuator is at first, and all that is in it: Stage moves it from its pose by where it starts.
+    static Placement atStart(Kind.Actuator actuator) {
+        double start = limits(actuator).clamp(actuator.start());
+        return actuator.turning()
+                ? Placement.of(0, 0, 0, start)
+                : Placement.of(start * actuator.x(), start * actuator.y(), start * actuator.z(), 0);
+    }
+
+    private static Part actuator(String name, Kind.Actuator actuator, Pose2d pose, Duration period) {
+        Interval limits = limits(actuator);
         double axis = actuator.turning() ? 0 : Math.atan2(actuator.y(), actuator.x());
+        double slope = actuator.turning() ? 0 : Math.atan2(actuator.z(), Math.hypot(actuator.x(), actuator.y()));
         return new Part.Actuator(
                 name,
                 pose.compose(new Pose2d(0, 0, axis)),
                 actuator.turning() ? Joint.ROTATIONAL : Joint.LINEAR,
+                slope,
                 limits,
                 actuator.maxSpeed(),
                 limits.clamp(actuator.start()),
@@ -239,7 +268,7 @@ final class PartMaker {
 
     private void device(String kind, StageModel model, double height, Part part) {
         int number = names.merge(kind, 1, Integer::sum);
-        devices.add(new Device(number == 1 ? kind : kind + "-" + number, part, height, model));
+        devices.add(new Device(number == 1 ? kind : kind + "-" + number, part, height, carrier, model));
     }
 
     /// Readings are taken at steps.

@@ -82,7 +82,7 @@ final class RobotMaker {
     private Made makeNew(StageModel base) {
         var body = new ArrayList<Piece>();
         var parts = new PartMaker(step);
-        double use = collect(base, Placement.ORIGIN, body, parts);
+        double use = collect(base, Placement.ORIGIN, Optional.empty(), body, parts);
         parts.battery(base, use);
         boolean drawn = body.stream().anyMatch(Piece::drawn);
         List<Block> blocks = List.copyOf(body.stream()
@@ -94,20 +94,28 @@ final class RobotMaker {
                 drawn ? Optional.empty() : Optional.of(blocks));
     }
 
+    /// @param carrier the actuator that the model stands on
     /// @return what the models use while they work [W]
-    private double collect(StageModel model, Placement robotFromModel, List<Piece> body, PartMaker parts) {
+    private double collect(
+            StageModel model, Placement told, Optional<String> carrier, List<Piece> body, PartMaker parts) {
+        Placement robotFromModel = model.traits().kind() instanceof Kind.Actuator actuator
+                ? told.compose(PartMaker.atStart(actuator))
+                : told;
+        int pieceCount = body.size();
         body.addAll(pieces.of(model, robotFromModel));
-        parts.add(model, robotFromModel);
-        if (model.traits().kind() instanceof Kind.Actuator && !model.children().isEmpty()) {
-            findings.warn(
-                    model.location(),
-                    "What stands on (%s) does not move with it here.".formatted(Findings.shortened(model.macro())),
-                    "");
-        }
+        Optional<String> carrierOfChildren = parts.add(model, robotFromModel, carrier);
         double use = model.traits().energy().use();
         double top = model.traits().stacksChildren() ? model.traits().size().z() : 0;
         for (StageModel child : model.children()) {
-            use += collect(child, robotFromModel.raised(top).compose(child.parentFromModel()), body, parts);
+            Placement robotFromChild = robotFromModel.raised(top).compose(child.parentFromModel());
+            use += collect(child, robotFromChild, carrierOfChildren, body, parts);
+        }
+        if (carrier.isEmpty() && carrierOfChildren.isPresent() && body.size() > pieceCount) {
+            findings.warn(
+                    model.location(),
+                    "Blocks of (%s) and of what stands on it do not move with it here; sensors do."
+                            .formatted(Findings.shortened(model.macro())),
+                    "Maybe (noblocks 1), or (size [0.01 0.01 0.01]), keeps them out of the way.");
         }
         return use;
     }
@@ -140,6 +148,8 @@ final class RobotMaker {
         Kind.Position position = (Kind.Position) base.traits().kind();
         var parts = new LinkedHashMap<String, Part>();
         var heights = new HashMap<String, Double>();
+        var carriers = new HashMap<String, String>();
+        var missing = new HashMap<String, Optional<String>>(); // actuators, and what they would stand on
         Drive drive = possible(base, body, drive(position));
         for (Device device : devices) {
             var alone = new RobotModel(base.macro(), base.macro(), body, drive, Map.of(device.name(), device.part()));
@@ -147,7 +157,11 @@ final class RobotMaker {
             if (problems.isEmpty()) {
                 parts.put(device.name(), device.part());
                 heights.put(device.name(), device.height());
+                Optional<String> on = device.carrier();
+                on.flatMap(name -> missing.getOrDefault(name, on)).ifPresent(name -> carriers.put(device.name(), name));
             } else {
+                Optional<String> on = device.carrier();
+                missing.put(device.name(), on.flatMap(name -> missing.getOrDefault(name, on)));
                 findings.warn(
                         device.model().location(),
                         "A part of (%s) is left out. %s"
@@ -155,7 +169,7 @@ final class RobotMaker {
                         "");
             }
         }
-        return new RobotModel(base.macro(), base.macro(), body, drive, parts, heights);
+        return new RobotModel(base.macro(), base.macro(), body, drive, parts, heights, carriers);
     }
 
     private static Drive drive(Kind.Position position) {

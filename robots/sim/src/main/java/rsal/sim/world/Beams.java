@@ -3,6 +3,7 @@ package rsal.sim.world;
 import java.util.List;
 import java.util.function.DoubleSupplier;
 import rsal.data.Pose2d;
+import rsal.robot.Shift;
 
 /// All rays of a sensor: those of a laser scanner, which leave one place, or those of a ring of sonars. Robots of one
 /// kind share them.
@@ -64,15 +65,20 @@ public final class Beams {
     /// @param self whose sensor it is, where sensors see it; rays pass through it
     /// @return the first [#count] of it; overwritten by this thread's next cast
     public double[] cast(World world, Body self, double reach) {
-        return cast(world, self, reach, 0, () -> 0);
+        return cast(world, self, Shift.NONE, reach);
+    }
+
+    /// The same, of a sensor that has been carried along.
+    public double[] cast(World world, Body self, Shift shift, double reach) {
+        return cast(world, self, shift, reach, 0, () -> 0);
     }
 
     /// The same, of rays each of which is a little off.
     ///
     /// @param most how far at most, either way [rad]; 0: not at all
     /// @param turn how far the next ray is [rad]
-    public double[] cast(World world, Body self, double reach, double most, DoubleSupplier turn) {
-        Figure base = self.seen;
+    public double[] cast(World world, Body self, Shift shift, double reach, double most, DoubleSupplier turn) {
+        Figure base = self.seen.shifted(shift);
         double z = base.height() + height;
         Rays rays = Rays.ofThisThread(cos.length);
         aim(rays, base);

@@ -4,6 +4,7 @@ import java.util.List;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.robot.Shift;
 import rsal.scene.Surface;
 
 /// Feels what is in the way of a robot in a box of 1 cm depth outside of a straight line on it.
@@ -24,8 +25,10 @@ public final class Feeler {
     }
 
     /// Whether it feels something where all are now.
-    public boolean isPressed(World world, Body robot) {
-        figure.placeAt(robot.figure);
+    ///
+    /// @param shift by which it has been carried along
+    public boolean isPressed(World world, Body robot, Shift shift) {
+        figure.placeAt(robot.figure.shifted(shift));
         return world.isBlocked(figure, robot);
     }
 }

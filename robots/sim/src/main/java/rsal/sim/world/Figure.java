@@ -2,6 +2,7 @@ package rsal.sim.world;
 
 import java.util.List;
 import rsal.data.Pose2d;
+import rsal.robot.Shift;
 
 /// A body's pieces, all placed with its base.
 final class Figure {
@@ -36,6 +37,16 @@ final class Figure {
     /// @param height above ground [m]
     void placeAt(Pose2d mapFromBase, double height) {
         place(mapFromBase, StrictMath.cos(mapFromBase.theta()), StrictMath.sin(mapFromBase.theta()), height);
+    }
+
+    /// Where its base would be if it had moved along; without its pieces unless it has not moved at all.
+    Figure shifted(Shift shift) {
+        if (shift.isNone()) {
+            return this;
+        }
+        var frame = new Figure(List.of());
+        frame.placeAt(pose.compose(shift.baseFromMoved()), height + shift.rise());
+        return frame;
     }
 
     /// Places it where another is.

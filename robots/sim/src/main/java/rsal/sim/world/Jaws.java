@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
+import rsal.robot.Shift;
 
 /// The space between two paddles of a robot, and what of grippable things is in it where all are now. In the frame of
 /// the gripper, paddles reach along x, one on each side at the same distance from y = 0.
@@ -52,14 +53,15 @@ public final class Jaws {
 
     /// Goes where the robot is.
     ///
+    /// @param shift by which the gripper has been carried along
     /// @param raised above where the paddles are when the lift is down [m]
-    public void follow(double raised) {
-        Pose2d mapFromGripper = robot.pose().compose(baseFromGripper);
+    public void follow(Shift shift, double raised) {
+        Pose2d mapFromGripper = robot.pose().compose(shift.moved(baseFromGripper));
         x = mapFromGripper.x();
         y = mapFromGripper.y();
         cos = StrictMath.cos(mapFromGripper.theta());
         sin = StrictMath.sin(mapFromGripper.theta());
-        low = robot.height() + bottom + raised;
+        low = robot.height() + bottom + shift.rise() + raised;
         high = low + height;
     }
 

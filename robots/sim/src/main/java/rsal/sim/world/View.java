@@ -2,6 +2,7 @@ package rsal.sim.world;
 
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
+import rsal.robot.Shift;
 import rsal.scene.Surface;
 
 /// What a camera looks at: a level ray for each column of its image. It ends at the first thing of which a part is
@@ -84,7 +85,12 @@ public final class View {
     ///
     /// @param self whose camera it is, where sensors see it; rays pass through it
     public Sight look(World world, Body self, double reach) {
-        Figure base = self.seen;
+        return look(world, self, Shift.NONE, reach);
+    }
+
+    /// The same, of a camera that has been carried along.
+    public Sight look(World world, Body self, Shift shift, double reach) {
+        Figure base = self.seen.shifted(shift);
         double z = base.height() + height;
         Rays rays = Rays.ofThisThread(cos.length);
         double fromX = base.pose().x() + base.cos() * x - base.sin() * y;

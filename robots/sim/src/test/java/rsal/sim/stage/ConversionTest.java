@@ -81,6 +81,13 @@ class ConversionTest {
                   blinkenlight ( period 500 dutycycle 0.3 ) joules 1000 joules_capacity 4000 take_watts 3 )
                 position ( drive "car" wheelbase 0.7 actuator ( axis [1 1 0] ) )
                 """,
+                """
+                position ( actuator ( noblocks 1 type "rotational" pose [0.1 0.05 0 33] start_position 0.3 max_speed 50
+                    actuator ( noblocks 1 axis [1 2 3] min_position -0.5 start_position 0.25
+                      ranger ( pose [0.1 0 0 10] sensor ( samples 5 ) sensor ( ) ) gripper ( ) fiducial ( ) )
+                    bumper ( bcount 1 bpose[0] [0.2 0 0 0] blength 0.3 ) )
+                  blobfinder ( ) )
+                """,
                 "define a position ( ) a ( ranger ( sensor ( samples 5 ) ) ) a ( ranger ( sensor ( samples 7 ) ) ) a ( )"
             })
     void whatIsThereStays(String world) {

@@ -71,6 +71,7 @@ final class SceneComparison {
             assertClose(which + "/" + device, read, part);
         });
         assertClose(which, actual.heights(), expected.heights());
+        assertThat(actual.carriers()).as(which).isEqualTo(expected.carriers());
     }
 
     private static String plain(String name) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -15,6 +16,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Shape;
+import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotModel.Steering;
@@ -313,11 +315,39 @@ class StageFormatTest {
 
     @Test
     void whatDoesNotMoveWithItsActuatorIsToldOf() {
-        assertThat(warnings(scene("position ( actuator ( ranger ( sensor ( ) ) ) )")))
+        assertThat(warnings(scene("position ( actuator ( actuator ( ranger ( sensor ( ) ) ) ) )")))
                 .singleElement()
                 .asString()
-                .startsWith("test.world:1:12: What stands on (actuator) does not move");
-        assertThat(warnings(scene("position ( actuator ( ) )"))).isEmpty();
+                .startsWith("test.world:1:12: Blocks of (actuator) and of what stands on it do not move");
+        assertThat(warnings(scene("position ( actuator ( noblocks 1 ranger ( sensor ( ) ) ) )")))
+                .isEmpty();
+    }
+
+    @Test
+    void whatIsInAnActuatorStandsOnItWhereThatStarts() {
+        Scene scene = scene("""
+                position ( size [1 1 0.2] ranger ( sensor ( samples 2 ) )
+                  actuator ( size [0.1 0.1 0.1] pose [0.1 0 0 90] axis [1 0 2] start_position 0.5 max_speed 3
+                    actuator ( noblocks 1 size [1 1 0.2] type "rotational" start_position 1 min_position -180 max_position 180
+                      ranger ( pose [0.2 0 0 0] sensor ( samples 3 ) ) )
+                    actuator ( noblocks 1 max_speed 0 blobfinder ( ) ) )
+                  fiducial ( ) )
+                """);
+        RobotModel robot = scene.robots().getFirst().model();
+        assertThat(robot.carriers())
+                .isEqualTo(Map.of("actuator-2", "actuator", "laser-2", "actuator-2", "blob-finder", "actuator"));
+        double along = 0.5 / Math.sqrt(5);
+        Pose2d baseFromLaser = ((Part.Laser) part(scene, "laser-2")).baseFromLaser();
+        assertThat(baseFromLaser.isNear(
+                        new Pose2d(0.1, along, Math.PI / 2)
+                                .compose(Pose2d.ofDegrees(0, 0, 1))
+                                .compose(new Pose2d(0.2, 0, 0)),
+                        1e-9,
+                        1e-9))
+                .as("%s", baseFromLaser)
+                .isTrue();
+        assertThat(robot.height("laser-2") - robot.height("laser")).isCloseTo(0.1 + 0.2 + 2 * along, within(1e-9));
+        assertThat(((Part.Actuator) part(scene, "actuator")).slope()).isCloseTo(Math.atan(2), within(1e-12));
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.data.Footprint;
 import rsal.data.Pose2d;
+import rsal.robot.Shift;
 import rsal.sim.world.Beams.Fan;
 import rsal.testkit.DrawnMap;
 
@@ -37,29 +38,41 @@ class BeamsTest {
             double increment = random.random.nextDouble(0.001, 7.0 / count); // up to more than a turn
             double reach = random.random.nextDouble(0.5, 10);
             var baseFromSensor = new Pose2d(0.1, 0.1, 1);
-            Pose2d mapFromSensor = bodies.getFirst().pose().compose(baseFromSensor);
+            Shift shift = seed % 2 == 0
+                    ? Shift.NONE
+                    : new Shift(
+                            new Pose2d(random.random.nextDouble(-2, 2), 0.3, random.random.nextDouble(-4, 4)), -0.1);
+            Pose2d mapFromSensor =
+                    bodies.getFirst().pose().compose(shift.baseFromMoved()).compose(baseFromSensor);
+            double height = HEIGHT + shift.rise();
             var beams = new Beams(List.of(new Fan(baseFromSensor, first, increment, count)), HEIGHT);
             double[] turned = new double[count];
             double most = seed % 3 == 0 ? random.random.nextDouble(0.001, 0.5) : 0;
             Arrays.setAll(turned, _ -> most == 0 ? 0 : random.random.nextDouble(-most, most));
             double[] ranges = beams.cast(
-                    world, bodies.getFirst(), reach, most, Arrays.stream(turned).iterator()::nextDouble);
+                    world,
+                    bodies.getFirst(),
+                    shift,
+                    reach,
+                    most,
+                    Arrays.stream(turned).iterator()::nextDouble);
             for (int i = 0; i < count; i++) {
                 double direction = mapFromSensor.theta() + first + i * increment + turned[i];
                 assertThat(ranges[i])
                         .as("seed %d, ray %d of %d", seed, i, count)
-                        .isCloseTo(slow(world, bodies, mapFromSensor, direction, reach), within(1e-9));
+                        .isCloseTo(slow(world, bodies, mapFromSensor, height, direction, reach), within(1e-9));
             }
         }
     }
 
-    private static double slow(World world, List<Body> bodies, Pose2d from, double direction, double reach) {
+    private static double slow(
+            World world, List<Body> bodies, Pose2d from, double height, double direction, double reach) {
         double dx = Math.cos(direction);
         double dy = Math.sin(direction);
         double range = RandomWorld.ray(world.walls().getFirst(), from.x(), from.y(), dx, dy, reach);
         for (Body body : bodies.subList(1, bodies.size())) {
             for (Piece piece : body.figure.pieces) {
-                if (piece.isAt(body.height() + HEIGHT) && piece.surface.seenByRangers()) {
+                if (piece.isAt(body.height() + height) && piece.surface.seenByRangers()) {
                     range = Math.min(range, piece.ray(from.x(), from.y(), dx, dy));
                 }
             }

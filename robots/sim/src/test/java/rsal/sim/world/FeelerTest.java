@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.robot.Shift;
 import rsal.scene.Surface;
 
 class FeelerTest {
@@ -25,7 +26,7 @@ class FeelerTest {
             Body robot = world.add("r1", Chunk.of(BOX), random.anywhere(), 0);
             Body other = world.add("r2", Chunk.of(BOX), random.anywhere(), 0);
             var baseFromLine = new Pose2d(0.2, 0, 0);
-            boolean feels = new Feeler(baseFromLine, LENGTH, 0.1).isPressed(world, robot);
+            boolean feels = new Feeler(baseFromLine, LENGTH, 0.1).isPressed(world, robot, Shift.NONE);
             pressed += feels ? 1 : 0;
             boolean inside = false;
             for (int i = 0; i < 10 && !inside; i++) {
@@ -52,13 +53,13 @@ class FeelerTest {
         var feeler = new Feeler(new Pose2d(0.2, 0, 0), LENGTH, 0.1);
         var beside = new Pose2d(2.405, 2, 0);
         Body high = world.add("high", List.of(bar(0.2, Surface.PLAIN)), beside, 0);
-        assertThat(feeler.isPressed(world, robot)).isFalse();
+        assertThat(feeler.isPressed(world, robot, Shift.NONE)).isFalse();
         world.remove(high);
         Body paper = world.add("paper", List.of(bar(0, unsolid())), beside, 0);
-        assertThat(feeler.isPressed(world, robot)).isFalse();
+        assertThat(feeler.isPressed(world, robot, Shift.NONE)).isFalse();
         world.remove(paper);
         world.add("box", List.of(bar(0, Surface.PLAIN)), beside, 0);
-        assertThat(feeler.isPressed(world, robot)).isTrue();
+        assertThat(feeler.isPressed(world, robot, Shift.NONE)).isTrue();
     }
 
     private static Surface unsolid() {
