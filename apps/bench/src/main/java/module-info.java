@@ -1,7 +1,8 @@
-/// How fast RSAL is on this machine, area by area. Asks everything through the middle layer's contracts, as agents
-/// and scenarios do, and knows nothing of what is behind them.
+/// How fast RSAL is on this machine, area by area. Robot systems it asks through the middle layer's contracts, as
+/// agents and scenarios do, and knows nothing of what is behind them; navigation's algorithms it calls.
 module rsal.bench {
     requires transitive rsal.devices;
+    requires rsal.navigation;
     requires jdk.management; // time of the processor, bytes allocated
     requires static org.jspecify;
 

@@ -1,25 +1,32 @@
 package rsal.bench;
 
 import java.util.List;
-import java.util.function.Consumer;
 
 /// Benchmarks that belong together.
-public interface Area {
-    /// `sim`
-    String name();
+///
+/// @param name `sim`
+public record Area(String name, List<Bench> benches) {
+    public Area {
+        benches = List.copyOf(benches);
+    }
 
     /// Names of what it measures, in its order. They are dotted and stay, as people compare by them.
-    List<String> names();
+    public List<String> names() {
+        return benches.stream().flatMap(bench -> bench.names().stream()).toList();
+    }
 
-    /// Measures. Takes minutes.
-    ///
-    /// @param wanted names of what to measure
-    /// @param repeats how often each is measured; the median counts
-    /// @param results told of each as soon as it is known
-    void measure(List<String> wanted, int repeats, Consumer<Result> results);
+    /// Measures what is asked for. Takes minutes.
+    public void measure(Assignment assignment) {
+        for (Bench bench : benches) {
+            if (bench.names().stream().anyMatch(assignment::wants)) {
+                bench.measure(assignment);
+            }
+        }
+    }
 
     /// All that there are.
-    static List<Area> all() {
-        return List.of(new SimArea());
+    public static List<Area> all() {
+        return List.of(
+                new Area("sim", List.of(new SwarmBench())), new Area("navigation", List.of(new PlanningBench())));
     }
 }

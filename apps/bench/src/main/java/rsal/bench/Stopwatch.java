@@ -14,6 +14,7 @@ final class Stopwatch {
 
     private final long wall = System.nanoTime();
     private final long cpu = SYSTEM.getProcessCpuTime();
+    private final long thread = THREADS.getCurrentThreadCpuTime();
     private final long bytes = THREADS.getCurrentThreadAllocatedBytes();
 
     /// [s]
@@ -24,6 +25,11 @@ final class Stopwatch {
     /// [s]; above [#wall] when several processors work
     double cpu() {
         return (SYSTEM.getProcessCpuTime() - cpu) * 1e-9;
+    }
+
+    /// Of this thread alone [s].
+    double thread() {
+        return (THREADS.getCurrentThreadCpuTime() - thread) * 1e-9;
     }
 
     long bytes() {

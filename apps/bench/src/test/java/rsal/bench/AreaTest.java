@@ -2,15 +2,32 @@ package rsal.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class AreaTest {
     @Test
-    void namesBelongToTheirAreaAndDiffer() {
-        for (Area area : Area.all()) {
-            assertThat(area.names()).doesNotHaveDuplicates().allMatch(name -> name.startsWith(area.name() + "."));
-        }
+    void namesAreDottedAndDiffer() {
+        assertThat(Area.all().stream().flatMap(area -> area.names().stream()))
+                .doesNotHaveDuplicates()
+                .allMatch(name -> name.matches("[a-z0-9]+(\\.[A-Za-z0-9]+)+"));
+    }
+
+    @Test
+    void tellsWhatIsLeftOutForWantOfData(@TempDir Path temp) throws IOException {
+        var notes = new ArrayList<String>();
+        var assignment = new Assignment(Set.of("a"), 1, Optional.of(temp), _ -> {}, notes::add);
+        assertThat(assignment.data("logs/some.log")).isEmpty();
+        assertThat(notes).singleElement().asString().contains("logs/some.log", "--data");
+        Files.createDirectory(temp.resolve("logs"));
+        Files.writeString(temp.resolve("logs/some.log"), "");
+        assertThat(assignment.data("logs/some.log")).contains(temp.resolve("logs/some.log"));
     }
 
     @Test
@@ -21,8 +38,10 @@ class AreaTest {
 
     @Test
     void whatIsNotWantedIsNotMeasured() {
-        var results = new ArrayList<Result>();
-        Area.all().getFirst().measure(new ArrayList<>(), 1, results::add);
+        var results = new ArrayList<Object>();
+        for (Area area : Area.all()) {
+            area.measure(new Assignment(Set.of(), 1, Optional.empty(), results::add, results::add));
+        }
         assertThat(results).isEmpty();
     }
 }

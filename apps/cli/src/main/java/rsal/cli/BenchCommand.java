@@ -1,15 +1,18 @@
 package rsal.cli;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.bench.Area;
+import rsal.bench.Assignment;
 import rsal.bench.Result;
 import rsal.settings.Suggestion;
 
@@ -33,6 +36,15 @@ final class BenchCommand extends Subcommand {
             defaultValue = "5",
             description = "How often each is measured; ${DEFAULT-VALUE} when left out. The median counts.")
     private int repeats;
+
+    @Option(
+            names = "--data",
+            paramLabel = "DIR",
+            description = {
+                "Where public data is: folders logs, maps, barn. What needs it is left out without.",
+                "Else the folder that RSAL_DATA names."
+            })
+    private Optional<Path> data = Optional.empty();
 
     /// On which machine.
     record Machine(String java, String system, int cores) {}
@@ -58,10 +70,15 @@ final class BenchCommand extends Subcommand {
                             .formatted(chosen.name(), only, String.join(", ", chosen.names())));
         }
         var results = new ArrayList<Result>();
-        chosen.measure(wanted, repeats, result -> {
-            results.add(result);
-            err().println("%d/%d %s".formatted(results.size(), wanted.size(), result.name()));
-        });
+        chosen.measure(new Assignment(
+                Set.copyOf(wanted),
+                repeats,
+                data.or(() -> Optional.ofNullable(System.getenv("RSAL_DATA")).map(Path::of)),
+                result -> {
+                    results.add(result);
+                    err().println("%d/%d %s".formatted(results.size(), wanted.size(), result.name()));
+                },
+                err()::println));
         print(results);
         return Exit.SUCCESS;
     }

@@ -23,7 +23,7 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final double LOOKAHEAD_TIME = 2.0; // s
     private static final double LEAST_LOOKAHEAD = 0.6; // m
 
-    private final CostMaps maps = new CostMaps();
+    private final Ways ways = new Ways();
 
     @Override
     public String key() {
@@ -61,7 +61,7 @@ public final class NavigatorDriver implements DeviceDriver {
         parameters.add(Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast it backs off when blocked"));
         parameters.add(Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long it does so at most"));
         parameters.add(Parameter.number("patience", 45, 5, 600, "s", "without getting nearer, until it is stuck"));
-        parameters.addAll(CostMaps.parameters());
+        parameters.addAll(Ways.parameters());
         return parameters;
     }
 
@@ -100,8 +100,8 @@ public final class NavigatorDriver implements DeviceDriver {
                         laser,
                         sonars,
                         vfh,
-                        maps.of(context.map(), model.footprint(), arguments),
-                        maps.field(context.map())),
+                        ways.of(context.map(), model.footprint(), arguments),
+                        ways.field(context.map())),
                 new PathNavigator.Settings(
                         limits,
                         lookahead,

@@ -29,7 +29,7 @@ import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.LocalPlanner.Motion;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.grid.DistanceField;
-import rsal.navigation.wavefront.CostMap;
+import rsal.navigation.wavefront.Wavefront;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 
@@ -55,7 +55,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Optional<LaserScanner> laser,
             Optional<SonarArray> sonars,
             LocalPlanner avoidance,
-            CostMap costs,
+            Wavefront ways,
             DistanceField toNotFree) {}
 
     /// @param lookahead how far ahead on the way it aims [m]

@@ -23,10 +23,8 @@ import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.device.PathNavigator.Parts;
 import rsal.navigation.device.PathNavigator.Settings;
 import rsal.navigation.device.PathNavigator.Situation;
-import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.Plan;
 import rsal.navigation.wavefront.Route;
-import rsal.navigation.wavefront.Wavefront;
 import rsal.time.Scheduler;
 
 /// One goal of a [PathNavigator], from its start to its one ending. When the robot gets no nearer, it first plans
@@ -116,7 +114,7 @@ final class Trip {
     }
 
     private boolean isSeeable(Point2d from, Point2d to, double within) {
-        return from.distanceTo(to) <= within && parts.costs().straightCost(from, to) < Double.POSITIVE_INFINITY;
+        return from.distanceTo(to) <= within && parts.ways().map().straightCost(from, to) < Double.POSITIVE_INFINITY;
     }
 
     GoalHandle<Progress, Result> handle() {
@@ -177,7 +175,7 @@ final class Trip {
         if (isPlanDue(now, route)) {
             plan(now);
         }
-        Point2d target = route.target(mapFromBase.position(), parts.costs(), settings.lookahead());
+        Point2d target = route.target(mapFromBase.position(), parts.ways().map(), settings.lookahead());
         source.tell(new Stamped<>(
                 now.now(),
                 "map",
@@ -333,21 +331,20 @@ final class Trip {
 
     /// Around what is seen, or else as if it would go away.
     private Plan find(Point2d start, List<Point2d> obstacles) {
-        CostMap map = parts.costs();
         Point2d goal = mapFromGoal.position();
         double slack = SLACK * tolerance.distance();
         if (!obstacles.isEmpty()) {
-            Plan around = new Wavefront(map.with(obstacles)).plan(start, goal, Math.max(SEEN_SLACK, slack));
+            Plan around = parts.ways().plan(start, goal, Math.max(SEEN_SLACK, slack), obstacles);
             if (around instanceof Plan.Found) {
                 return around;
             }
         }
-        return new Wavefront(map).plan(start, goal, slack);
+        return parts.ways().plan(start, goal, slack);
     }
 
     private void adopt(Plan plan) {
         switch (plan) {
-            case Plan.Found(var path, var _) -> {
+            case Plan.Found(var path, var _, var _) -> {
                 double before = route == null ? Double.POSITIVE_INFINITY : left(route);
                 route = new Route(path);
                 yardstick = left(route);

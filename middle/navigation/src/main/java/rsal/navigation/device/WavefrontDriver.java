@@ -5,14 +5,13 @@ import java.util.List;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.Planner;
-import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Makes planners that use [Wavefront] on the run's map.
+/// Makes planners that use [rsal.navigation.wavefront.Wavefront] on the run's map.
 public final class WavefrontDriver implements DeviceDriver {
-    private final CostMaps maps = new CostMaps();
+    private final Ways ways = new Ways();
 
     @Override
     public String key() {
@@ -36,7 +35,7 @@ public final class WavefrontDriver implements DeviceDriver {
 
     @Override
     public List<Parameter> parameters() {
-        var parameters = new ArrayList<>(CostMaps.parameters());
+        var parameters = new ArrayList<>(Ways.parameters());
         parameters.add(Parameter.number(
                 "goalDistance",
                 0.4,
@@ -49,10 +48,9 @@ public final class WavefrontDriver implements DeviceDriver {
 
     @Override
     public Device create(Context context, Arguments arguments) {
-        var map = maps.of(context.map(), context.robot().model().footprint(), arguments);
         return new WavefrontPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
-                new Wavefront(map),
+                ways.of(context.map(), context.robot().model().footprint(), arguments),
                 arguments.number("goalDistance"),
                 context.scheduler());
     }

@@ -26,7 +26,7 @@ final class WavefrontPlanner extends DeviceCore implements Planner {
     public CompletionStage<Result> plan(Pose2d mapFromStart, Pose2d mapFromGoal) {
         return scheduler.compute(
                 () -> switch (wavefront.plan(mapFromStart.position(), mapFromGoal.position(), goalDistance)) {
-                    case Plan.Found(var path, var cost) -> new Result.Found(path, cost);
+                    case Plan.Found(var path, var cost, var offGoal) -> new Result.Found(path, cost, offGoal);
                     case Plan.None(var why) -> new Result.NoPath(why);
                 });
     }

@@ -1,6 +1,7 @@
 package rsal.navigation.wavefront;
 
-import java.util.List;
+import java.util.function.IntConsumer;
+import java.util.function.IntPredicate;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
@@ -11,10 +12,15 @@ public final class CostMap {
     /// Cost of crossing a cell far from everything, along a side of it.
     static final int STRAIGHT = 10;
 
+    /// Cost of a step along a side, far from everything.
+    static final int SIDE = 2 * STRAIGHT;
+
     /// Most a cell can cost.
     static final int DEAREST = 60;
 
     static final byte BLOCKED = 0;
+
+    private static final int DIAGONAL = 14; // where a side is STRAIGHT
 
     private final OccupancyGrid grid;
     private final double radius;
@@ -64,23 +70,19 @@ public final class CostMap {
         return new CostMap(grid, clearance.radius(), costs);
     }
 
-    /// The same map with obstacles in it that are not on the map [m], each as far as the robot's radius.
-    public CostMap with(List<Point2d> obstacles) {
-        byte[] changed = costs.clone();
+    /// Does something with each cell that the robot can't be in because of an obstacle that is not on the map [m].
+    void around(Point2d obstacle, IntConsumer cells) {
+        int column = grid.column(obstacle.x());
+        int row = grid.row(obstacle.y());
         int reach = (int) Math.ceil(radius / grid.resolution());
         double square = radius * radius / (grid.resolution() * grid.resolution());
-        for (Point2d obstacle : obstacles) {
-            int column = grid.column(obstacle.x());
-            int row = grid.row(obstacle.y());
-            for (int dy = -reach; dy <= reach; dy++) {
-                for (int dx = -reach; dx <= reach; dx++) {
-                    if (dx * dx + dy * dy <= square && grid.contains(column + dx, row + dy)) {
-                        changed[(row + dy) * grid.width() + column + dx] = BLOCKED;
-                    }
+        for (int dy = -reach; dy <= reach; dy++) {
+            for (int dx = -reach; dx <= reach; dx++) {
+                if (dx * dx + dy * dy <= square && grid.contains(column + dx, row + dy)) {
+                    cells.accept((row + dy) * grid.width() + column + dx);
                 }
             }
         }
-        return new CostMap(grid, radius, changed);
     }
 
     public OccupancyGrid grid() {
@@ -92,15 +94,36 @@ public final class CostMap {
         return costs;
     }
 
+    boolean isOpen(int cell) {
+        return costs[cell] != BLOCKED;
+    }
+
+    /// What a diagonal step costs where one along a side would cost so much.
+    static int diagonal(int side) {
+        return side * DIAGONAL / STRAIGHT;
+    }
+
+    /// What a step from a cell to one of its neighbors costs, there or back: half of each is crossed. Where nothing
+    /// is near it is [#SIDE].
+    int step(int from, int to, boolean diagonally) {
+        int side = costs[from] + costs[to];
+        return diagonally ? diagonal(side) : side;
+    }
+
     /// Whether the robot may be at a place in the map frame.
     public boolean isPassable(Point2d place) {
         int column = grid.column(place.x());
         int row = grid.row(place.y());
-        return grid.contains(column, row) && costs[row * grid.width() + column] != BLOCKED;
+        return grid.contains(column, row) && isOpen(row * grid.width() + column);
     }
 
     /// What going straight from one place to another costs, in meters of undisturbed way; +∞ when it is blocked.
     public double straightCost(Point2d from, Point2d to) {
+        return straightCost(from, to, this::isOpen);
+    }
+
+    /// The same where other cells are open.
+    double straightCost(Point2d from, Point2d to, IntPredicate isOpen) {
         double length = from.distanceTo(to);
         int samples = Math.max(1, (int) Math.ceil(2 * length / grid.resolution()));
         long sum = 0;
@@ -108,11 +131,11 @@ public final class CostMap {
             double share = (double) i / samples;
             int column = grid.column(from.x() + share * (to.x() - from.x()));
             int row = grid.row(from.y() + share * (to.y() - from.y()));
-            int cost = grid.contains(column, row) ? costs[row * grid.width() + column] : BLOCKED;
-            if (cost == BLOCKED) {
+            int cell = row * grid.width() + column;
+            if (!grid.contains(column, row) || !isOpen.test(cell)) {
                 return Double.POSITIVE_INFINITY;
             }
-            sum += cost;
+            sum += costs[cell];
         }
         return length * sum / (samples + 1) / STRAIGHT;
     }

@@ -3,9 +3,16 @@ package rsal.navigation.wavefront;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.TreeSet;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -41,18 +48,110 @@ class WavefrontTest {
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
-    void costsWhatASlowSearchFinds(long seed) {
+    void reachesEverythingForWhatASlowSearchFinds(long seed) {
         var random = new SplittableRandom(seed);
         CostMap map = costs(RandomMaps.of(random, 40, 30, 0.2), new Clearance(0, 0.2, 3));
+        var wave = new Wave(map);
+        for (int i = 0; i < 10; i++) {
+            int source = passable(map, random);
+            int[] slow = slowly(map, source, Set.of());
+            wave.clear();
+            wave.start(source, Wave.Guide.NONE);
+            for (int j = 0; j < 10; j++) { // it may be asked to go on
+                int target = j < 9 ? passable(map, random) : -1;
+                boolean reached = wave.spread(target, Wave.Guide.NONE);
+                if (target >= 0) {
+                    assertThat(wave.at(target)).as("seed %d", seed).isEqualTo(slow[target]);
+                    assertThat(reached).isEqualTo(slow[target] != Wave.UNREACHED);
+                }
+            }
+            assertThat(field(wave, map)).as("seed %d", seed).isEqualTo(slow);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void plansTheSameWhateverWasPlannedBefore(long seed) {
+        var random = new SplittableRandom(seed);
+        CostMap map = costs(RandomMaps.of(random, 60, 50, 0.03), new Clearance(0.06, 0.2, 3));
+        var experienced = new Wavefront(map);
+        Point2d goal = place(map, random);
+        int found = 0;
+        for (int i = 0; i < 60; i++) {
+            goal = random.nextInt(3) == 0 ? place(map, random) : goal;
+            Point2d start = place(map, random);
+            List<Point2d> obstacles =
+                    random.nextBoolean() ? List.of() : List.of(place(map, random), place(map, random));
+            Plan plan = experienced.plan(start, goal, 0.1, obstacles);
+            assertThat(plan).as("seed %d, %d", seed, i).isEqualTo(new Wavefront(map).plan(start, goal, 0.1, obstacles));
+            found += plan instanceof Plan.Found ? 1 : 0;
+        }
+        assertThat(found).isBetween(20, 60);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void aroundObstaclesItCostsWhatASlowSearchFinds(long seed) {
+        var random = new SplittableRandom(seed);
+        CostMap map = costs(RandomMaps.of(random, 40, 30, 0.03), new Clearance(0.06, 0.2, 3));
+        var wavefront = new Wavefront(map);
         int goal = passable(map, random);
-        int[] slow = slowly(map, goal);
-        assertThat(new Wavefront(map).field(goal, -1)).as("seed %d", seed).isEqualTo(slow);
         for (int i = 0; i < 20; i++) {
             int start = passable(map, random);
-            assertThat(new Wavefront(map).field(goal, start)[start])
-                    .as("seed %d, from %d", seed, start)
-                    .isEqualTo(slow[start]);
+            var blocked = new TreeSet<Integer>();
+            List<Point2d> obstacles = List.of(place(map, random), place(map, random));
+            obstacles.forEach(obstacle -> map.around(obstacle, blocked::add));
+            if (blocked.contains(start) || blocked.contains(goal)) {
+                continue;
+            }
+            int slow = slowly(map, goal, blocked)[start];
+            Plan plan = wavefront.plan(middle(map, start), middle(map, goal), 0, obstacles);
+            assertThat(plan instanceof Plan.Found).isEqualTo(slow != Wave.UNREACHED);
+            if (plan instanceof Plan.Found(Path2d path, double cost, double offGoal)) {
+                assertThat(cost).as("seed %d", seed).isCloseTo(slow * 0.05 / CostMap.SIDE, within(1e-9));
+                assertThat(offGoal).isZero();
+                for (Point2d obstacle : obstacles) {
+                    assertThat(path.points()).allMatch(point -> point.distanceTo(obstacle) > 0.03);
+                }
+            }
         }
+    }
+
+    @Test
+    void severalMayAskAtOnce() throws Exception {
+        CostMap map = costs(ROOMS.grid(), NARROW);
+        var random = new SplittableRandom(5);
+        var shared = new Wavefront(map);
+        List<Point2d> places =
+                Stream.generate(() -> place(map, random)).limit(12).toList();
+        try (var threads = Executors.newFixedThreadPool(4)) {
+            var asked = new ArrayList<Future<Plan>>();
+            for (int i = 0; i < 400; i++) {
+                Point2d start = places.get(i % 7);
+                Point2d goal = places.get(7 + i % 5);
+                List<Point2d> obstacles = i % 3 == 0 ? List.of(places.get(i % 12)) : List.of();
+                asked.add(threads.submit(() -> shared.plan(start, goal, 0.3, obstacles)));
+            }
+            for (int i = 0; i < 400; i++) {
+                List<Point2d> obstacles = i % 3 == 0 ? List.of(places.get(i % 12)) : List.of();
+                assertThat(asked.get(i).get())
+                        .isEqualTo(new Wavefront(map).plan(places.get(i % 7), places.get(7 + i % 5), 0.3, obstacles));
+            }
+        }
+    }
+
+    @Test
+    void tellsWhatTheWayCostsFromEverywhere() {
+        var wavefront = new Wavefront(costs(ROOMS.grid(), NARROW));
+        Point2d a = ROOMS.place('a');
+        NavigationFunction toA = wavefront.everywhere(a, 0).orElseThrow();
+        Plan.Found plan = (Plan.Found) wavefront.plan(ROOMS.place('b'), a, 0);
+        assertThat(toA.cost(ROOMS.place('b'))).isCloseTo(plan.cost(), within(0.1));
+        assertThat(toA.cost(ROOMS.place('x'))).isInfinite();
+        assertThat(toA.cost(new Point2d(0.05, 0.05))).as("in a wall").isInfinite();
+        assertThat(toA.cost(new Point2d(99, 0))).as("outside").isInfinite();
+        assertThat(wavefront.everywhere(new Point2d(99, 0), 1)).isEmpty();
+        assertThat(wavefront.everywhere(new Point2d(0.05, 0.05), 0.1)).isEmpty();
     }
 
     @Test
@@ -94,7 +193,8 @@ class WavefrontTest {
     void saysWhyThereIsNoWay() {
         var wavefront = new Wavefront(costs(ROOMS.grid(), NARROW));
         Point2d a = ROOMS.place('a');
-        assertThat(why(wavefront.plan(a, new Point2d(0.05, 0.05), 1))).contains("in a wall");
+        assertThat(why(wavefront.plan(a, new Point2d(0.05, 0.05), 0.1)))
+                .contains("in a wall; the nearest place for it is (0.25, 0.25)");
         assertThat(why(wavefront.plan(a, new Point2d(99, 0), 1))).contains("goal (99.00, 0.00) is outside");
         assertThat(why(wavefront.plan(new Point2d(-1, 0), a, 1))).contains("start (-1.00, 0.00) is outside");
         assertThat(why(wavefront.plan(a, ROOMS.place('x'), 0.1))).contains("fits through");
@@ -120,17 +220,47 @@ class WavefrontTest {
     void obstaclesThatAreNotOnTheMapAreAvoided() {
         CostMap map = costs(ROOMS.grid(), NARROW);
         Point2d obstacle = new Point2d(1.0, 0.8);
-        CostMap changed = map.with(List.of(obstacle));
-        Path2d path = found(changed, ROOMS.place('a'), new Point2d(1.0, 0.35)).path();
-        for (int i = 1; i < path.points().size(); i++) {
-            assertThat(changed.straightCost(
-                            path.points().get(i - 1), path.points().get(i)))
-                    .isFinite();
-        }
-        assertThat(changed.isPassable(obstacle)).isFalse();
-        assertThat(map.isPassable(obstacle))
+        var wavefront = new Wavefront(map);
+        Point2d goal = new Point2d(1.0, 0.35);
+        Plan around = wavefront.plan(ROOMS.place('a'), goal, 0.3, List.of(obstacle));
+        assertThat(around).isInstanceOfSatisfying(Plan.Found.class, found -> {
+            for (int i = 0; i <= 1000; i++) {
+                assertThat(at(found.path(), i / 1000.0).distanceTo(obstacle)).isGreaterThan(0.1);
+            }
+        });
+        assertThat(wavefront.plan(ROOMS.place('a'), goal, 0.3))
                 .as("the map itself stays as it was")
-                .isTrue();
+                .isEqualTo(new Wavefront(map).plan(ROOMS.place('a'), goal, 0.3));
+    }
+
+    private static Point2d at(Path2d path, double share) {
+        double left = share * path.length();
+        for (int i = 1; i < path.points().size(); i++) {
+            Point2d a = path.points().get(i - 1);
+            Point2d b = path.points().get(i);
+            double length = a.distanceTo(b);
+            if (left <= length) {
+                double part = length == 0 ? 0 : left / length;
+                return new Point2d(a.x() + part * (b.x() - a.x()), a.y() + part * (b.y() - a.y()));
+            }
+            left -= length;
+        }
+        return path.points().getLast();
+    }
+
+    private static int[] field(Wave wave, CostMap map) {
+        return IntStream.range(0, map.costs().length)
+                .map(cell -> wave.isOpen(cell) ? wave.at(cell) : Wave.UNREACHED)
+                .toArray();
+    }
+
+    private static Point2d place(CostMap map, SplittableRandom random) {
+        return middle(map, passable(map, random));
+    }
+
+    private static Point2d middle(CostMap map, int cell) {
+        int width = map.grid().width();
+        return new Point2d(map.grid().x(cell % width), map.grid().y(cell / width));
     }
 
     private static CostMap costs(OccupancyGrid map, Clearance clearance) {
@@ -173,17 +303,18 @@ class WavefrontTest {
     }
 
     /// Bellman and Ford: all steps again and again, until nothing changes.
-    private static int[] slowly(CostMap map, int goal) {
+    private static int[] slowly(CostMap map, int goal, Set<Integer> blocked) {
         int width = map.grid().width();
-        byte[] costs = map.costs();
+        byte[] costs = map.costs().clone();
+        blocked.forEach(cell -> costs[cell] = CostMap.BLOCKED);
         var field = new int[costs.length];
-        Arrays.fill(field, Wavefront.UNREACHED);
+        Arrays.fill(field, Wave.UNREACHED);
         field[goal] = 0;
         boolean changed = true;
         while (changed) {
             changed = false;
             for (int cell = 0; cell < costs.length; cell++) {
-                for (int way = 0; way < 9 && field[cell] != Wavefront.UNREACHED; way++) {
+                for (int way = 0; way < 9 && field[cell] != Wave.UNREACHED; way++) {
                     int dx = way % 3 - 1;
                     int dy = way / 3 - 1;
                     int next = cell + dy * width + dx;
@@ -191,7 +322,8 @@ class WavefrontTest {
                     boolean open = costs[next] != CostMap.BLOCKED
                             && costs[cell + dx] != CostMap.BLOCKED
                             && costs[cell + dy * width] != CostMap.BLOCKED;
-                    int reached = field[cell] + (diagonal ? costs[next] * 14 / 10 : costs[next]);
+                    int step = costs[cell] + costs[next];
+                    int reached = field[cell] + (diagonal ? step * 14 / 10 : step);
                     if (open && next != cell && reached < field[next]) {
                         field[next] = reached;
                         changed = true;

@@ -47,7 +47,7 @@ public final class FakePlanner extends DeviceCore implements Planner {
                 return new Result.NoPath("(%s, %s) is not free.".formatted(x, y));
             }
         }
-        return new Result.Found(new Path2d(List.of(mapFromStart.position(), mapFromGoal.position())), length);
+        return new Result.Found(new Path2d(List.of(mapFromStart.position(), mapFromGoal.position())), length, 0);
     }
 
     /// Makes it for any robot.

@@ -1,12 +1,9 @@
 package rsal.bench;
 
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.bench.Swarm.Kind;
 import rsal.data.OccupancyGrid;
@@ -16,7 +13,7 @@ import rsal.data.OccupancyGrid;
 /// Names are `sim.<kind>.<robots>.core<n>.<what>`. What: `rtf`, seconds simulated per second; `cpu`, seconds
 /// simulated per second of a processor; `rays` per second; `bytes` allocated per step and robot; and
 /// `sim.<kind>.<robots>.memory.mb`, all that the process holds.
-final class SimArea implements Area {
+final class SwarmBench implements Bench {
     private static final double SIDE = 128; // [m]
     private static final double RESOLUTION = 0.05; // [m]
     private static final long SEED = 1;
@@ -61,26 +58,21 @@ final class SimArea implements Area {
     }
 
     @Override
-    public String name() {
-        return "sim";
-    }
-
-    @Override
     public List<String> names() {
         return CASES.stream().flatMap(c -> c.names().stream()).toList();
     }
 
     @Override
-    public void measure(List<String> wanted, int repeats, Consumer<Result> results) {
-        var names = new LinkedHashSet<>(wanted);
+    public void measure(Assignment assignment) {
         for (Case one : CASES) {
-            if (one.names().stream().anyMatch(names::contains)) {
-                measure(one, names, repeats, results);
+            if (one.names().stream().anyMatch(assignment::wants)) {
+                measure(one, assignment);
             }
         }
     }
 
-    private void measure(Case one, Set<String> wanted, int repeats, Consumer<Result> results) {
+    private void measure(Case one, Assignment assignment) {
+        int repeats = assignment.repeats();
         ExecutorService helpers = Executors.newFixedThreadPool(
                 Math.max(1, one.cores - 1),
                 Thread.ofPlatform().daemon().name("bench-helper-", 1).factory());
@@ -106,10 +98,10 @@ final class SimArea implements Area {
                     Result.more(one.name("cpu"), "s/s", cpu),
                     Result.more(one.name("rays"), "1/s", rays),
                     Result.less(one.name("bytes"), "B", bytes)));
-            if (one.cores == 1 && wanted.contains(one.memory())) {
+            if (one.cores == 1 && assignment.wants(one.memory())) {
                 told.add(Result.less(one.memory(), "MB", Stopwatch.memory()));
             }
-            told.stream().filter(r -> wanted.contains(r.name())).forEach(results);
+            assignment.tell(told);
         }
     }
 

@@ -6,15 +6,16 @@ import rsal.data.OccupancyGrid;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
+import rsal.navigation.wavefront.Wavefront;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Cost maps for robots of some size, shared by those of the same size and settings.
-final class CostMaps {
+/// Who plans for robots of some size, shared by those of the same size and settings.
+final class Ways {
     private record Key(OccupancyGrid map, Clearance clearance) {}
 
     private final Shared<OccupancyGrid, DistanceField> fields = new Shared<>();
-    private final Shared<Key, CostMap> maps = new Shared<>();
+    private final Shared<Key, Wavefront> ways = new Shared<>();
 
     static List<Parameter> parameters() {
         return List.of(
@@ -25,12 +26,12 @@ final class CostMaps {
 
     /// For a robot that counts as a circle: the one that fits into its outline, since it can turn where the way
     /// does.
-    CostMap of(OccupancyGrid map, Footprint footprint, Arguments arguments) {
+    Wavefront of(OccupancyGrid map, Footprint footprint, Arguments arguments) {
         double radius = footprint.inscribedRadius();
         double least = radius + arguments.number("wallDistance");
         var clearance = new Clearance(
                 least, Math.max(least, radius + arguments.number("comfortDistance")), arguments.number("wallCost"));
-        return maps.of(new Key(map, clearance), key -> CostMap.of(map, field(map), clearance));
+        return ways.of(new Key(map, clearance), _ -> new Wavefront(CostMap.of(map, field(map), clearance)));
     }
 
     /// How far the next place is that is not known to be free.

@@ -1,0 +1,47 @@
+package rsal.bench;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/// What benchmarks are to measure, with what, and whom they tell.
+///
+/// @param wanted names of what to measure
+/// @param repeats how often each is measured; the median counts
+/// @param data where public data is: folders `logs`, `maps` and `barn`
+/// @param results told of each as soon as it is known
+/// @param notes told what is left out and why
+public record Assignment(
+        Set<String> wanted, int repeats, Optional<Path> data, Consumer<Result> results, Consumer<String> notes) {
+    public Assignment {
+        wanted = Set.copyOf(wanted);
+    }
+
+    public boolean wants(String name) {
+        return wanted.contains(name);
+    }
+
+    /// Tells results that are asked for.
+    void tell(Collection<Result> measured) {
+        measured.stream().filter(result -> wants(result.name())).forEach(results);
+    }
+
+    void tell(Result... measured) {
+        tell(List.of(measured));
+    }
+
+    /// A file of the public data; when it isn't there, those who asked are told that something is left out.
+    ///
+    /// @param name `logs/aces-corrected.log.gz`
+    Optional<Path> data(String name) {
+        Optional<Path> file = data.map(folder -> folder.resolve(name)).filter(Files::isReadable);
+        if (file.isEmpty()) {
+            notes.accept("Left out what needs (%s): name the folder of the public data by '--data'.".formatted(name));
+        }
+        return file;
+    }
+}

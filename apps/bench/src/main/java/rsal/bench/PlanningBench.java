@@ -1,0 +1,133 @@
+package rsal.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.IntConsumer;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.navigation.grid.DistanceField;
+import rsal.navigation.wavefront.CostMap;
+import rsal.navigation.wavefront.CostMap.Clearance;
+import rsal.navigation.wavefront.Plan;
+import rsal.navigation.wavefront.Wavefront;
+
+/// Planning ways over large maps, on one core: a cave of 2560 × 2560 cells of 0.05 m and a floor like that of a
+/// hospital of 3117 × 1189, for a robot of 0.5 m. Times are those of the processor.
+///
+/// Names are `wavefront.<map>.<what>ms`. What: nothing, a way between two places that were not asked for before;
+/// `full.`, what the way costs from everywhere; `again.`, from another place to the same goal; `around.`, the same
+/// around something that is not on the map; `costs.`, where the robot can be and how dear it is.
+final class PlanningBench implements Bench {
+    private static final Clearance CLEARANCE = new Clearance(0.25, 0.6, 3); // [m]
+    private static final double SLACK = 0.5; // [m]
+    private static final double WARM = 3; // [s]
+    private static final int PLANS = 10; // of a measurement
+    private static final List<String> KINDS = List.of("", "full.", "again.", "around.", "costs.");
+
+    private enum Site {
+        CAVE2560,
+        HOSPITAL;
+
+        OccupancyGrid map() {
+            return this == CAVE2560 ? Cave.draw(128, 0.05, 1) : Floor.draw(3117, 1189, 0.05, 1);
+        }
+
+        String name(String kind) {
+            return "wavefront.%s.%sms".formatted(this == CAVE2560 ? "cave2560" : "hospital", kind);
+        }
+    }
+
+    @Override
+    public List<String> names() {
+        var names = new ArrayList<String>();
+        for (Site site : Site.values()) {
+            KINDS.forEach(kind -> names.add(site.name(kind)));
+        }
+        return names;
+    }
+
+    @Override
+    public void measure(Assignment assignment) {
+        for (Site site : Site.values()) {
+            if (KINDS.stream().anyMatch(kind -> assignment.wants(site.name(kind)))) {
+                measure(site, assignment);
+            }
+        }
+    }
+
+    private static void measure(Site site, Assignment assignment) {
+        OccupancyGrid map = site.map();
+        var random = new SplittableRandom(1);
+        CostMap costs = CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
+        Wavefront ways = new Wavefront(costs);
+        List<Point2d> places = places(costs, random);
+        Point2d goal = places.getFirst();
+        Plan.Found plan = (Plan.Found) ways.plan(places.get(1), goal, SLACK);
+        Point2d inTheWay = plan.path().points().get(plan.path().points().size() / 2);
+        for (String kind : KINDS) {
+            if (!assignment.wants(site.name(kind))) {
+                continue;
+            }
+            IntConsumer job = switch (kind) {
+                case "full." -> _ -> check(ways.everywhere(goal, SLACK).isPresent());
+                case "again." -> i -> found(ways.plan(places.get(1 + i), goal, SLACK));
+                case "around." -> _ -> found(ways.plan(places.get(1), goal, SLACK, List.of(inTheWay)));
+                case "costs." -> _ -> CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
+                default -> i -> found(new Wavefront(costs).plan(places.get(1 + i), goal, SLACK));
+            };
+            assignment.tell(Result.less(site.name(kind), "ms", times(job, assignment.repeats())));
+        }
+    }
+
+    private static double[] times(IntConsumer job, int repeats) {
+        var warm = new Stopwatch();
+        for (int i = 0; warm.cpu() < WARM; i++) {
+            job.accept(i % PLANS);
+        }
+        double[] times = new double[repeats];
+        for (int repeat = 0; repeat < repeats; repeat++) {
+            var watch = new Stopwatch();
+            for (int i = 0; i < PLANS; i++) {
+                job.accept(i);
+            }
+            times[repeat] = watch.thread() / PLANS * 1e3;
+        }
+        return times;
+    }
+
+    /// Places between which there is a way, the first as far from the others as can be.
+    private static List<Point2d> places(CostMap costs, SplittableRandom random) {
+        OccupancyGrid grid = costs.grid();
+        var ways = new Wavefront(costs);
+        var anywhere = new ArrayList<Point2d>();
+        while (anywhere.size() < 50) {
+            var place = new Point2d(
+                    grid.originX() + random.nextDouble() * grid.width() * grid.resolution(),
+                    grid.originY() + random.nextDouble() * grid.height() * grid.resolution());
+            if (costs.isPassable(place)) {
+                anywhere.add(place);
+            }
+        }
+        List<Point2d> best = List.of();
+        for (Point2d goal : anywhere.subList(0, 5)) {
+            var function = ways.everywhere(goal, SLACK).orElseThrow();
+            var reached = new ArrayList<>(List.of(goal));
+            anywhere.stream()
+                    .filter(place -> !place.equals(goal) && Double.isFinite(function.cost(place)))
+                    .forEach(reached::add);
+            best = reached.size() > best.size() ? reached : best;
+        }
+        return best;
+    }
+
+    private static void found(Plan plan) {
+        check(plan instanceof Plan.Found);
+    }
+
+    private static void check(boolean found) {
+        if (!found) {
+            throw new IllegalStateException("There was a way before.");
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package rsal.navigation.wavefront;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+
+/// The waves of a map: one each for the goals that were asked for more than once, as far as it had to spread, and
+/// some to lend. Goals asked for the first time, as of those who follow something that moves, are not worth a wave
+/// that lasts. Safe for several threads.
+final class Waves {
+    private static final int MOST_KEPT = 16;
+    private static final int CELLS_KEPT = 16_000_000; // of all waves together; 64 MB
+    private static final int GOALS_REMEMBERED = 256;
+
+    private final CostMap map;
+    private final List<Kept> kept = new ArrayList<>();
+    private final LinkedHashSet<Integer> askedOnce = new LinkedHashSet<>();
+    private final ArrayDeque<Wave> lent = new ArrayDeque<>();
+    private long asked;
+
+    /// A wave from a goal. Whoever looks at the wave or lets it spread holds its lock.
+    static final class Kept {
+        private final Wave wave;
+        private int goal = -1; // whose it is; guarded by its Waves
+        private int source = -1; // where the wave comes from; guarded by this
+        private long asked; // guarded by its Waves
+
+        private Kept(Wave wave) {
+            this.wave = wave;
+        }
+
+        /// Lets the wave come from the goal, if it doesn't.
+        private Wave from(int goalCell) {
+            if (source != goalCell) {
+                wave.clear();
+                wave.start(goalCell, Wave.Guide.NONE);
+                source = goalCell;
+            }
+            return wave;
+        }
+    }
+
+    Waves(CostMap map) {
+        this.map = map;
+    }
+
+    /// Does something with the wave of a goal that is kept; empty when it isn't yet.
+    <R> Optional<R> from(int goalCell, Function<Wave, R> use) {
+        Optional<Kept> found = kept(goalCell);
+        return found.map(one -> {
+            synchronized (one) {
+                return use.apply(one.from(goalCell));
+            }
+        });
+    }
+
+    /// Does something with a wave that nobody else uses, is cleared and has not started.
+    <R> R borrow(Function<Wave, R> use) {
+        Wave wave = taken();
+        try {
+            return use.apply(wave);
+        } finally {
+            wave.clear();
+            giveBack(wave);
+        }
+    }
+
+    private synchronized Optional<Kept> kept(int goalCell) {
+        Optional<Kept> found = kept.stream().filter(one -> one.goal == goalCell).findFirst();
+        if (found.isEmpty() && askedOnce.add(goalCell)) {
+            if (askedOnce.size() > GOALS_REMEMBERED) {
+                askedOnce.removeFirst();
+            }
+            return Optional.empty();
+        }
+        Kept wanted = found.orElseGet(this::another);
+        wanted.goal = goalCell;
+        wanted.asked = ++asked;
+        return Optional.of(wanted);
+    }
+
+    /// One more, or that which was not asked for the longest.
+    private Kept another() {
+        boolean full = kept.size() >= MOST_KEPT || (kept.size() + 1L) * map.costs().length > CELLS_KEPT;
+        if (full && !kept.isEmpty()) {
+            return kept.stream().min(Comparator.comparingLong(one -> one.asked)).orElseThrow();
+        }
+        var made = new Kept(new Wave(map));
+        kept.add(made);
+        return made;
+    }
+
+    private synchronized Wave taken() {
+        return lent.isEmpty() ? new Wave(map) : lent.pop();
+    }
+
+    private synchronized void giveBack(Wave wave) {
+        lent.push(wave);
+    }
+}
