@@ -611,7 +611,7 @@ class CommandLineIT {
     void whatStandsOnActuatorsIsToldAndConverted() throws Exception {
         Files.writeString(folder.resolve("turret.world"), """
                 position ( name "r" ctrl "wander"
-                  actuator ( noblocks 1 type "rotational" start_position 1 max_position 2
+                  actuator ( size [0.3 0.1 0.1] type "rotational" start_position 1 max_position 2
                     actuator ( noblocks 1 axis [0 0 1] start_position 0.2
                       ranger ( sensor ( range [0 5] fov 90 samples 10 ) ) ) ) )
                 """);

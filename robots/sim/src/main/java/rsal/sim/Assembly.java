@@ -3,6 +3,7 @@ package rsal.sim;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -62,7 +63,29 @@ final class Assembly {
         var site = new Site(spec, body, drive(spec), actuators(spec), new HashMap<>());
         var devices = new ArrayList<SimSensor<?>>();
         spec.model().sensors().forEach((name, part) -> devices.add(device(site, name, part)));
+        giveLimbs(site);
         return SimRobot.of(spec, body, site.drive, devices, List.copyOf(site.mounts.values()));
+    }
+
+    /// Lets actuators carry what of the body stands on them, or on what they carry.
+    private void giveLimbs(Site site) {
+        if (site.body.carriers().isEmpty()) {
+            return;
+        }
+        RobotModel model = site.spec.model();
+        var mounts = new ArrayList<Mount>();
+        var moving = new LinkedHashSet<String>();
+        for (String carrier : site.body.carriers()) {
+            boolean there = site.actuators.containsKey(carrier);
+            var chain = new ArrayList<>(there ? model.carriersOf(carrier) : List.<String>of());
+            if (there) {
+                chain.add(carrier);
+            }
+            moving.addAll(chain);
+            mounts.add(new Mount(chain.stream().map(site::actuator).toList()));
+        }
+        var limbs = new Limbs(world, site.body, List.copyOf(mounts));
+        moving.forEach(name -> site.actuator(name).carry(limbs, site.mount(name)));
     }
 
     private Map<String, SimActuator> actuators(RobotSpec spec) {

@@ -5,8 +5,10 @@ import java.time.Instant;
 import java.time.InstantSource;
 import org.jspecify.annotations.Nullable;
 import rsal.data.ActuatorState;
+import rsal.data.ActuatorState.Joint;
 import rsal.data.ActuatorState.Motion;
 import rsal.data.Interval;
+import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.device.Actuator;
 import rsal.device.DeviceInfo;
@@ -16,8 +18,8 @@ import rsal.device.Health;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.Shift;
 
-/// A simulated joint, at its speed at once. (In Stage 4.3 joints don't move.) Devices that stand on it move with it;
-/// nothing is in their way.
+/// A simulated joint, at its speed at once. (In Stage 4.3 joints don't move.) What stands on it moves with it. Only
+/// pieces of the robot's body can run into something: then it stops and is stuck.
 final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     private final Part.Actuator part;
     private final InstantSource clock;
@@ -28,6 +30,9 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     private double speed;
     private Instant commanded = Instant.MIN;
     private boolean arrived; // and not told yet
+    private @Nullable String obstacle; // that stopped it in the last step
+    private @Nullable Limbs limbs; // that it carries; null when it carries none
+    private Mount standsOn = Mount.BASE;
     private @Nullable GoalSource<ActuatorState, Result> goal;
     private @Nullable GoalSource<ActuatorState, Result> underWay; // in the last step
 
@@ -62,6 +67,14 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
         commanded = clock.instant();
     }
 
+    /// Lets it carry pieces of the robot's body.
+    ///
+    /// @param mount what it stands on itself
+    void carry(Limbs load, Mount mount) {
+        limbs = load;
+        standsOn = mount;
+    }
+
     /// How far it has carried what stands on it.
     Shift shift() {
         return part.shift(position);
@@ -90,22 +103,48 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
         double most = part.maxSpeed() * dt;
         underWay = goal;
         if (goal != null) {
-            position = Math.clamp(target, before - most, before + most);
+            moveTo(Math.clamp(target, before - most, before + most));
             arrived = position == target;
         } else {
             wanted = now.isBefore(commanded.plus(watchdog)) ? wanted : 0;
-            position = part.limits().clamp(before + wanted * dt);
+            moveTo(part.limits().clamp(before + wanted * dt));
         }
         speed = (position - before) / dt;
         if (isDue(now)) {
             take(state(), now);
-        } else if (arrived) {
+        } else if (arrived || (goal != null && obstacle != null)) {
             takeNow(state(), now);
         }
     }
 
+    private void moveTo(double next) {
+        double before = position;
+        obstacle = null;
+        if (limbs == null || next == before) {
+            position = next;
+            return;
+        }
+        double made = limbs.move(longestWay(limbs, next), part -> position = between(before, next, part));
+        position = between(before, next, made);
+        obstacle = made < 1 ? limbs.obstacle() : null;
+    }
+
+    private static double between(double from, double to, double part) {
+        return part == 1 ? to : from + part * (to - from);
+    }
+
+    /// That a point on it makes, at most [m].
+    private double longestWay(Limbs load, double next) {
+        double way = Math.abs(next - position);
+        if (part.joint() == Joint.LINEAR) {
+            return way;
+        }
+        Pose2d joint = standsOn.now().moved(part.baseFromJoint());
+        return way * (load.radius() + Math.hypot(joint.x(), joint.y()));
+    }
+
     private ActuatorState state() {
-        Motion standing = wanted == 0 ? Motion.IDLE : Motion.STALLED;
+        Motion standing = wanted == 0 && obstacle == null ? Motion.IDLE : Motion.STALLED;
         return new ActuatorState(part.joint(), position, speed, part.limits(), speed == 0 ? standing : Motion.MOVING);
     }
 
@@ -116,6 +155,8 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
             now.tell(reading);
             if (arrived && now == goal) {
                 stop(new Result.Reached(position));
+            } else if (obstacle != null && now == goal) {
+                stop(new Result.Stuck(position, "(%s) is in its way.".formatted(obstacle)));
             }
         }
     }

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Executors;
@@ -19,8 +20,11 @@ import rsal.data.Blobs;
 import rsal.data.Fiducials;
 import rsal.data.Interval;
 import rsal.data.LaserScan;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.Prism;
 import rsal.data.RangeArray;
+import rsal.data.Shape;
 import rsal.data.Twist2d;
 import rsal.device.Actuator;
 import rsal.device.BlobFinder;
@@ -30,6 +34,7 @@ import rsal.device.FiducialFinder;
 import rsal.device.Gripper;
 import rsal.device.LaserScanner;
 import rsal.device.Sensor;
+import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Marker;
 import rsal.device.SonarArray;
 import rsal.robot.RobotModel;
@@ -37,6 +42,10 @@ import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotSpec;
 import rsal.robot.Shift;
+import rsal.scene.Block;
+import rsal.scene.Entity;
+import rsal.scene.Scene;
+import rsal.scene.Surface;
 
 /// Devices that stand on actuators.
 class SimMountsTest {
@@ -198,6 +207,121 @@ class SimMountsTest {
         assertThat(actual.isNear(expected, 1e-6, 1e-6))
                 .as("%s, %s", actual, expected)
                 .isTrue();
+    }
+
+    private static final Part.Actuator ARM = new Part.Actuator(
+            "arm", new Pose2d(0.2, 0, 0), Joint.ROTATIONAL, new Interval(-Math.PI, Math.PI), 1, 0, PERIOD);
+
+    private static Block bar(double from, double to, double bottom) {
+        var corners = List.of(
+                new Point2d(from, -0.05), new Point2d(to, -0.05), new Point2d(to, 0.05), new Point2d(from, 0.05));
+        var prism = new Prism(new Shape.Polygon(corners), bottom, bottom + 0.1, Optional.empty());
+        return new Block(prism, Surface.PLAIN, Optional.of("arm"));
+    }
+
+    /// A box of 0.5 m × 0.4 m with an arm that reaches from x = 0.2 to 1.
+    private static SimRun withArm(Part.Actuator arm, double bottom, RobotSpec... others) {
+        RobotModel box = Models.box();
+        var parts = Map.<String, Part>of("arm", arm);
+        var spec = robot(
+                "r1", new RobotModel("box", "Box", box.body(), box.drive(), parts, Map.of()), new Pose2d(4.5, 3.5, 0));
+        var blocks = new ArrayList<>(Entity.blocks(box.body(), SimThings.RED));
+        blocks.add(bar(0.2, 1, bottom));
+        Scene room = Scene.of(SimRun.room(9, 7));
+        var scene = new Scene(
+                "",
+                room.map(),
+                Optional.empty(),
+                Optional.empty(),
+                room.touch(),
+                room.walls(),
+                List.of(),
+                List.of(),
+                Map.of("r1", new Entity("r1", blocks, new Pose2d(4.5, 3.5, 0), 0)),
+                Map.of(),
+                Map.of(),
+                room.contents(),
+                List.of(),
+                List.of());
+        var specs = new ArrayList<>(List.of(spec));
+        specs.addAll(List.of(others));
+        return SimRun.in(scene, specs.toArray(RobotSpec[]::new));
+    }
+
+    private static List<Actuator.Result> goTo(SimRun run, double position) {
+        var endings = new ArrayList<Actuator.Result>();
+        actuator(run, "arm").goTo(position).result().thenAccept(endings::add);
+        return endings;
+    }
+
+    @Test
+    void anArmSwingsUntilItTouchesSomethingAndGoesOnWhenThatIsGone() {
+        var run = withArm(ARM, 0.1);
+        run.simulation.add(can("can", 4.7, 4.2, 0.1, 0.5).asObstacle());
+        List<Actuator.Result> endings = goTo(run, Math.PI / 2);
+        run.advance(3);
+        // the corner at the upper edge of the bar touches the can, 0.7 m from the joint: asin(0.15 / 0.7) before it
+        double touch = Math.PI / 2 - Math.asin(0.15 / 0.7);
+        assertThat(endings).singleElement().isInstanceOf(Actuator.Result.Stuck.class);
+        assertThat(endings.getFirst().toString()).contains("(can) is in its way.");
+        double position = actuator(run, "arm").latest().orElseThrow().value().position();
+        assertThat(position).isBetween(touch - 0.005, touch);
+        run.simulation.remove("can");
+        endings = goTo(run, Math.PI / 2);
+        run.advance(1);
+        assertThat(endings).singleElement().isEqualTo(new Actuator.Result.Reached(Math.PI / 2));
+        assertThat(run.simulation.add(can("can", 4.7, 4.2, 0.1, 0.5).asObstacle()))
+                .isInstanceOf(SimulationControl.Placement.Refused.class);
+        assertThat(run.simulation.add(can("can", 5.3, 3.5, 0.1, 0.5).asObstacle()))
+                .isInstanceOf(SimulationControl.Placement.Placed.class);
+    }
+
+    @Test
+    void anArmIsInTheWayOfItsOwnRobotWhereItIs() {
+        var run = withArm(ARM, 0.1);
+        run.simulation.add(can("can", 6, 3.5, 0.1, 0.5).asObstacle());
+        drive(run);
+        assertThat(run.truth("r1").x()).as("the arm ahead").isBetween(4.895, 4.9);
+        goTo(run, Math.PI / 2);
+        run.simulation.place("r1", new Pose2d(4.5, 3.5, 0));
+        run.advance(2);
+        drive(run);
+        assertThat(run.truth("r1").x()).as("the arm aside").isBetween(5.645, 5.65);
+    }
+
+    private static void drive(SimRun run) {
+        for (int step = 0; step < 60; step++) {
+            run.base("r1").command(Twist2d.drive(0.5, 0));
+            run.advance(0.1);
+        }
+    }
+
+    @Test
+    void whatIsRaisedPassesOverThings() {
+        var lift = new Part.Actuator("arm", Pose2d.ORIGIN, Joint.LINEAR, Math.PI / 2, new Interval(0, 1), 1, 0, PERIOD);
+        var run = withArm(lift, 0.1);
+        run.simulation.add(can("can", 6, 3.5, 0.1, 0.3).asObstacle());
+        goTo(run, 0.3);
+        run.advance(1);
+        drive(run);
+        assertThat(run.truth("r1").x()).isBetween(5.645, 5.65);
+        List<Actuator.Result> endings = goTo(run, 0);
+        run.advance(1);
+        assertThat(endings).singleElement().isInstanceOf(Actuator.Result.Stuck.class);
+    }
+
+    @Test
+    void anotherRobotSeesTheArmWhereItIs() {
+        var other = robot("r2", turret(1), new Pose2d(4.7, 6, -Math.PI / 2));
+        var run = withArm(ARM, 0.25, other);
+        run.advance(0.1);
+        LaserScanner eye = run.robot("r2").require(LaserScanner.class);
+        assertThat(eye.latest().orElseThrow().value().ranges()[30]).isGreaterThan(2.2f);
+        goTo(run, Math.PI / 2);
+        run.advance(2);
+        assertThat(eye.latest().orElseThrow().value().ranges()[30])
+                .as("6 m - 0.2 m - 3.5 m - 0.8 m")
+                .isCloseTo(1.5f, within(1e-5f));
     }
 
     private static RobotModel turret(double speed) {

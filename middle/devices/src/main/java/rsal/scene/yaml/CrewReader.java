@@ -13,6 +13,7 @@ import rsal.data.Rgb;
 import rsal.robot.BodyReader;
 import rsal.robot.RobotColors;
 import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModels;
 import rsal.robot.RobotModels.Choice;
 import rsal.scene.Block;
@@ -147,7 +148,7 @@ final class CrewReader {
         Optional<List<Block>> blocks = !told && !high && figure.isEmpty()
                 ? Optional.empty()
                 : Optional.of(List.copyOf(plain.stream()
-                        .map(block -> new Block(block.prism(), surface.apply(block.surface())))
+                        .map(block -> block.with(surface.apply(block.surface())))
                         .toList()));
         for (int i = 0; i < places.size(); i++) {
             String id = several ? name + "-" + (i + 1) : name;
@@ -207,12 +208,26 @@ final class CrewReader {
                 return Optional.of(new Model(models.read(name, at, choices), Optional.empty()));
             }
             var section = new Section("models." + name, mapping, own);
-            Figure figure = Figure.read(section.section("body"), Surface.PLAIN);
-            return Optional.of(new Model(models.read(name, figure.solid(), section, choices), Optional.of(figure)));
+            Figure figure = Figure.ofRobot(
+                    section.section("body"), section.section("mounts").names());
+            RobotModel model = models.read(name, figure.solid(), section, choices);
+            checkCarriers(section, figure, model);
+            own.throwIfAny();
+            return Optional.of(new Model(model, Optional.of(figure)));
         } catch (InvalidSettings e) {
             e.problems().forEach(problems::add);
             return Optional.empty();
         }
+    }
+
+    private static void checkCarriers(Section section, Figure figure, RobotModel model) {
+        figure.pieces().stream()
+                .flatMap(piece -> piece.carrier().stream())
+                .distinct()
+                .filter(carrier -> model.sensors().containsKey(carrier)
+                        && !(model.sensors().get(carrier) instanceof Part.Actuator))
+                .forEach(carrier -> section.problem(
+                        "body", "A piece of its body stands on (%s), which is no actuator.".formatted(carrier), ""));
     }
 
     private static boolean isFree(Section section) {

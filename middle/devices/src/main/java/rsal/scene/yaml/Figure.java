@@ -3,6 +3,8 @@ package rsal.scene.yaml;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Prism;
@@ -12,6 +14,7 @@ import rsal.data.Solid;
 import rsal.scene.Block;
 import rsal.scene.Surface;
 import rsal.settings.Section;
+import rsal.settings.Suggestion;
 
 /// What a thing or a robot is made of.
 record Figure(List<Piece> pieces) {
@@ -23,11 +26,13 @@ record Figure(List<Piece> pieces) {
 
     /// @param prism with its color, if one is told
     /// @param surface its color does not count
-    record Piece(Prism prism, Surface surface) {
+    /// @param carrier the actuator that it moves with
+    record Piece(Prism prism, Surface surface, Optional<String> carrier) {
         Block in(Rgb color) {
             return new Block(
                     new Prism(prism.shape(), prism.bottom(), prism.top(), Optional.empty()),
-                    surface.in(prism.color().orElse(color)));
+                    surface.in(prism.color().orElse(color)),
+                    carrier);
         }
     }
 
@@ -35,15 +40,42 @@ record Figure(List<Piece> pieces) {
     ///
     /// @param base what others make of pieces that say nothing of it
     static Figure read(Section body, Surface base) {
+        return read(body, base, _ -> Optional.empty());
+    }
+
+    /// Reads the `body` of a robot, of which actuators may carry pieces.
+    ///
+    /// @param places where it may have devices
+    static Figure ofRobot(Section body, Set<String> places) {
+        return read(body, Surface.PLAIN, piece -> carrier(piece, places));
+    }
+
+    private static Optional<String> carrier(Section piece, Set<String> places) {
+        if (!piece.has("actuator")) {
+            return Optional.empty();
+        }
+        String carrier = piece.text("actuator");
+        if (!carrier.isEmpty() && !places.contains(carrier)) {
+            piece.problem(
+                    "actuator",
+                    "(%s) is (%s), which (mounts) does not list.".formatted(piece.path("actuator"), carrier),
+                    Suggestion.among(carrier, places));
+        }
+        return Optional.of(carrier);
+    }
+
+    private static Figure read(Section body, Surface base, Function<Section, Optional<String>> carrier) {
         Surface surface = SurfaceReader.told(body).apply(base);
         if (!body.has("pieces")) {
-            return new Figure(List.of(new Piece(Keys.BODIES.piece(body), surface)));
+            Optional<String> on = carrier.apply(body);
+            return new Figure(List.of(new Piece(Keys.BODIES.piece(body), surface, on)));
         }
         boolean none = body.list("pieces").filter(List::isEmpty).isPresent();
         var pieces = new ArrayList<Piece>();
         for (Section piece : none ? List.<Section>of() : Keys.BODIES.pieces(body)) {
             Surface own = SurfaceReader.told(piece).apply(surface);
-            pieces.add(new Piece(Keys.BODIES.piece(piece), own));
+            Optional<String> on = carrier.apply(piece);
+            pieces.add(new Piece(Keys.BODIES.piece(piece), own, on));
         }
         body.done();
         return new Figure(pieces);

@@ -70,7 +70,8 @@ final class ModelWriter {
                                     prism.bottom(),
                                     prism.top(),
                                     color.equals(robot) ? Optional.empty() : Optional.of(color)),
-                            block.surface().in(Surface.PLAIN.color()));
+                            block.surface().in(Surface.PLAIN.color()),
+                            block.carrier());
                 })
                 .toList();
     }

@@ -175,6 +175,7 @@ public final class SceneWriter {
             Map<String, Object> piece = piece(block.prism());
             piece.putAll(difference(surface, base));
             block.prism().color().ifPresent(color -> piece.put("color", color.toString()));
+            block.carrier().ifPresent(carrier -> piece.put("actuator", carrier));
             pieces.add(piece);
         }
         if (pieces.size() == 1) {

@@ -579,6 +579,8 @@ class YamlFormatTest {
             robots: {r: {model: pioneer2dx, pose: {free: true, within: [5, 0, 1, 1]}}} | 2:60 | (robots.r.pose.within) must be [left, bottom
             robots: {r: {model: pioneer2dx, pose: {free: true, within: [0, 0, 1e7, 1]}}} | 2:60 | (robots.r.pose.within) must be within
             models: {m: {body: {radius: 1}}}               | 2:13  | (models.m.drive.maxSpeed) is missing
+            models: {m: {body: {radius: 1, actuator: arn}, mounts: {arm: [0, 0, 0]}}} | 2:42 | Maybe (arm) was meant?
+            things: {a: {body: {radius: 1, actuator: arm}}} | 2:32 | (actuator) is not known
             things: {a: {pose: [900000, 0, 0], body: {radius: 1}}, b: {body: {radius: 1}}} | | at most 100000 m
             """)
     void mistakesAreTold(String text, String where, String expected) {
@@ -594,6 +596,34 @@ class YamlFormatTest {
                 .anySatisfy(mistake -> assertThat(mistake)
                         .startsWith(Worlds.FILE + (where == null ? ":" : ":" + where + ":"))
                         .contains(expected));
+    }
+
+    @Test
+    void piecesOfABodyMoveWithTheActuatorThatTheyName() {
+        String world = """
+                models:
+                  cart:
+                    body:
+                      pieces: [{length: 0.4, width: 0.3}, {length: 0.5, width: 0.05, center: [0.3, 0], bottom: 0.2, actuator: arm}]
+                    drive: {maxSpeed: 1, maxTurnRate: 90, maxAcceleration: 1, maxTurnAcceleration: 90,
+                            odometryNoise: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0}}
+                    mounts: {arm: [0, 0, 0], eye: {actuator: arm, pose: [0.5, 0, 0]}}
+                    sensors: {arm: PART, eye: urg04lx}
+                robots:
+                  r: {model: cart, pose: [0, 0, 0], obstacle: false}
+                """;
+        Scene scene = Worlds.of(world.replace("PART", "turntable")).read();
+        assertThat(java.util.Objects.requireNonNull(scene.robotBodies().get("r"))
+                        .blocks())
+                .extracting(block -> block.carrier().orElse("base"))
+                .containsExactly("base", "arm");
+        assertThat(scene.robots().getFirst().model().carriers()).isEqualTo(java.util.Map.of("eye", "arm"));
+        assertThat(Worlds.of(world.replace("PART", "urg04lx")
+                                .replace("{actuator: arm, pose: [0.5, 0, 0]}", "[0, 0, 0]"))
+                        .mistakes())
+                .singleElement()
+                .asString()
+                .contains("A piece of its body stands on (arm), which is no actuator.");
     }
 
     @Test

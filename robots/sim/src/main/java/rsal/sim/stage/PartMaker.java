@@ -51,12 +51,10 @@ final class PartMaker {
     /// @param carrier the actuator that it stands on
     /// @return the actuator that carries what is in the model
     Optional<String> add(StageModel model, Placement robotFromModel, Optional<String> carrier) {
-        int before = devices.size();
         this.carrier = carrier;
         add(model, robotFromModel);
-        return model.traits().kind() instanceof Kind.Actuator && devices.size() > before
-                ? Optional.of(devices.getLast().name())
-                : carrier;
+        boolean carries = model.traits().kind() instanceof Kind.Actuator actuator && actuator.maxSpeed() > 0;
+        return carries ? Optional.of(devices.getLast().name()) : carrier;
     }
 
     private void add(StageModel model, Placement robotFromModel) {

@@ -27,9 +27,14 @@ final class Pieces {
     ///
     /// @param surface its color counts only when it is not drawn
     /// @param drawn whether its color is that of its owner, drawn at random
-    record Piece(Prism prism, Surface surface, boolean drawn) {
+    /// @param carrier the actuator that it moves with
+    record Piece(Prism prism, Surface surface, boolean drawn, Optional<String> carrier) {
         Block in(Rgb color) {
-            return new Block(prism, drawn ? surface.in(color) : surface);
+            return new Block(prism, drawn ? surface.in(color) : surface, carrier);
+        }
+
+        Piece on(Optional<String> actuator) {
+            return new Piece(prism, surface, drawn, actuator);
         }
     }
 
@@ -85,7 +90,8 @@ final class Pieces {
                 .ifPresent(shape -> pieces.add(new Piece(
                         new Prism(shape, bottom, Math.max(top, bottom + THIN), Optional.empty()),
                         surface,
-                        color.isEmpty())));
+                        color.isEmpty(),
+                        Optional.empty())));
     }
 
     static Surface surface(Traits.Returns returns, Color color) {

@@ -86,7 +86,7 @@ final class RobotMaker {
         parts.battery(base, use);
         boolean drawn = body.stream().anyMatch(Piece::drawn);
         List<Block> blocks = List.copyOf(body.stream()
-                .map(piece -> new Block(piece.prism(), piece.surface()))
+                .map(piece -> new Block(piece.prism(), piece.surface(), piece.carrier()))
                 .toList()); // a copy, as that is what lists of robots share
         return new Made(
                 model(base, solid(body, base.traits().color()), parts.devices()),
@@ -101,21 +101,13 @@ final class RobotMaker {
         Placement robotFromModel = model.traits().kind() instanceof Kind.Actuator actuator
                 ? told.compose(PartMaker.atStart(actuator))
                 : told;
-        int pieceCount = body.size();
-        body.addAll(pieces.of(model, robotFromModel));
         Optional<String> carrierOfChildren = parts.add(model, robotFromModel, carrier);
+        pieces.of(model, robotFromModel).forEach(piece -> body.add(piece.on(carrierOfChildren)));
         double use = model.traits().energy().use();
         double top = model.traits().stacksChildren() ? model.traits().size().z() : 0;
         for (StageModel child : model.children()) {
             Placement robotFromChild = robotFromModel.raised(top).compose(child.parentFromModel());
             use += collect(child, robotFromChild, carrierOfChildren, body, parts);
-        }
-        if (carrier.isEmpty() && carrierOfChildren.isPresent() && body.size() > pieceCount) {
-            findings.warn(
-                    model.location(),
-                    "Blocks of (%s) and of what stands on it do not move with it here; sensors do."
-                            .formatted(Findings.shortened(model.macro())),
-                    "Maybe (noblocks 1), or (size [0.01 0.01 0.01]), keeps them out of the way.");
         }
         return use;
     }
@@ -149,7 +141,6 @@ final class RobotMaker {
         var parts = new LinkedHashMap<String, Part>();
         var heights = new HashMap<String, Double>();
         var carriers = new HashMap<String, String>();
-        var missing = new HashMap<String, Optional<String>>(); // actuators, and what they would stand on
         Drive drive = possible(base, body, drive(position));
         for (Device device : devices) {
             var alone = new RobotModel(base.macro(), base.macro(), body, drive, Map.of(device.name(), device.part()));
@@ -157,11 +148,8 @@ final class RobotMaker {
             if (problems.isEmpty()) {
                 parts.put(device.name(), device.part());
                 heights.put(device.name(), device.height());
-                Optional<String> on = device.carrier();
-                on.flatMap(name -> missing.getOrDefault(name, on)).ifPresent(name -> carriers.put(device.name(), name));
+                device.carrier().ifPresent(carrier -> carriers.put(device.name(), carrier));
             } else {
-                Optional<String> on = device.carrier();
-                missing.put(device.name(), on.flatMap(name -> missing.getOrDefault(name, on)));
                 findings.warn(
                         device.model().location(),
                         "A part of (%s) is left out. %s"

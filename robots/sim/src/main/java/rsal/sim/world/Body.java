@@ -46,6 +46,16 @@ public final class Body {
         return figure.height();
     }
 
+    /// The actuators that carry pieces of it.
+    public List<String> carriers() {
+        return figure.carriers();
+    }
+
+    /// Of a circle around its base that holds it as it is now [m].
+    public double radius() {
+        return figure.radius();
+    }
+
     /// Where sensors see it: mapFromBase at the last [World#look].
     public Pose2d seenPose() {
         return seen.pose();

@@ -24,6 +24,27 @@ public sealed interface Chunk {
     /// @param radius [m]
     record Cylinder(Point2d center, double radius, double bottom, double top, Surface surface) implements Chunk {}
 
+    /// One that moves with an actuator.
+    ///
+    /// @param chunk in the base frame while all actuators are at home
+    /// @param carrier the actuator's name
+    record Carried(Chunk chunk, String carrier) implements Chunk {
+        @Override
+        public double bottom() {
+            return chunk.bottom();
+        }
+
+        @Override
+        public double top() {
+            return chunk.top();
+        }
+
+        @Override
+        public Surface surface() {
+            return chunk.surface();
+        }
+    }
+
     /// A body of one outline that is of every height.
     static List<Chunk> of(Footprint outline) {
         var all = new Outline(outline.corners());
@@ -38,14 +59,20 @@ public sealed interface Chunk {
             double top = block.prism().top();
             switch (block.prism().shape()) {
                 case Shape.Disc disc ->
-                    chunks.add(new Cylinder(disc.center(), disc.radius(), bottom, top, block.surface()));
+                    chunks.add(on(block, new Cylinder(disc.center(), disc.radius(), bottom, top, block.surface())));
                 case Shape.Polygon polygon -> {
                     for (List<Point2d> part : Convex.small(polygon.corners())) {
-                        chunks.add(new Prism(new Outline(part), bottom, top, block.surface()));
+                        chunks.add(on(block, new Prism(new Outline(part), bottom, top, block.surface())));
                     }
                 }
             }
         }
         return List.copyOf(chunks);
+    }
+
+    private static Chunk on(Block block, Chunk chunk) {
+        return block.carrier().isEmpty()
+                ? chunk
+                : new Carried(chunk, block.carrier().get());
     }
 }

@@ -1,13 +1,16 @@
 package rsal.sim.world;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import rsal.robot.Shift;
 
 /// A body's pieces, all placed with its base.
 final class Figure {
     final Piece[] pieces;
-    private final double radius;
+    private final @Nullable Limbs limbs; // null where no actuator carries any piece
+    private final double radiusAtHome;
+    private double radius;
     private Pose2d pose = Pose2d.ORIGIN;
     private double cos = 1;
     private double sin;
@@ -15,23 +18,46 @@ final class Figure {
 
     /// Placed at the origin.
     Figure(List<Chunk> chunks) {
-        pieces = chunks.stream()
-                .map(chunk -> switch (chunk) {
-                    case Chunk.Prism prism -> new Polygon(prism);
-                    case Chunk.Cylinder cylinder -> new Disc(cylinder);
-                })
-                .toArray(Piece[]::new);
+        pieces = chunks.stream().map(Figure::piece).toArray(Piece[]::new);
+        limbs = Limbs.of(chunks, pieces).orElse(null);
         double farthest = 0;
         for (Chunk chunk : chunks) {
-            farthest = Math.max(
-                    farthest,
-                    switch (chunk) {
-                        case Chunk.Prism prism -> prism.outline().farthest;
-                        case Chunk.Cylinder c ->
-                            Math.hypot(c.center().x(), c.center().y()) + c.radius();
-                    });
+            farthest = Math.max(farthest, farthest(chunk));
         }
+        radiusAtHome = farthest;
         radius = farthest;
+    }
+
+    private static Piece piece(Chunk chunk) {
+        return switch (chunk) {
+            case Chunk.Prism prism -> new Polygon(prism);
+            case Chunk.Cylinder cylinder -> new Disc(cylinder);
+            case Chunk.Carried carried -> piece(carried.chunk());
+        };
+    }
+
+    private static double farthest(Chunk chunk) {
+        return switch (chunk) {
+            case Chunk.Prism prism -> prism.outline().farthest;
+            case Chunk.Cylinder c -> Math.hypot(c.center().x(), c.center().y()) + c.radius();
+            case Chunk.Carried carried -> farthest(carried.chunk());
+        };
+    }
+
+    /// The actuators that carry pieces of it.
+    List<String> carriers() {
+        return limbs == null ? List.of() : limbs.carriers();
+    }
+
+    /// Lets actuators carry pieces.
+    ///
+    /// @param shifts for each of the [#carriers]
+    void bend(List<Shift> shifts) {
+        if (limbs != null) {
+            limbs.shift(shifts);
+            place(pose, cos, sin, height);
+            radius = Math.max(radiusAtHome, limbs.radius(pose));
+        }
     }
 
     /// @param height above ground [m]
@@ -51,6 +77,10 @@ final class Figure {
 
     /// Places it where another is.
     void placeAt(Figure other) {
+        if (limbs != null && other.limbs != null) {
+            limbs.shift(other.limbs);
+            radius = other.radius;
+        }
         place(other.pose, other.cos, other.sin, other.height);
     }
 
@@ -61,6 +91,9 @@ final class Figure {
         height = itsHeight;
         for (Piece piece : pieces) {
             piece.place(pose.x(), pose.y(), cos, sin, height);
+        }
+        if (limbs != null) {
+            limbs.place(pose, height);
         }
     }
 
@@ -84,7 +117,7 @@ final class Figure {
         return height;
     }
 
-    /// Of the smallest circle around the base's origin that holds it [m].
+    /// Of a circle around the base's origin that holds it [m].
     double radius() {
         return radius;
     }

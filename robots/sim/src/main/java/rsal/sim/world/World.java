@@ -9,8 +9,11 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiPredicate;
+import java.util.function.DoubleConsumer;
+import java.util.function.DoubleFunction;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
+import rsal.robot.Shift;
 
 /// Walls and the bodies between them. No body that moves by itself ever overlaps what is in its way.
 ///
@@ -241,18 +244,47 @@ public final class World {
             body.figure.placeAt(arc.at(1), body.height());
             return 1;
         }
+        return approach(body, way, free, reach, part -> body.trial.placeAt(arc.at(part), body.height()));
+    }
+
+    /// Lets actuators carry pieces of a body until one would touch something, or all the way. What rises or sinks meets
+    /// only what is in its way where it is checked, not all that it passes.
+    ///
+    /// @param way that any point of it makes, at most [m]
+    /// @param shifts of each of its [Body#carriers], by part of the way
+    /// @return how much of the way it made, 0–1; when less than 1, [#obstacle] says why
+    public double bend(Body body, double way, DoubleFunction<List<Shift>> shifts) {
+        body.trial.placeAt(body.figure);
+        double reach = Math.min(way + HAIR, LOOK_AHEAD);
+        double free = clearance(body.figure, body, reach);
+        double made = approach(body, way, free, reach, part -> body.trial.bend(shifts.apply(part)));
+        body.trial.placeAt(body.figure);
+        if (made > 0) {
+            arrive(body);
+        }
+        return made;
+    }
+
+    /// Advances conservatively.
+    ///
+    /// @param way longest of any point [m]
+    /// @param free room that it has at first [m]
+    /// @param reach of room that is of interest [m]
+    /// @param tryPart places the body's trial where it is after a part of the way
+    private double approach(Body body, double way, double free, double reach, DoubleConsumer tryPart) {
         double made = 0;
+        double room = free;
         while (made < 1) {
             double step =
-                    Math.min(1 - made, (Math.max(0, free) + HAIR) / way); // less than 0 if it was put into something
-            body.trial.placeAt(arc.at(made + step), body.height());
-            free = clearance(body.trial, body, reach);
-            while (free < HAIR && step * way > HAIR / 4) {
+                    Math.min(1 - made, (Math.max(0, room) + HAIR) / way); // less than 0 if it was put into something
+            tryPart.accept(made + step);
+            room = clearance(body.trial, body, reach);
+            while (room < HAIR && step * way > HAIR / 4) {
                 step /= 2;
-                body.trial.placeAt(arc.at(made + step), body.height());
-                free = clearance(body.trial, body, reach);
+                tryPart.accept(made + step);
+                room = clearance(body.trial, body, reach);
             }
-            if (free < HAIR) {
+            if (room < HAIR) {
                 return made;
             }
             made += step;

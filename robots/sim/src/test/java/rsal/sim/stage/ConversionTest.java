@@ -88,6 +88,12 @@ class ConversionTest {
                     bumper ( bcount 1 bpose[0] [0.2 0 0 0] blength 0.3 ) )
                   blobfinder ( ) )
                 """,
+                """
+                position ( name "r" size [0.5 0.5 0.3] actuator ( type "rotational" max_position 90 size [0.3 0.1 0.1]
+                  model ( pose [0.3 0 -0.1 0] size [0.3 0.05 0.05] color "blue" )
+                  actuator ( noblocks 1 axis [0 0 1] model ( size [0.1 0.1 0.1] obstacle_return 0 ) ) ) )
+                position ( noblocks 1 actuator ( ) )
+                """,
                 "define a position ( ) a ( ranger ( sensor ( samples 5 ) ) ) a ( ranger ( sensor ( samples 7 ) ) ) a ( )"
             })
     void whatIsThereStays(String world) {

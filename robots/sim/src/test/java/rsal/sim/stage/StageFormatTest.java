@@ -314,13 +314,14 @@ class StageFormatTest {
     }
 
     @Test
-    void whatDoesNotMoveWithItsActuatorIsToldOf() {
-        assertThat(warnings(scene("position ( actuator ( actuator ( ranger ( sensor ( ) ) ) ) )")))
-                .singleElement()
-                .asString()
-                .startsWith("test.world:1:12: Blocks of (actuator) and of what stands on it do not move");
-        assertThat(warnings(scene("position ( actuator ( noblocks 1 ranger ( sensor ( ) ) ) )")))
-                .isEmpty();
+    void blocksMoveWithTheActuatorThatTheyAreIn() {
+        Scene scene = scene("""
+                position ( model ( ) actuator ( model ( ) actuator ( max_speed 0 model ( ) ) actuator ( model ( ) ) ) )
+                """);
+        assertThat(scene.robotBodies().values().iterator().next().blocks())
+                .extracting(block -> block.carrier().orElse("base"))
+                .containsExactly(
+                        "base", "base", "actuator", "actuator", "actuator", "actuator", "actuator-3", "actuator-3");
     }
 
     @Test
