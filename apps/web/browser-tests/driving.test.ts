@@ -3,6 +3,7 @@ import { AxeBuilder } from '@axe-core/playwright';
 import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
 import { Rsal } from './rsal';
 
 const WORLD = fileURLToPath(new URL('driving.world', import.meta.url));
@@ -64,16 +65,6 @@ describe.skipIf(!chromium)('robots of a world', () => {
       ['data-x', 'data-y', 'data-heading'].map(async (name) => Number(await row(robot).getAttribute(name))),
     );
     return { x: x!, y: y!, heading: heading! };
-  }
-
-  async function eventually(holds: () => Promise<boolean>, what: string) {
-    for (let tries = 0; tries < 300; tries++) {
-      if (await holds()) {
-        return;
-      }
-      await page.waitForTimeout(100);
-    }
-    throw new Error(`It never came true that ${what}.`);
   }
 
   async function moved(robot: string, by = 0.2) {

@@ -9,6 +9,7 @@ import {
 } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
 import { Rsal } from './rsal';
 
 const SEED = '42';
@@ -76,16 +77,6 @@ describe.skipIf(!chromium)('the page', () => {
   }
 
   /** Waits until something holds, however slow the machine is. */
-  async function eventually(holds: () => Promise<boolean>, what: string) {
-    for (let tries = 0; tries < 200; tries++) {
-      if (await holds()) {
-        return;
-      }
-      await page.waitForTimeout(100);
-    }
-    throw new Error(`It never came true that ${what}.`);
-  }
-
   /** Simulated seconds on the page's clock. */
   async function time(of = page): Promise<number> {
     const text = await of.getByTestId('time').innerText();

@@ -3,6 +3,7 @@ import { AxeBuilder } from '@axe-core/playwright';
 import { chromium as driver, type Browser, type Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
 import { Rsal } from './rsal';
 
 const YARD = fileURLToPath(new URL('yard.world', import.meta.url));
@@ -55,16 +56,6 @@ describe.skipIf(!chromium)('a world of things', () => {
     await opened.goto(url);
     await opened.locator('tr[data-robot][data-x]').first().waitFor();
     return opened;
-  }
-
-  async function eventually(holds: () => Promise<boolean>, what: string) {
-    for (let tries = 0; tries < 100; tries++) {
-      if (await holds()) {
-        return;
-      }
-      await page.waitForTimeout(100);
-    }
-    throw new Error(`It never came true that ${what}.`);
   }
 
   const thing = (name: string) => page.locator(`li[data-thing="${name}"]`);
