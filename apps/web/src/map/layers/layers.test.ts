@@ -3,6 +3,7 @@ import { ellipse } from './estimates';
 import { poolCells } from './floor';
 import { gridStep } from './grid';
 import { handleOf, radius } from './robots';
+import { strengthOf } from './scans';
 
 const footprint = [
   [-0.2, -0.2],
@@ -42,6 +43,20 @@ describe('a robot', () => {
     const handle = handleOf({ x: 1, y: 1, heading: Math.PI / 2 }, footprint, 100);
     expect(handle.x).toBeCloseTo(1);
     expect(handle.y).toBeGreaterThan(1.3);
+  });
+});
+
+describe('laser scans', () => {
+  it('are as strong as they can be when they are few', () => {
+    expect(strengthOf(1)).toBe(1);
+    expect(strengthOf(5)).toBe(1);
+  });
+
+  it('hide the floor no more when they are many', () => {
+    const seen = (scans: number) => (1 - 0.09 * strengthOf(scans)) ** scans;
+    for (const scans of [10, 100, 1000]) {
+      expect(seen(scans)).toBeGreaterThan(0.95 * seen(5));
+    }
   });
 });
 
