@@ -52,6 +52,10 @@ final class Newcomers {
         return id;
     }
 
+    boolean isExpected(String robot) {
+        return expected.containsKey(robot);
+    }
+
     private Optional<String> idLike(String robot, Set<String> taken) {
         return Optional.ofNullable(robots.get(robot)).map(like -> {
             String role = like.spec().role();

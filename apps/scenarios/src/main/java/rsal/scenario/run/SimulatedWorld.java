@@ -35,6 +35,7 @@ final class SimulatedWorld {
     private final Faults faults;
     private final Placements placements = new Placements();
     private final Set<String> props = new HashSet<>(); // things that were added by hand and are there
+    private final Set<String> takenOut = new HashSet<>(); // robots, by hand
     private int robotsAdded; // by hand
 
     SimulatedWorld(
@@ -184,15 +185,28 @@ final class SimulatedWorld {
         if (simulation.isEmpty()) {
             return nothingSimulated();
         }
-        boolean removed = team.has(entity)
-                ? simulation.get().removeRobot(entity)
-                : simulation.get().remove(entity);
-        if (!removed) {
+        if (!(team.has(entity)
+                ? removeRobot(simulation.get(), entity)
+                : simulation.get().remove(entity))) {
             return unknown(entity);
         }
         props.remove(entity);
         journal.event("operator", entity, "removed");
         return new Answer.Done();
+    }
+
+    private boolean removeRobot(SimulationControl simulation, String robot) {
+        takenOut.add(robot); // before the world tells
+        boolean removed = simulation.removeRobot(robot);
+        if (!removed) {
+            takenOut.remove(robot);
+        }
+        return removed;
+    }
+
+    /// Whether somebody takes a robot out of the world, or has done so.
+    boolean isTakenOut(String robot) {
+        return takenOut.contains(robot);
     }
 
     private Answer nothingSimulated() {

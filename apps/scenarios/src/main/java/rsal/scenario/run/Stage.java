@@ -95,7 +95,9 @@ final class Stage implements AutoCloseable {
         }
         switch (change) {
             case RobotSystem.Change.Appeared(Robot robot) -> {
-                journal.event("run", robot.id(), "is there");
+                if (!newcomers.isExpected(robot.id())) { // else that it was added is told
+                    journal.event("run", robot.id(), "is there");
+                }
                 faults.appeared(robot.id());
                 if (!team.has(robot.id())) {
                     join(robot);
@@ -107,7 +109,9 @@ final class Stage implements AutoCloseable {
                 }
             }
             case RobotSystem.Change.Removed(String robot) -> {
-                journal.event("run", robot, "was removed");
+                if (!world.isTakenOut(robot)) { // else that is told
+                    journal.event("run", robot, "was removed");
+                }
                 leave(robot);
             }
         }
