@@ -147,6 +147,11 @@ export const texts = {
     noBehavior: (why: string) => `It can't be given a behavior that moves it. ${why}`,
     inCharge: (mine: boolean) => (mine ? 'you, by keys' : 'keys'),
   },
+  readings: {
+    title: 'What its devices tell',
+    nothing: 'nothing',
+    more: (count: number) => `and ${count} more`,
+  },
   agents: {
     title: 'Agents',
     sent: (count: number) => `${count} messages`,

@@ -6,6 +6,7 @@ import type {
   Mistake,
   Order,
   Plan,
+  Readings,
   Refused,
   Release,
   Restart,
@@ -36,7 +37,8 @@ export const api = {
   addRobot: (wish: RobotPose) => post('add-robot', wish) as Promise<Added>,
   remove: (name: string) => post('remove', { name }),
   goal: (to: RobotPose) => post('goal', to),
-  abilities,
+  abilities: (robot: string) => about<Abilities>('abilities', robot),
+  readings: (robot: string) => about<Readings>('readings', robot),
   drive: (wish: Drive) => post('drive', wish),
   release: (wish: Release) => post('release', wish, true),
   behavior: (wish: Order) => post('behavior', wish),
@@ -71,11 +73,11 @@ async function post(command: string, body: object = {}, evenAtTheEnd = false): P
   return answer;
 }
 
-/** What a robot can be told to do; null when nobody knows any more. */
-async function abilities(robot: string): Promise<Abilities | null> {
+/** Something about a robot; null when nobody knows any more. */
+async function about<T>(what: string, robot: string): Promise<T | null> {
   try {
-    const response = await fetch(`/api/abilities?robot=${encodeURIComponent(robot)}`);
-    return response.ok ? ((await response.json()) as Abilities) : null;
+    const response = await fetch(`/api/${what}?robot=${encodeURIComponent(robot)}`);
+    return response.ok ? ((await response.json()) as T) : null;
   } catch {
     return null;
   }

@@ -100,6 +100,12 @@ export interface Events {
   events: EventInfo[];
 }
 
+export interface Fact {
+  name: string;
+  value: string;
+  color: string | null;
+}
+
 export interface GripperInfo {
   x: number;
   y: number;
@@ -163,6 +169,16 @@ export interface Plan {
 }
 
 export type PropKind = 'BOX' | 'BALL';
+
+export interface ReadingInfo {
+  device: string;
+  facts: Fact[];
+  left: number;
+}
+
+export interface Readings {
+  readings: ReadingInfo[];
+}
 
 export interface Receipt {
   frame: number | null;

@@ -77,6 +77,10 @@ final class Api {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running().abilities(robot == null ? "" : robot));
         });
+        routes.get("/api/readings", request -> {
+            String robot = request.queryParam("robot");
+            answerWhenDone(request, running().readings(robot == null ? "" : robot));
+        });
 
         command(routes, "pause", request -> running().pause());
         command(routes, "resume", request -> running().resume());
@@ -233,6 +237,7 @@ final class Api {
                         case Answer.Done _ -> answer(request, Map.of());
                         case Answer.Added(String name) -> answer(request, new Added(name));
                         case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
+                        case Answer.Read(var readings) -> answer(request, ReadingWords.of(readings));
                         case Answer.Refused(String why) -> throw new Refusal(409, why);
                     }
                 })

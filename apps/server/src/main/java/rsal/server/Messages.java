@@ -268,6 +268,18 @@ final class Messages {
             String noBehavior,
             String noGoal) {}
 
+    /// What those devices of a robot have told last that are not drawn on the map.
+    record Readings(List<ReadingInfo> readings) {}
+
+    /// @param device its name within the robot
+    /// @param facts in words; only the first few of something that can be many
+    /// @param left how many more there are
+    record ReadingInfo(String device, List<Fact> facts, int left) {}
+
+    /// @param value for people to read
+    /// @param color that it is about, `#rrggbb`
+    record Fact(String name, String value, Optional<String> color) {}
+
     /// Drives a robot by hand. To be said again and again: it stands still when that was not done for half a second.
     ///
     /// @param driver who drives: a name that the page makes up for itself

@@ -110,6 +110,14 @@ class SteeringTest {
         }
     }
 
+    @Test
+    void readingsCanBeAskedFor() throws IOException {
+        assertThat(get("/api/readings?robot=courier-1").body()).startsWith("{\"readings\":[");
+        for (String path : new String[] {"/api/readings?robot=nobody", "/api/readings"}) {
+            assertThat(get(path).status()).as(path).isEqualTo(409);
+        }
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

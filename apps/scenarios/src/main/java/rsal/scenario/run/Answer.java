@@ -1,5 +1,7 @@
 package rsal.scenario.run;
 
+import java.util.List;
+
 /// What became of an operator's command.
 public sealed interface Answer {
     record Done() implements Answer {}
@@ -10,6 +12,13 @@ public sealed interface Answer {
     record Added(String name) implements Answer {}
 
     record Able(Abilities abilities) implements Answer {}
+
+    /// @param readings newest of each device, in the robot's order
+    record Read(List<Reading> readings) implements Answer {
+        public Read {
+            readings = List.copyOf(readings);
+        }
+    }
 
     /// @param why a sentence for people
     record Refused(String why) implements Answer {}

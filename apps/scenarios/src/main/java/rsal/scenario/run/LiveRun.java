@@ -205,6 +205,13 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.orders().abilities(robot));
     }
 
+    /// What a robot's devices have told last, as [Answer.Read]; nothing of one that is gone, or from where it was
+    /// before
+    /// it was placed elsewhere.
+    public CompletionStage<Answer> readings(String robot) {
+        return ask(stage -> stage.readings(robot));
+    }
+
     /// Drives a robot by hand, instead of whoever else would, until [#letGo]. Must be said again and again: the robot
     /// stands still when it was not for half a second of real time, and is given back after five.
     ///

@@ -12,6 +12,7 @@ import rsal.device.LaserScanner;
 import rsal.device.Light;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
+import rsal.device.Sensor;
 import rsal.device.SonarArray;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
@@ -35,6 +36,24 @@ final class RobotViews {
                 .map(Teammate::spec)
                 .flatMap(spec -> team.robot(spec.id()).map(robot -> view(spec, robot)).stream())
                 .toList();
+    }
+
+    /// What its devices have told last, where it is now.
+    List<Reading> readings(Robot robot) {
+        String id = robot.id();
+        if (faults.isGone(id) || world.lacks(id)) {
+            return List.of();
+        }
+        return devices(robot, team.controls(id)).stream()
+                .flatMap(device -> reading(device).stream())
+                .filter(reading -> world.placements().isOfHere(id, reading.value()))
+                .toList();
+    }
+
+    private static Optional<Reading> reading(Device device) {
+        return device instanceof Sensor<?> sensor
+                ? sensor.latest().map(value -> new Reading(device.info().name(), value))
+                : Optional.empty();
     }
 
     private RobotView view(RobotSpec spec, Robot robot) {

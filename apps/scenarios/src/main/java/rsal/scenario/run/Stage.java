@@ -164,6 +164,12 @@ final class Stage implements AutoCloseable {
         return robotViews.all();
     }
 
+    Answer readings(String robot) {
+        return team.robot(robot)
+                .<Answer>map(known -> new Answer.Read(robotViews.readings(known)))
+                .orElseGet(() -> world.unknown(robot));
+    }
+
     List<AgentView> agentViews() {
         return agents.views();
     }

@@ -116,6 +116,22 @@ class ComingTest {
         await(now -> now.robots().getLast().truth().orElseThrow().distanceTo(THERE) > 0.05);
     }
 
+    private List<String> readings(String robot) {
+        return ((Answer.Read) answer(run.readings(robot)))
+                .readings().stream().map(Reading::device).toList();
+    }
+
+    @Test
+    void aRobotsReadingsAreOfWhereItIs() throws InterruptedException {
+        await(now -> now.robots().getFirst().scan().isPresent());
+        assertThat(readings("prey")).contains("laser");
+        run.pause();
+        await(Snapshot::paused);
+        assertThat(answer(run.place("prey", THERE))).isEqualTo(DONE);
+        assertThat(readings("prey")).doesNotContain("laser");
+        assertThat(answer(run.readings("nobody"))).isInstanceOf(Answer.Refused.class);
+    }
+
     @Test
     void thingsAreAddedMovedAndRemoved() throws InterruptedException {
         assertThat(answer(run.add(Prop.BOX, THERE))).isEqualTo(new Answer.Added("box-1"));

@@ -1,0 +1,119 @@
+package rsal.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import rsal.data.ActuatorState;
+import rsal.data.BatteryState;
+import rsal.data.Blobs;
+import rsal.data.Blobs.Blob;
+import rsal.data.BumperState;
+import rsal.data.Fiducials;
+import rsal.data.Fiducials.Fiducial;
+import rsal.data.GripperState;
+import rsal.data.Interval;
+import rsal.data.Path2d;
+import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.data.Stamped;
+import rsal.scenario.run.Reading;
+import rsal.server.Messages.ReadingInfo;
+
+class ReadingWordsTest {
+    private static final Pose2d AHEAD = new Pose2d(0, 0, 0);
+
+    private static List<ReadingInfo> told(Object value) {
+        return ReadingWords.of(List.of(new Reading("device", new Stamped<>(Instant.EPOCH, "r1/device", value))))
+                .readings();
+    }
+
+    private static List<String> words(Object value) {
+        return told(value).getFirst().facts().stream()
+                .map(fact -> fact.name() + ": " + fact.value())
+                .toList();
+    }
+
+    @Test
+    void aGripperSaysHowItStandsAndWhatItFeels() {
+        assertThat(words(new GripperState(
+                        GripperState.Paddles.CLOSING, 0.4, GripperState.Lift.UP, 1, true, true, true, false, false)))
+                .containsExactly(
+                        "paddles: closing, 40 % closed",
+                        "lift: up",
+                        "holds: nothing",
+                        "between the paddles: something near the tips and deep inside",
+                        "touched paddles: left");
+        assertThat(words(new GripperState(
+                        GripperState.Paddles.OPEN,
+                        Double.NaN,
+                        GripperState.Lift.DOWN,
+                        0,
+                        false,
+                        false,
+                        false,
+                        false,
+                        true)))
+                .containsExactly(
+                        "paddles: open",
+                        "lift: down",
+                        "holds: something",
+                        "between the paddles: nothing",
+                        "touched paddles: none");
+    }
+
+    @Test
+    void aBatterySaysWhatIsLeftAsFarAsItCanTell() {
+        assertThat(words(BatteryState.of(3000, 4000, -20, BatteryState.Charging.DISCHARGING)))
+                .containsExactly("level: 75.0 %", "charge: 3000 of 4000 J", "power: -20.0 W", "state: discharging");
+        double endless = Double.POSITIVE_INFINITY;
+        assertThat(words(BatteryState.of(endless, endless, 5, BatteryState.Charging.GIVING)))
+                .containsExactly("charge: never runs dry", "power: +5.0 W", "state: giving");
+        double unknown = Double.NaN;
+        assertThat(words(new BatteryState(unknown, unknown, unknown, unknown, 12.3, BatteryState.Charging.UNKNOWN)))
+                .containsExactly("voltage: 12.3 V", "state: unknown");
+    }
+
+    @Test
+    void blobsAreAsTheRobotSeesThem() {
+        Rgb red = new Rgb(255, 0, 0);
+        var near = new Blob(red, 10, 20, 30, 35, 20, 27, 300, 2);
+        var far = new Blob(red, 40, 0, 60, 5, 50, 2, 100, Double.NaN);
+        var image = new Blobs(AHEAD, 80, 60, Math.toRadians(80), List.of(near, far));
+        assertThat(words(image))
+                .containsExactly("#ff0000: 2.00 m, 20° left; 20 × 15 px", "#ff0000: 10° right; 20 × 5 px");
+        assertThat(told(image).getFirst().facts().getFirst().color()).contains("#ff0000");
+    }
+
+    @Test
+    void ofManyOnlyTheFirstAreTold() {
+        var marker = new Fiducial(OptionalInt.of(7), new Pose2d(3, 4, 0));
+        var seen = new Fiducials(AHEAD, 3, 8, Collections.nCopies(50, marker));
+        assertThat(words(seen)).hasSize(ReadingWords.MOST_FACTS).contains("marker 7: 5.00 m, 53° left");
+        assertThat(told(seen).getFirst().left()).isEqualTo(50 - ReadingWords.MOST_FACTS);
+        var distant = new Fiducial(OptionalInt.empty(), new Pose2d(9, 0, 0));
+        assertThat(words(new Fiducials(AHEAD, 3, 8, List.of(distant))))
+                .containsExactly("too far to read: 9.00 m, ahead");
+    }
+
+    @Test
+    void bumpersAndActuatorsAreToldToo() {
+        assertThat(words(new BumperState(List.of(AHEAD, AHEAD), List.of(false, true))))
+                .containsExactly("bumper 1: free", "bumper 2: pressed");
+        assertThat(words(new ActuatorState(
+                        ActuatorState.Joint.ROTATIONAL,
+                        Math.PI / 2,
+                        0,
+                        new Interval(-2, 2),
+                        ActuatorState.Motion.STALLED)))
+                .containsExactly("position: 90°, stalled");
+    }
+
+    @Test
+    void whatTheMapShowsIsNotTold() {
+        assertThat(told(Path2d.EMPTY)).isEmpty();
+    }
+}
