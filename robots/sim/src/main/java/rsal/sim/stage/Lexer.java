@@ -68,6 +68,11 @@ final class Lexer {
         }
     }
 
+    /// Whether no author writes it: control characters, but for the blanks and the end of a file of DOS.
+    private static boolean isBinary(char c) {
+        return c < ' ' && !Character.isWhitespace(c) && c != 0x1a;
+    }
+
     private void include(String name, Location at) {
         if (open.size() > MAX_INCLUDE_DEPTH || ++includes > MAX_INCLUDES) {
             throw findings.fatal(
@@ -120,6 +125,7 @@ final class Lexer {
         }
 
         void read() {
+            checkIsText();
             while (next < text.length()) {
                 char c = text.charAt(next);
                 if (c == '\n' || c == '\r') {
@@ -142,6 +148,27 @@ final class Lexer {
                     next++;
                 }
             }
+        }
+
+        /// A picture or a program instead of a world would else be told character by character.
+        private void checkIsText() {
+            int at = 0;
+            while (at < text.length() && !isBinary(text.charAt(at))) {
+                at++;
+            }
+            if (at < text.length()) {
+                int code = text.charAt(at);
+                throw findings.fatal(
+                        locationOf(at),
+                        "(%s) is no text file: there is a byte %d in it.".formatted(file, code),
+                        "Maybe it is another file, or one to be saved as UTF-8.");
+            }
+        }
+
+        private Location locationOf(int at) {
+            String before = text.substring(0, at);
+            int lines = (int) before.chars().filter(c -> c == '\n').count();
+            return new Location(file, lines + 1, at - before.lastIndexOf('\n'));
         }
 
         private Location here() {

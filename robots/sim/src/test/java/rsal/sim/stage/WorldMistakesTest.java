@@ -124,6 +124,22 @@ class WorldMistakesTest {
     }
 
     @Test
+    void whatIsNoTextIsToldAtOnceAndOnlyOnce() {
+        assertThat(Worlds.of("model ( )\n\u0089PNG\u001a\n\u0000\u0000\u0001\u0002")
+                        .mistakes())
+                .containsExactly("test.world:3:1: (test.world) is no text file: there is a byte 0 in it.\n"
+                        + "    Maybe it is another file, or one to be saved as UTF-8.");
+        assertThat(Worlds.of("include \"a.inc\"").and("a.inc", "model\u0008").mistakes())
+                .hasSize(1)
+                .first()
+                .asString()
+                .startsWith("a.inc:1:6: (a.inc) is no text file");
+        assertThat(Worlds.of("# made by hand\f\r\n\tmodel ( )\u001a").mistakes())
+                .as("blanks, and the end of a file of DOS")
+                .noneMatch(problem -> problem.contains("no text"));
+    }
+
+    @Test
     void theFileThatMistakesAreInIsNamed() {
         assertThat(Worlds.of("include \"a.inc\"")
                         .and("a.inc", "\nmodel ( mass \"x\" )")
