@@ -153,19 +153,27 @@ final class TraitsReader implements KindReader.Paint {
             String[] parts = text.strip().split("\\s+", 2);
             if (!parts[0].isEmpty()) {
                 controllers.add(new Controller(parts[0], parts.length > 1 ? parts[1] : ""));
-                if (kind instanceof Kind.Position && parts[0].equals("wander")) {
+                if (kind instanceof Kind.Position && parts[0].equals("wander") && hasRanger(fields.entity())) {
                     continue; // there is a behavior that does the same
                 }
                 findings.warn(
                         fields.locationOf("ctrl"),
                         "Controller (%s) is a program for Stage and can't be loaded here."
                                 .formatted(Findings.shortened(parts[0])),
-                        kind instanceof Kind.Position
-                                ? "The robot wanders instead. Give it a behavior or an agent in a scenario."
-                                : "");
+                        kind instanceof Kind.Position ? instead(fields.entity()) : "");
             }
         }
         return controllers;
+    }
+
+    private static String instead(Entity robot) {
+        return hasRanger(robot)
+                ? "The robot wanders instead. Give it a behavior or an agent in a scenario."
+                : "The robot stands still: it has no ranger to wander by. Give it one, or an agent in a scenario.";
+    }
+
+    private static boolean hasRanger(Entity entity) {
+        return entity.type().equals("ranger") || entity.children().stream().anyMatch(TraitsReader::hasRanger);
     }
 
     private Body body(Fields fields, Kind kind, Size size, Placement origin) {

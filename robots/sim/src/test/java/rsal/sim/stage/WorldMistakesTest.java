@@ -206,8 +206,11 @@ class WorldMistakesTest {
                 "model ( color \"rde\" )  | 9 | There is no color (rde). | Maybe (red) was meant?",
                 "model ( color \"ultraviolettish\" ) | 9 | There is no color (ultraviolettish). "
                         + "| Stage would take red.",
-                "position ( ctrl \"hunt 3\" ) | 12 | Controller (hunt) is a program for Stage and can't be loaded "
-                        + "here. | The robot wanders instead. Give it a behavior or an agent in a scenario.",
+                "position ( ctrl \"hunt 3\" ranger ( ) ) | 12 | Controller (hunt) is a program for Stage and can't be "
+                        + "loaded here. | The robot wanders instead. Give it a behavior or an agent in a scenario.",
+                "position ( ctrl \"wander\" ) | 12 | Controller (wander) is a program for Stage and can't be loaded "
+                        + "here. | The robot stands still: it has no ranger to wander by. Give it one, or an agent in a "
+                        + "scenario.",
                 "position ( camera ( ) )  | 12 | A camera gives no images here. "
                         + "| A blobfinder sees colors, a fiducial markers.",
                 "sensor ( )               | 1 | (sensor) has no effect here. | Put it into a ranger ( ... ).",
