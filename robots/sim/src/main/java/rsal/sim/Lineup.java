@@ -27,7 +27,7 @@ import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
 /// each drawing from a stream of its own.
 final class Lineup {
     private static final double CLEARANCE = 0.4; // of random places from walls and from other robots [m]
-    private static final double MARGIN = 0.05; // of a robot that may turn in place, from walls [m]
+    private static final double MARGIN = 0.05; // of a robot that may turn in place, from all else [m]
 
     private final OccupancyGrid map;
     private final World world;
@@ -146,8 +146,8 @@ final class Lineup {
 
     private boolean addSomewhere(RobotSpec robot) {
         List<Chunk> chunks = chunks(robot);
-        Optional<Pose2d> pose =
-                space(robot).choose(seeds.stream(robot.id() + "/start"), p -> world.hasRoom(chunks, p, CLEARANCE));
+        Optional<Pose2d> pose = space(robot, CLEARANCE)
+                .choose(seeds.stream(robot.id() + "/start"), p -> world.hasRoom(chunks, p, CLEARANCE));
         pose.ifPresentOrElse(
                 place -> bodies.put(robot.id(), world.add(robot.id(), chunks(robot), place, 0)),
                 () -> refuse(robot, """
@@ -160,9 +160,10 @@ final class Lineup {
         problems.add(new Problem(robot.id(), "pose", message));
     }
 
-    private FreeSpace space(RobotSpec robot) {
+    /// Where its middle can be that far from walls, or so far that it can turn in place, if that is more.
+    private FreeSpace space(RobotSpec robot, double fromWalls) {
         double radius = robot.model().footprint().circumscribedRadius();
-        double clearance = Math.max(CLEARANCE, radius + MARGIN);
+        double clearance = Math.max(fromWalls, radius + MARGIN);
         return spaces.computeIfAbsent(clearance, c -> new FreeSpace(map, c));
     }
 
@@ -174,8 +175,8 @@ final class Lineup {
 
     private String suggestion(RobotSpec robot, Pose2d pose) {
         List<Chunk> chunks = chunks(robot);
-        return space(robot)
-                .nearest(pose, p -> world.hasRoom(chunks, p, CLEARANCE))
+        return space(robot, 0)
+                .nearest(pose, p -> world.hasRoom(chunks, p, MARGIN))
                 .map(place -> " Maybe %s, the nearest place with room?".formatted(at(place.x(), place.y())))
                 .orElse("");
     }

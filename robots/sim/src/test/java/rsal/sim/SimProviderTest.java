@@ -53,6 +53,15 @@ class SimProviderTest {
     }
 
     @Test
+    void namesAPlaceBesideARobotThatStandsInTheWay() {
+        assertRefused(
+                "pose",
+                "would touch robot (r1). Maybe (2.55, 1.95), the nearest place with room?",
+                robot("r1", Models.box(), new Pose2d(2, 1.95, 0)),
+                robot("r2", Models.box(), new Pose2d(2.25, 1.95, 0)));
+    }
+
+    @Test
     void refusesAStartOutsideTheMap() {
         assertRefused(
                 "pose",
