@@ -20,7 +20,6 @@ import rsal.fault.SensorFaults;
 import rsal.scenario.PlannedFault.OfMessages;
 import rsal.scenario.PlannedFault.OfRobot;
 import rsal.scenario.PlannedFault.Target;
-import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.settings.Arguments;
@@ -39,7 +38,7 @@ final class FaultReader {
     private static final String BASE = "base";
     private static final String OPERATOR = "operator"; // who speaks for people
 
-    private final List<Role> roles;
+    private final RobotNames names;
     private final List<PlannedRobot> robots;
     private final List<PlannedAgent> agents;
     private final boolean allAgents;
@@ -62,13 +61,13 @@ final class FaultReader {
     /// @param robots of all roles, with what their agents need
     /// @param allAgents false when a mistake may have left some out
     FaultReader(
-            List<Role> roles,
+            RobotNames names,
             List<PlannedRobot> robots,
             List<PlannedAgent> agents,
             boolean allAgents,
             Seeds seeds,
             Problems problems) {
-        this.roles = roles;
+        this.names = names;
         this.robots = robots;
         this.agents = agents;
         this.allAgents = allAgents;
@@ -211,9 +210,9 @@ final class FaultReader {
         var found = robots().filter(robot ->
                         isCalled(word, robot.spec().role(), robot.spec().id()))
                 .toList();
-        if (found.isEmpty() && roles.stream().allMatch(Role::complete)) {
+        if (found.isEmpty() && !names.mayLackSome()) {
             var known = new LinkedHashSet<String>();
-            roles.forEach(role -> known.add(role.name()));
+            names.roles().forEach(role -> known.add(role.name()));
             robots().map(robot -> robot.spec().id())
                     .filter(id -> Suggestion.closest(word.text, List.of(id)).isPresent())
                     .forEach(known::add);
@@ -265,7 +264,7 @@ final class FaultReader {
     }
 
     private void lacks(Section section, Word robot, Word device) {
-        if (roles.stream().allMatch(Role::complete)) {
+        if (!names.mayLackSome()) {
             var known = new LinkedHashSet<String>();
             robots().filter(each ->
                             isCalled(robot, each.spec().role(), each.spec().id()))

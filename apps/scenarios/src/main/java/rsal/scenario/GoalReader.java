@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.regex.Pattern;
+import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Better;
 import rsal.scenario.RunPlan.Measured;
 import rsal.scenario.RunPlan.Outcome;
@@ -19,11 +21,13 @@ import rsal.settings.Section;
 
 /// Reads when a run ends and what is measured.
 final class GoalReader {
-    private final List<String> roles;
+    private static final Pattern BETWEEN_NAMES = Pattern.compile("[^\\w-]+");
+
+    private final RobotNames robots;
     private final Problems problems;
 
-    GoalReader(List<String> roles, Problems problems) {
-        this.roles = roles;
+    GoalReader(RobotNames robots, Problems problems) {
+        this.robots = robots;
         this.problems = problems;
     }
 
@@ -69,13 +73,20 @@ final class GoalReader {
         return measures;
     }
 
+    /// That an expression may name; any that it does when nobody knows which there are.
+    private List<String> roles(String expression) {
+        return robots.open()
+                ? List.of(BETWEEN_NAMES.split(expression))
+                : robots.roles().stream().map(Role::name).toList();
+    }
+
     private <T> Optional<T> expression(Section section, String key, BiFunction<String, List<String>, T> parse) {
         String text = section.text(key);
         if (text.isEmpty()) {
             return Optional.empty();
         }
         try {
-            return Optional.of(parse.apply(text, roles));
+            return Optional.of(parse.apply(text, roles(text)));
         } catch (InvalidExpression e) {
             Location at = section.locationOf(key);
             problems.add(

@@ -99,17 +99,18 @@ final class PlanReader {
         }
         List<PlannedRobot> bare =
                 roles.stream().flatMap(role -> role.robots().stream()).toList();
+        var names = new RobotNames(roles, mayHaveRobots && world.scene().isEmpty());
         int before = problems.all().size();
-        List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), roles, seeds));
+        List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), names, seeds));
         if (scenario.isWorld()) {
             agents.addAll(instead(bare, world, seeds));
         }
         List<PlannedRobot> robots = equipped(bare, agents);
 
-        var faultReader = new FaultReader(roles, robots, agents, problems.all().size() == before, seeds, problems);
+        var faultReader = new FaultReader(names, robots, agents, problems.all().size() == before, seeds, problems);
         List<PlannedFault> faults = faultReader.read(root);
 
-        var goals = new GoalReader(roles.stream().map(Role::name).toList(), problems);
+        var goals = new GoalReader(names, problems);
         List<RunPlan.Stop> stops = new ArrayList<>(goals.stops(run));
         if (scenario.isWorld()) {
             world.scene().flatMap(Scene::end).map(PlanReader::after).ifPresent(stops::add);
@@ -348,7 +349,7 @@ final class PlanReader {
                 Duration.ZERO);
     }
 
-    private List<PlannedAgent> agents(Section section, List<Role> roles, Seeds seeds) {
+    private List<PlannedAgent> agents(Section section, RobotNames robots, Seeds seeds) {
         var agents = new ArrayList<PlannedAgent>();
         var names = new HashSet<String>();
         for (String role : section.names()) {
@@ -356,7 +357,7 @@ final class PlanReader {
             if (!isName(role)) {
                 agent.problem(agent.location(), "(%s) can't be the name of an agent.".formatted(role), "");
             }
-            for (PlannedAgent planned : agents(role, agent, roles, seeds)) {
+            for (PlannedAgent planned : agents(role, agent, robots, seeds)) {
                 if (!names.add(planned.name())) {
                     agent.problem(
                             agent.location(),
@@ -377,12 +378,12 @@ final class PlanReader {
         return agents;
     }
 
-    private List<PlannedAgent> agents(String name, Section section, List<Role> roles, Seeds seeds) {
+    private List<PlannedAgent> agents(String name, Section section, RobotNames robots, Seeds seeds) {
         String key = section.text("type");
         Optional<AgentType> type = key.isEmpty()
                 ? Optional.empty()
                 : Catalog.find("type of agent", catalog.agents(), key, section.locationOf("type"), problems);
-        Optional<Role> role = robotRole(section, roles);
+        Optional<Role> role = robotRole(section, robots);
         Section args = section.section("args");
         if (type.isEmpty()) {
             return List.of();
@@ -392,7 +393,7 @@ final class PlanReader {
         if (arguments.isEmpty()) {
             return List.of();
         }
-        new RobotNames(roles).check(args, type.get().parameters(), arguments.get());
+        robots.check(args, type.get().parameters(), arguments.get());
         if (role.isEmpty()) {
             return List.of(new PlannedAgent(
                     name, name, type.get(), arguments.get(), Optional.empty(), seeds.of("agent/" + name)));
@@ -409,17 +410,18 @@ final class PlanReader {
                 .toList();
     }
 
-    private Optional<Role> robotRole(Section section, List<Role> roles) {
+    private Optional<Role> robotRole(Section section, RobotNames robots) {
         if (!section.has("robot")) {
             return Optional.empty();
         }
         String name = section.text("robot");
-        Optional<Role> role = roles.stream().filter(r -> r.name().equals(name)).findFirst();
-        if (role.isEmpty() && !name.isEmpty()) {
+        Optional<Role> role = robots.role(name);
+        if (role.isEmpty() && !name.isEmpty() && !robots.open()) {
             section.problem(
                     "robot",
                     "No robots have the role (%s).".formatted(name),
-                    Suggestion.among(name, roles.stream().map(Role::name).toList()));
+                    Suggestion.among(
+                            name, robots.roles().stream().map(Role::name).toList()));
         }
         return role;
     }

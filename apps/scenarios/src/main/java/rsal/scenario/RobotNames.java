@@ -2,6 +2,7 @@ package rsal.scenario;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import rsal.scenario.RobotReader.Role;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -9,7 +10,19 @@ import rsal.settings.Section;
 import rsal.settings.Suggestion;
 
 /// What robots of a scenario can be called by: their roles and ids.
-record RobotNames(List<Role> roles) {
+///
+/// @param open whether there may be more of them, in a world with mistakes: then no name is wrong
+record RobotNames(List<Role> roles, boolean open) {
+    /// Whether a mistake may have hidden any of them.
+    boolean mayLackSome() {
+        return open || !roles.stream().allMatch(Role::complete);
+    }
+
+    /// Those of one role.
+    Optional<Role> role(String name) {
+        return roles.stream().filter(role -> role.name().equals(name)).findFirst();
+    }
+
     /// Notes each argument that should name robots and names none.
     ///
     /// @param section that the arguments were read from
@@ -43,6 +56,6 @@ record RobotNames(List<Role> roles) {
 
     /// A mistake elsewhere can have hidden robots.
     private boolean mayBeUnread(String name) {
-        return roles.stream().anyMatch(role -> !role.complete() && name.startsWith(role.name()));
+        return open || roles.stream().anyMatch(role -> !role.complete() && name.startsWith(role.name()));
     }
 }

@@ -192,6 +192,32 @@ class WorldScenarioTest {
     }
 
     @Test
+    void nothingIsUnknownOfAWorldThatCouldNotBeRead() throws IOException {
+        Files.writeString(folder.resolve("hall.world"), "model ( size [1 2] )");
+        assertThatThrownBy(() -> planned("""
+                        rsal: 1
+                        scenario: visit
+                        world: {file: hall.world}
+                        agents:
+                          roam: {type: wander, robot: cart}
+                        faults:
+                          - {kind: gone, robots: r7, at: 2}
+                        run:
+                          stop:
+                            - {when: allCaught(cart), outcome: success}
+                        measure:
+                          - {name: way, unit: m, from: distance(cart)}
+                        """))
+                .isInstanceOfSatisfying(
+                        InvalidSettings.class,
+                        e -> assertThat(e.problems())
+                                .extracting(Object::toString)
+                                .singleElement()
+                                .asString()
+                                .startsWith("hall.world:1:"));
+    }
+
+    @Test
     void mistakesOfTheWorldAreToldWhereTheyAre() throws IOException {
         Files.writeString(folder.resolve("hall.world"), "model ( size [1 2] )");
         assertThatThrownBy(() -> planned(SCENARIO))
