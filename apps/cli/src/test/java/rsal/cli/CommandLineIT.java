@@ -486,8 +486,7 @@ class CommandLineIT {
         assertThat(rsal.run("show", "planner.cfg").out())
                 .contains("planner:0", "wavefront on 6665:map:0", "the world is empty");
         Ended nobody = rsal.run("run", "planner.cfg", "--headless", "--for", "1");
-        assertThat(nobody.code()).isEqualTo(Exit.INVALID);
-        assertThat(nobody.err()).contains("There are no robots.", "a world that has some");
+        assertThat(nobody.code()).as("it can be looked at: %s", nobody.err()).isZero();
         Ended converted = rsal.run("convert", "lab.cfg");
         assertThat(converted.code()).isEqualTo(Exit.INVALID);
         assertThat(converted.err()).contains("no world that can be converted");

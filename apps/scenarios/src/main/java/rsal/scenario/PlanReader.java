@@ -95,7 +95,7 @@ final class PlanReader {
         List<Role> roles = new ArrayList<>(world.roles());
         boolean mayHaveRobots = root.section("world").mapping().find("file").isPresent();
         if (world.scene().isPresent() || root.has("robots") || !mayHaveRobots) {
-            roles.addAll(robotReader.read(root.section("robots"), brought));
+            roles.addAll(robotReader.read(root.section("robots"), brought, !scenario.isWorld()));
         }
         List<PlannedRobot> bare =
                 roles.stream().flatMap(role -> role.robots().stream()).toList();

@@ -57,12 +57,19 @@ final class RobotReader {
     }
 
     /// @param others that the world brings along
-    List<Role> read(Section robots, List<RobotSpec> others) {
+    /// @param needed whether there must be any at all
+    List<Role> read(Section robots, List<RobotSpec> others, boolean needed) {
         var drafts = new ArrayList<Draft>();
         for (String name : robots.names()) {
             drafts.add(draft(name, robots.section(name), drafts.size()));
         }
         robots.done();
+        if (needed && drafts.isEmpty() && others.isEmpty()) {
+            robots.problem(
+                    robots.location(),
+                    "There are no robots.",
+                    "Add a group (robots) with at least one role, or take a world that has some.");
+        }
         boolean tooMany = checkNumber(robots, drafts, others);
         others.forEach(other -> other.mapFromBase().ifPresent(taken::add));
         for (Draft draft : drafts) {
@@ -76,12 +83,6 @@ final class RobotReader {
     /// @return whether there are too many to go on with
     private static boolean checkNumber(Section robots, List<Draft> drafts, List<RobotSpec> others) {
         var ids = drafts.stream().flatMap(draft -> draft.ids.stream()).toList();
-        if (ids.isEmpty() && others.isEmpty()) {
-            robots.problem(
-                    robots.location(),
-                    "There are no robots.",
-                    "Add a group (robots) with at least one role, or take a world that has some.");
-        }
         if (ids.size() > Format.MAX_ROBOTS) {
             robots.problem(
                     robots.location(),

@@ -192,6 +192,14 @@ class WorldScenarioTest {
     }
 
     @Test
+    void aWorldWithoutRobotsCanBeLookedAt() throws IOException {
+        Files.writeString(folder.resolve("hall.world"), "model ( )");
+        assertThat(world().robots()).isEmpty();
+        assertThatThrownBy(() -> planned("rsal: 1\nscenario: visit\nworld: {file: hall.world}\n"))
+                .hasMessageContaining("There are no robots.");
+    }
+
+    @Test
     void nothingIsUnknownOfAWorldThatCouldNotBeRead() throws IOException {
         Files.writeString(folder.resolve("hall.world"), "model ( size [1 2] )");
         assertThatThrownBy(() -> planned("""
