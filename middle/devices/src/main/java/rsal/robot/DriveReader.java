@@ -13,6 +13,9 @@ import rsal.settings.Suggestion;
 final class DriveReader {
     private static final List<String> TYPES = List.of("differential", "omnidirectional", "car");
 
+    /// Worlds of Stage have 999999 where odometry shall be of no use.
+    private static final double MOST_NOISE = 1e9;
+
     private DriveReader() {}
 
     static Drive read(Section drive) {
@@ -45,9 +48,9 @@ final class DriveReader {
     }
 
     private static OdometryNoise noise(Section noise) {
-        double distancePerMeter = Numbers.notNegative(noise, "distancePerMeter");
-        double headingPerMeter = Numbers.notNegative(noise, "headingPerMeter");
-        double headingPerDegree = Numbers.notNegative(noise, "headingPerDegree");
+        double distancePerMeter = Numbers.checked(noise, "distancePerMeter", 0, MOST_NOISE);
+        double headingPerMeter = Numbers.checked(noise, "headingPerMeter", 0, MOST_NOISE);
+        double headingPerDegree = Numbers.checked(noise, "headingPerDegree", 0, MOST_NOISE);
         noise.done();
         return new OdometryNoise(
                 distancePerMeter, Math.toRadians(headingPerMeter), Math.sqrt(Math.toRadians(1)) * headingPerDegree);

@@ -94,6 +94,7 @@ class ConversionTest {
                   actuator ( noblocks 1 axis [0 0 1] model ( size [0.1 0.1 0.1] obstacle_return 0 ) ) ) )
                 position ( noblocks 1 actuator ( ) )
                 """,
+                "position ( localization \"odom\" odom_error [999999 999999 0 999999] )",
                 "define a position ( ) a ( ranger ( sensor ( samples 5 ) ) ) a ( ranger ( sensor ( samples 7 ) ) ) a ( )"
             })
     void whatIsThereStays(String world) {
