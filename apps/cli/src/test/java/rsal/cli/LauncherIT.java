@@ -201,6 +201,23 @@ class LauncherIT {
     }
 
     @Test
+    void tellsTheDoctorWhereThePageIs() throws Exception {
+        layOutPage("#!/bin/sh\n");
+        assertThat(run("doctor").out()).contains("page null");
+        Ended watched = run("run");
+        assertThat(run("doctor")
+                        .out()
+                        .lines()
+                        .filter(line -> line.startsWith("page"))
+                        .toList())
+                .isEqualTo(watched.out()
+                        .lines()
+                        .filter(line -> line.startsWith("page"))
+                        .toList());
+        assertThat(watched.out()).doesNotContain("page null");
+    }
+
+    @Test
     void runsWithoutThePageWhereNodeIsTooOld() throws Exception {
         layOutPage("#!/bin/sh\nexit 1\n");
         Ended ended = run("run", "patrol.yaml");
