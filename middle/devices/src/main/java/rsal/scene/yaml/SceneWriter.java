@@ -221,30 +221,36 @@ public final class SceneWriter {
         }
         Point2d low = corners.get(0);
         Point2d high = corners.get(2);
-        double length = shortened(high.x() - low.x());
-        double width = shortened(high.y() - low.y());
-        var center = new Point2d((low.x() + high.x()) / 2, (low.y() + high.y()) / 2);
-        if (!(length > 0 && width > 0) || !isBox(length, width, center, corners)) {
-            return false;
+        for (double length : shortAndExact(high.x() - low.x())) {
+            for (double width : shortAndExact(high.y() - low.y())) {
+                for (double x : shortAndExact((low.x() + high.x()) / 2)) {
+                    for (double y : shortAndExact((low.y() + high.y()) / 2)) {
+                        if (isBox(length, width, new Point2d(x, y), corners)) {
+                            piece.put("length", length);
+                            piece.put("width", width);
+                            center(piece, new Point2d(x, y));
+                            return true;
+                        }
+                    }
+                }
+            }
         }
-        piece.put("length", length);
-        piece.put("width", width);
-        center(piece, center);
-        return true;
+        return false;
     }
 
     private static boolean isBox(double length, double width, Point2d center, List<Point2d> corners) {
         try {
-            return Footprint.box(length, width, center).corners().equals(corners);
+            return length > 0
+                    && width > 0
+                    && Footprint.box(length, width, center).corners().equals(corners);
         } catch (IllegalArgumentException _) { // too flat
             return false;
         }
     }
 
-    /// Without the dust of a subtraction, if that is all.
-    private static double shortened(double length) {
-        double rounded = Math.rint(length * 1e9) / 1e9;
-        return Math.abs(rounded - length) <= 4 * Math.ulp(length) ? rounded : length;
+    /// A length without the dust of a subtraction, then as it is.
+    private static double[] shortAndExact(double length) {
+        return new double[] {Math.rint(length * 1e9) / 1e9 + 0.0, length}; // no -0
     }
 
     /// @param usual bottom that need not be told

@@ -46,6 +46,18 @@ class ConversionTest {
         SceneComparison.assertSame(converted(scene), scene);
     }
 
+    @Test
+    void boxesHaveTheNumbersThatTheirAuthorHadInMind() {
+        Scene scene = stage(Worlds.of("""
+                model ( size [12 10 1] boundary 1 )
+                position ( size [0.455 0.381 0.237] origin [-0.04 0.01 0 0] )
+                """));
+        assertThat(SceneWriter.write(scene, "test").yaml())
+                .contains("length: 12, width: 0.01, center: [0, 4.995]", "width: 0.381, center: [-0.04, 0.01]")
+                .doesNotContainPattern("00000|99999");
+        assertConverted(scene);
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {
