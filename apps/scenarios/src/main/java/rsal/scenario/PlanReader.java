@@ -459,12 +459,28 @@ final class PlanReader {
                 Location at = roles.stream()
                         .filter(role -> role.robots().stream()
                                 .anyMatch(robot -> robot.spec().id().equals(problem.robot())))
-                        .map(role -> role.section().locationOf(problem.setting()))
+                        .map(role -> placeOf(role, problem))
                         .findFirst()
                         .orElse(scenario.location());
                 problems.add(at, "Robot (%s): %s".formatted(problem.robot(), problem.message()), "");
             }
         }
+    }
+
+    /// Where a robot's setting is written: in a list of one for each robot, its own.
+    private static Location placeOf(Role role, InvalidRobots.Problem problem) {
+        int robot = role.robots().stream()
+                .map(planned -> planned.spec().id())
+                .toList()
+                .indexOf(problem.robot());
+        return role.section()
+                .mapping()
+                .find(problem.setting())
+                .filter(Value.Sequence.class::isInstance)
+                .map(value -> ((Value.Sequence) value).items())
+                .filter(items -> items.size() > robot && items.stream().allMatch(Value.Sequence.class::isInstance))
+                .map(items -> items.get(robot).location())
+                .orElse(role.section().locationOf(problem.setting()));
     }
 
     /// Robots and agents can't be called what means something else.

@@ -226,6 +226,29 @@ class WorldScenarioTest {
     }
 
     @Test
+    void aRobotThatIsBlockedIsToldAtItsOwnPose() {
+        assertThatThrownBy(() -> planned("""
+                        rsal: 1
+                        scenario: visit
+                        world: {map: office}
+                        robots:
+                          guest:
+                            count: 2
+                            model: pioneer2dx
+                            pose:
+                              - [0.2, -1, 0]
+                              - [0.3, -1, 0]
+                        """))
+                .isInstanceOfSatisfying(
+                        InvalidSettings.class,
+                        e -> assertThat(e.problems())
+                                .extracting(Object::toString)
+                                .singleElement()
+                                .asString()
+                                .contains("visit.yaml:10:9: Robot (guest-2): At its start pose"));
+    }
+
+    @Test
     void mistakesOfTheWorldAreToldWhereTheyAre() throws IOException {
         Files.writeString(folder.resolve("hall.world"), "model ( size [1 2] )");
         assertThatThrownBy(() -> planned(SCENARIO))
