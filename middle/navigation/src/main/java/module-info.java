@@ -9,11 +9,13 @@ module rsal.navigation {
     exports rsal.navigation.avoid;
     exports rsal.navigation.carmen;
     exports rsal.navigation.grid;
+    exports rsal.navigation.jumppoint;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;
 
     provides rsal.robot.DeviceDriver with
             rsal.navigation.device.AmclDriver,
+            rsal.navigation.device.JumpPointDriver,
             rsal.navigation.device.NavigatorDriver,
             rsal.navigation.device.OdometryLocalizerDriver,
             rsal.navigation.device.WavefrontDriver;

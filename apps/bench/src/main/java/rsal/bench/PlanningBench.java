@@ -7,6 +7,7 @@ import java.util.function.IntConsumer;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
+import rsal.navigation.jumppoint.JumpPoints;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
 import rsal.navigation.wavefront.Plan;
@@ -17,13 +18,14 @@ import rsal.navigation.wavefront.Wavefront;
 ///
 /// Names are `wavefront.<map>.<what>ms`. What: nothing, a way between two places that were not asked for before;
 /// `full.`, what the way costs from everywhere; `again.`, from another place to the same goal; `around.`, the same
-/// around something that is not on the map; `costs.`, where the robot can be and how dear it is.
+/// around something that is not on the map; `costs.`, where the robot can be and how dear it is; `shortest.`, a
+/// shortest way by jump points.
 final class PlanningBench implements Bench {
     private static final Clearance CLEARANCE = new Clearance(0.25, 0.6, 3); // [m]
     private static final double SLACK = 0.5; // [m]
     private static final double WARM = 3; // [s]
     private static final int PLANS = 10; // of a measurement
-    private static final List<String> KINDS = List.of("", "full.", "again.", "around.", "costs.");
+    private static final List<String> KINDS = List.of("", "full.", "again.", "around.", "costs.", "shortest.");
 
     private enum Site {
         CAVE2560,
@@ -61,6 +63,7 @@ final class PlanningBench implements Bench {
         var random = new SplittableRandom(1);
         CostMap costs = CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
         Wavefront ways = new Wavefront(costs);
+        var jumps = new JumpPoints(costs);
         List<Point2d> places = places(costs, random);
         Point2d goal = places.getFirst();
         Plan.Found plan = (Plan.Found) ways.plan(places.get(1), goal, SLACK);

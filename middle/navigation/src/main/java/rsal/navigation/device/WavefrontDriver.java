@@ -5,11 +5,14 @@ import java.util.List;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.Planner;
+import rsal.device.Planner.Result;
+import rsal.navigation.wavefront.Plan;
+import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Makes planners that use [rsal.navigation.wavefront.Wavefront] on the run's map.
+/// Makes planners that use [Wavefront] on the run's map.
 public final class WavefrontDriver implements DeviceDriver {
     private final Ways ways = new Ways();
 
@@ -48,10 +51,18 @@ public final class WavefrontDriver implements DeviceDriver {
 
     @Override
     public Device create(Context context, Arguments arguments) {
-        return new WavefrontPlanner(
+        Wavefront wavefront = ways.of(context.map(), context.robot().model().footprint(), arguments);
+        double goalDistance = arguments.number("goalDistance");
+        return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
-                ways.of(context.map(), context.robot().model().footprint(), arguments),
-                arguments.number("goalDistance"),
+                (start, goal) -> result(wavefront.plan(start, goal, goalDistance)),
                 context.scheduler());
+    }
+
+    private static Result result(Plan plan) {
+        return switch (plan) {
+            case Plan.Found(var path, var cost, var offGoal) -> new Result.Found(path, cost, offGoal);
+            case Plan.None(var why) -> new Result.NoPath(why);
+        };
     }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
 import rsal.navigation.grid.DistanceField;
+import rsal.navigation.jumppoint.JumpPoints;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
 import rsal.navigation.wavefront.Wavefront;
@@ -12,14 +13,18 @@ import rsal.settings.Parameter;
 
 /// Who plans for robots of some size, shared by those of the same size and settings.
 final class Ways {
+    static final Parameter WALL_DISTANCE =
+            Parameter.number("wallDistance", 0.1, 0, 2, "m", "least room to plan between the robot and a wall");
+
     private record Key(OccupancyGrid map, Clearance clearance) {}
 
     private final Shared<OccupancyGrid, DistanceField> fields = new Shared<>();
     private final Shared<Key, Wavefront> ways = new Shared<>();
+    private final Shared<Key, JumpPoints> shortest = new Shared<>();
 
     static List<Parameter> parameters() {
         return List.of(
-                Parameter.number("wallDistance", 0.1, 0, 2, "m", "least room to plan between the robot and a wall"),
+                WALL_DISTANCE,
                 Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing"),
                 Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a way may be to keep off a wall"));
     }
@@ -28,10 +33,17 @@ final class Ways {
     /// does.
     Wavefront of(OccupancyGrid map, Footprint footprint, Arguments arguments) {
         double radius = footprint.inscribedRadius();
-        double least = radius + arguments.number("wallDistance");
+        double least = radius + arguments.number(WALL_DISTANCE.name());
         var clearance = new Clearance(
                 least, Math.max(least, radius + arguments.number("comfortDistance")), arguments.number("wallCost"));
         return ways.of(new Key(map, clearance), _ -> new Wavefront(CostMap.of(map, field(map), clearance)));
+    }
+
+    /// Who looks for shortest ways for such a robot.
+    JumpPoints shortest(OccupancyGrid map, Footprint footprint, Arguments arguments) {
+        double least = footprint.inscribedRadius() + arguments.number(WALL_DISTANCE.name());
+        var clearance = new Clearance(least, least, 0);
+        return shortest.of(new Key(map, clearance), _ -> new JumpPoints(CostMap.of(map, field(map), clearance)));
     }
 
     /// How far the next place is that is not known to be free.
