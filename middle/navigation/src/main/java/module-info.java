@@ -8,8 +8,10 @@ module rsal.navigation {
     exports rsal.navigation.amcl;
     exports rsal.navigation.avoid;
     exports rsal.navigation.carmen;
+    exports rsal.navigation.dwa;
     exports rsal.navigation.grid;
     exports rsal.navigation.jumppoint;
+    exports rsal.navigation.mpc;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;
 

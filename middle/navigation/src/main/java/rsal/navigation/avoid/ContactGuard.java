@@ -1,7 +1,6 @@
 package rsal.navigation.avoid;
 
 import rsal.data.Footprint;
-import rsal.data.Point2d;
 import rsal.data.Twist2d;
 
 /// Lets no command through after which the robot could not stop without touching something: the robot's outline
@@ -12,14 +11,14 @@ import rsal.data.Twist2d;
 ///
 /// What is already nearer than the margin may not come any nearer.
 public final class ContactGuard {
-    private static final double STEP = 0.05; // s
+    private static final double LONGEST_STEP = 0.05; // s
+    private static final double LONGEST_WAY = 0.04; // m per step
     private static final double[] SHARES = {1, 0.75, 0.5, 0.3, 0.15};
     private static final double ROUNDING = 1e-3; // m; so much nearer is not "nearer"
 
-    private final double[] edgeX;
-    private final double[] edgeY;
-    private final double[] edgeDistance;
+    private final Outline outline;
     private final double radius;
+    private final double step; // s
     private final DriveLimits limits;
     private final double margin;
     private final double reaction;
@@ -31,18 +30,8 @@ public final class ContactGuard {
     /// @param margin how near obstacles may come to the outline [m]
     /// @param reaction how long a command lasts before the next one can take effect [s]
     public ContactGuard(Footprint footprint, DriveLimits limits, double margin, double reaction) {
-        int corners = footprint.corners().size();
-        this.edgeX = new double[corners];
-        this.edgeY = new double[corners];
-        this.edgeDistance = new double[corners];
-        for (int i = 0; i < corners; i++) {
-            Point2d a = footprint.corners().get(i);
-            Point2d b = footprint.corners().get((i + 1) % corners);
-            double length = a.distanceTo(b);
-            edgeX[i] = (b.y() - a.y()) / length; // the outward normal
-            edgeY[i] = (a.x() - b.x()) / length;
-            edgeDistance[i] = edgeX[i] * a.x() + edgeY[i] * a.y();
-        }
+        this.outline = new Outline(footprint, 0);
+        this.step = Math.min(LONGEST_STEP, LONGEST_WAY / limits.speed());
         this.radius = footprint.circumscribedRadius();
         this.limits = limits;
         this.margin = margin;
@@ -62,20 +51,10 @@ public final class ContactGuard {
         return isSafe(0, wanted.omega(), velocity) ? Twist2d.drive(0, wanted.omega()) : Twist2d.STOP;
     }
 
-    /// How far a point is from the outline [m], negative inside: the greatest distance from one of its sides,
-    /// which beyond a corner is somewhat less than the true one.
-    public double distance(double x, double y) {
-        double distance = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < edgeX.length; i++) {
-            distance = Math.max(distance, edgeX[i] * x + edgeY[i] * y - edgeDistance[i]);
-        }
-        return distance;
-    }
-
     /// The points that the robot could come to at all, each with the margin that it must keep.
     private void gather(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
         double speed = Math.max(Math.abs(wanted.vx()), Math.abs(velocity.vx()));
-        double reach = radius + margin + speed * (reaction + STEP) + speed * speed / (2 * limits.acceleration());
+        double reach = radius + margin + speed * (reaction + step) + speed * speed / (2 * limits.acceleration());
         near = 0;
         if (nearX.length < obstacles.count()) {
             nearX = new double[obstacles.count()];
@@ -89,7 +68,7 @@ public final class ContactGuard {
             if (x * x + y * y <= farthest * farthest) {
                 nearX[near] = x;
                 nearY[near] = y;
-                nearMargin[near] = Math.min(margin + obstacles.room(i), distance(x, y) - ROUNDING);
+                nearMargin[near] = Math.min(margin + obstacles.room(i), outline.distance(x, y) - ROUNDING);
                 near++;
             }
         }
@@ -105,13 +84,13 @@ public final class ContactGuard {
         double time = 0;
         while (time < reaction || Math.abs(v) > 1e-3 || Math.abs(w) > 1e-3) {
             boolean braking = time >= reaction;
-            v = approach(v, braking ? 0 : forward, limits.acceleration() * STEP);
-            w = approach(w, braking ? 0 : omega, limits.turnAcceleration() * STEP);
-            double middle = theta + w * STEP / 2;
-            x += v * STEP * Math.cos(middle);
-            y += v * STEP * Math.sin(middle);
-            theta += w * STEP;
-            time += STEP;
+            v = approach(v, braking ? 0 : forward, limits.acceleration() * step);
+            w = approach(w, braking ? 0 : omega, limits.turnAcceleration() * step);
+            double middle = theta + w * step / 2;
+            x += v * step * Math.cos(middle);
+            y += v * step * Math.sin(middle);
+            theta += w * step;
+            time += step;
             if (touches(x, y, theta)) {
                 return false;
             }
@@ -125,7 +104,7 @@ public final class ContactGuard {
         for (int i = 0; i < near; i++) {
             double dx = nearX[i] - x;
             double dy = nearY[i] - y;
-            if (distance(cos * dx + sin * dy, cos * dy - sin * dx) < nearMargin[i]) {
+            if (outline.distance(cos * dx + sin * dy, cos * dy - sin * dx) < nearMargin[i]) {
                 return true;
             }
         }

@@ -8,10 +8,13 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 
-/// Points around a robot that are not free, in its base frame [m]. Filled anew for each step; reused, so that
-/// nothing is allocated.
+/// Points around a robot that are not free, in its base frame [m], and how far it sees. Filled anew for each step;
+/// reused, so that nothing is allocated.
 public final class Obstacles {
     private static final double APART = 0.03; // m; points that are nearer to each other say nothing new
+
+    /// Directions of sight, evenly around the base, the first one straight ahead.
+    public static final int SIGHTS = 720;
 
     private static final Point2d ORIGIN = new Point2d(0, 0);
 
@@ -19,6 +22,7 @@ public final class Obstacles {
     private float[] x = new float[512];
     private float[] y = new float[512];
     private float[] room = new float[512];
+    private final float[] sight = new float[SIGHTS];
     private int count;
 
     /// @param reach points farther than this from the base are of no interest [m]
@@ -52,8 +56,16 @@ public final class Obstacles {
         return new Point2d(x[i], y[i]);
     }
 
+    /// How far from the base nothing is in a direction, by laser scans [m]; 0 where none looks.
+    ///
+    /// @param direction 0 to [#SIGHTS] − 1
+    public double sight(int direction) {
+        return sight[direction];
+    }
+
     public void clear() {
         count = 0;
+        Arrays.fill(sight, 0);
     }
 
     /// A range under the scanner's least counts as that least one.
@@ -68,7 +80,20 @@ public final class Obstacles {
             if (range <= reach + mount.position().distanceTo(ORIGIN) && range <= scan.rangeMax()) {
                 add(mount, scan.angle(i), range);
             }
+            if (range > 0) {
+                see(mount, scan.angle(i), Math.min(range, Math.min(reach, scan.rangeMax())));
+            }
         }
+    }
+
+    /// What two beams see in the same direction is as far as the shorter one.
+    private void see(Pose2d mount, double angle, double range) {
+        double direction = mount.theta() + angle;
+        double px = mount.x() + range * Math.cos(direction);
+        double py = mount.y() + range * Math.sin(direction);
+        int sector = Math.floorMod((int) Math.round(Math.atan2(py, px) * SIGHTS / (2 * Math.PI)), SIGHTS);
+        float far = (float) Math.hypot(px, py);
+        sight[sector] = sight[sector] == 0 ? far : Math.min(sight[sector], far);
     }
 
     /// Each hit counts as three points across its cone.

@@ -3,6 +3,7 @@ package rsal.navigation.device;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rsal.data.Footprint;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
@@ -12,13 +13,16 @@ import rsal.device.Navigator;
 import rsal.device.RangeSensor;
 import rsal.device.SonarArray;
 import rsal.navigation.avoid.DriveLimits;
+import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.dwa.Dwa;
+import rsal.navigation.mpc.Mpc;
 import rsal.navigation.vfh.Vfh;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Makes navigators: a [rsal.navigation.wavefront.Wavefront] plans the way, [Vfh] drives along it.
+/// Makes navigators: a [rsal.navigation.wavefront.Wavefront] plans the way, a [LocalPlanner] drives along it.
 public final class NavigatorDriver implements DeviceDriver {
     private static final double LOOKAHEAD_TIME = 2.0; // s
     private static final double LEAST_LOOKAHEAD = 0.6; // m
@@ -50,7 +54,7 @@ public final class NavigatorDriver implements DeviceDriver {
     public List<Parameter> parameters() {
         var parameters = new ArrayList<Parameter>();
         parameters.add(Parameter.choice("global", "wavefront", List.of("wavefront"), "plans the way"));
-        parameters.add(Parameter.choice("local", "vfh", List.of("vfh"), "drives along it"));
+        parameters.add(Parameter.choice("local", "vfh", List.of("vfh", "dwa", "mpc"), "drives along it"));
         parameters.add(Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster"));
         parameters.add(Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster"));
         parameters.add(
@@ -85,13 +89,7 @@ public final class NavigatorDriver implements DeviceDriver {
                 Math.min(arguments.radians("maxTurnRate"), model.drive().maxTurnRate()),
                 model.drive().maxAcceleration(),
                 model.drive().maxTurnAcceleration());
-        double safety = arguments.number("safetyDistance");
         double lookahead = LEAST_LOOKAHEAD + LOOKAHEAD_TIME * speed;
-        var vfh = new Vfh(
-                model.footprint(),
-                limits,
-                new Vfh.Settings(lookahead, safety, Math.max(0.01, arguments.number("safetyDistanceAtSpeed") - safety)),
-                2 * PathNavigator.BEAT_SECONDS);
         var navigator = new PathNavigator(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 new PathNavigator.Parts(
@@ -99,12 +97,13 @@ public final class NavigatorDriver implements DeviceDriver {
                         context.robot().require(Localizer.class),
                         laser,
                         sonars,
-                        vfh,
+                        avoidance(arguments, model.footprint(), limits, lookahead),
                         ways.of(context.map(), model.footprint(), arguments),
                         ways.field(context.map())),
                 new PathNavigator.Settings(
                         limits,
                         lookahead,
+                        lookahead + 2 * model.footprint().circumscribedRadius(),
                         model.footprint().circumscribedRadius(),
                         arguments.seconds("replanPeriod"),
                         arguments.number("escapeSpeed"),
@@ -114,5 +113,19 @@ public final class NavigatorDriver implements DeviceDriver {
                 context.random());
         navigator.start();
         return navigator;
+    }
+
+    private static LocalPlanner avoidance(
+            Arguments arguments, Footprint footprint, DriveLimits limits, double lookahead) {
+        double reaction = 2 * PathNavigator.BEAT_SECONDS;
+        return switch (arguments.text("local")) {
+            case "dwa" -> new Dwa(footprint, limits, Dwa.Settings.of(0.25, lookahead), reaction);
+            case "mpc" -> new Mpc(footprint, limits, Mpc.Settings.DEFAULT, reaction, PathNavigator.BEAT_SECONDS);
+            default -> {
+                double safety = arguments.number("safetyDistance");
+                double atSpeed = Math.max(0.01, arguments.number("safetyDistanceAtSpeed") - safety);
+                yield new Vfh(footprint, limits, new Vfh.Settings(lookahead, safety, atSpeed), reaction);
+            }
+        };
     }
 }

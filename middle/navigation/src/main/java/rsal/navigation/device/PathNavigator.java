@@ -59,6 +59,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             DistanceField toNotFree) {}
 
     /// @param lookahead how far ahead on the way it aims [m]
+    /// @param view how far around what it sees counts [m]
     /// @param bodyRadius of the circle that the robot turns in [m]
     /// @param escapeSpeed for backing off [m/s]
     /// @param escapeTime for backing off, at most
@@ -66,6 +67,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
     record Settings(
             DriveLimits limits,
             double lookahead,
+            double view,
             double bodyRadius,
             Duration replanPeriod,
             double escapeSpeed,
@@ -94,7 +96,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         this.settings = settings;
         this.scheduler = scheduler;
         this.random = random;
-        this.obstacles = new Obstacles(settings.lookahead() + 2 * settings.bodyRadius());
+        this.obstacles = new Obstacles(settings.view());
         this.blindSpot = new BlindSpot(3 * settings.bodyRadius(), STRANGERS_FADE);
     }
 

@@ -1,7 +1,6 @@
 package rsal.navigation.avoid;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import rsal.data.Footprint;
@@ -14,13 +13,6 @@ class ContactGuardTest {
 
     private final ContactGuard guard = new ContactGuard(BOX, LIMITS, 0.05, 0.2);
     private final Obstacles obstacles = new Obstacles(5);
-
-    @Test
-    void distancesAreToTheOutline() {
-        assertThat(guard.distance(0.5, 0)).isCloseTo(0.3, within(1e-9));
-        assertThat(guard.distance(0, -0.25)).isCloseTo(0.05, within(1e-9));
-        assertThat(guard.distance(-0.1, 0)).isCloseTo(-0.2, within(1e-9));
-    }
 
     @Test
     void letsThroughWhatIsFree() {

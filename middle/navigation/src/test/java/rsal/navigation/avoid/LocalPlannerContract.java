@@ -1,0 +1,157 @@
+package rsal.navigation.avoid;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Footprint;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
+import rsal.navigation.avoid.LocalPlanner.Motion;
+import rsal.navigation.avoid.LocalPlanner.Target;
+
+/// What every local planner keeps to.
+public abstract class LocalPlannerContract {
+    protected static final DriveLimits LIMITS = new DriveLimits(0.6, 1.5, 0.8, 3);
+    protected static final Footprint BOX = Footprint.box(0.44, 0.38, new Point2d(-0.04, 0));
+    private static final Footprint WEDGE =
+            new Footprint(List.of(new Point2d(0.4, 0), new Point2d(-0.3, 0.25), new Point2d(-0.3, -0.25)));
+    private static final double BEAT = 0.1;
+    private static final double VIEW = 3;
+
+    protected abstract LocalPlanner planner(Footprint footprint, double reaction, double beat);
+
+    private LocalPlanner planner(Footprint footprint) {
+        return planner(footprint, 2 * BEAT, BEAT);
+    }
+
+    @Test
+    void nothingAroundItGoesAhead() {
+        Drive drive = new Drive(BOX, List.of());
+        drive.goTo(new Point2d(4, 0), 12);
+        assertThat(drive.pose.x()).isGreaterThan(3.5);
+        assertThat(drive.fastest).isGreaterThan(0.55);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void turnsWithItsWorld(int quarters) {
+        double angle = quarters * Math.PI / 2;
+        var obstacles = new Obstacles(VIEW);
+        obstacles.add(1.1, 0.1);
+        obstacles.add(0.9, -0.6);
+        Target target = Target.at(new Point2d(2, 0.5), false);
+        var motion = new Motion(new Pose2d(0.01, 0.01, 0.1), Twist2d.drive(0.2, 0));
+        var turned = new Motion(new Pose2d(0, 0, angle).compose(motion.odomFromBase()), Twist2d.drive(0.2, 0));
+        Twist2d one = planner(BOX).drive(obstacles, target, motion);
+        Twist2d other = planner(BOX).drive(obstacles, target, turned);
+        assertThat(other.vx()).isCloseTo(one.vx(), within(1e-6));
+        assertThat(other.omega()).isCloseTo(one.omega(), within(1e-6));
+    }
+
+    @Test
+    void passesAPost() {
+        Drive drive = new Drive(BOX, List.of(new Point2d(1.5, 0.1), new Point2d(1.5, 0), new Point2d(1.5, -0.1)));
+        drive.goTo(new Point2d(3.5, 0), 40);
+        assertThat(drive.pose.position().distanceTo(new Point2d(3.5, 0))).isLessThan(0.4);
+    }
+
+    @Test
+    void turnsInPlace() {
+        Drive drive = new Drive(WEDGE, List.of());
+        for (int beat = 0; beat < 50; beat++) {
+            drive.move(drive.planner.turn(drive.look(), 2 - drive.pose.theta(), drive.motion()));
+        }
+        assertThat(drive.pose.theta()).isCloseTo(2, within(0.05));
+        assertThat(drive.pose.position().distanceTo(new Point2d(0, 0))).isLessThan(0.01);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    void neverTouchesAnything(long seed) {
+        var random = new SplittableRandom(seed);
+        var posts = new ArrayList<Point2d>();
+        for (int i = 0; i < 60; i++) {
+            posts.add(Pose2d.polar(random.nextDouble(0.6, 5), random.nextDouble(2 * Math.PI))
+                    .position());
+        }
+        Drive drive = new Drive(seed % 2 == 0 ? BOX : WEDGE, posts);
+        for (int goal = 0; goal < 4; goal++) {
+            drive.goTo(new Point2d(random.nextDouble(-4, 4), random.nextDouble(-4, 4)), 15);
+        }
+        assertThat(drive.way).as("way made with seed %d", seed).isGreaterThan(0.5);
+    }
+
+    /// A robot with the dynamics of its limits among posts, which fails when it touches one.
+    protected final class Drive {
+        private final LocalPlanner planner;
+        private final Outline body;
+        private final List<Point2d> posts;
+        private final Obstacles obstacles = new Obstacles(VIEW);
+        private Pose2d pose = Pose2d.ORIGIN;
+        private Twist2d velocity = Twist2d.STOP;
+        private double fastest;
+        private double way;
+
+        public Drive(Footprint footprint, List<Point2d> posts) {
+            this.planner = planner(footprint);
+            this.body = new Outline(footprint, 0);
+            this.posts = posts;
+        }
+
+        public Pose2d pose() {
+            return pose;
+        }
+
+        Motion motion() {
+            return new Motion(pose, velocity);
+        }
+
+        Obstacles look() {
+            obstacles.clear();
+            Pose2d baseFromWorld = pose.inverse();
+            posts.forEach(post -> {
+                Point2d seen = baseFromWorld.transform(post);
+                obstacles.add(seen.x(), seen.y());
+            });
+            return obstacles;
+        }
+
+        public void goTo(Point2d goal, double seconds) {
+            for (int beat = 0; beat * BEAT < seconds && pose.position().distanceTo(goal) > 0.3; beat++) {
+                Target target = Target.at(pose.inverse().transform(goal), true);
+                move(planner.drive(look(), target, motion()));
+            }
+        }
+
+        void move(Twist2d command) {
+            int parts = 10;
+            double dt = BEAT / parts;
+            for (int part = 0; part < parts; part++) {
+                velocity = Twist2d.drive(
+                        approach(velocity.vx(), command.vx(), LIMITS.acceleration() * dt),
+                        approach(velocity.omega(), command.omega(), LIMITS.turnAcceleration() * dt));
+                pose = pose.compose(new Pose2d(velocity.vx() * dt, 0, velocity.omega() * dt));
+                way += Math.abs(velocity.vx()) * dt;
+                fastest = Math.max(fastest, velocity.vx());
+                Pose2d baseFromWorld = pose.inverse();
+                for (Point2d post : posts) {
+                    Point2d seen = baseFromWorld.transform(post);
+                    assertThat(body.distance(seen.x(), seen.y()))
+                            .as("post %s, seen at %s", post, seen)
+                            .isPositive();
+                }
+            }
+        }
+
+        private static double approach(double from, double to, double most) {
+            return from + Math.clamp(to - from, -most, most);
+        }
+    }
+}
