@@ -47,6 +47,18 @@ public final class Outline {
         return reach;
     }
 
+    /// Radius of a circle that covers as much as a footprint [m]: what a robot is for rules that know only circles.
+    public static double radius(Footprint footprint) {
+        double twice = 0;
+        int n = footprint.corners().size();
+        for (int i = 0; i < n; i++) {
+            Point2d a = footprint.corners().get(i);
+            Point2d b = footprint.corners().get((i + 1) % n);
+            twice += a.x() * b.y() - a.y() * b.x();
+        }
+        return Math.sqrt(twice / 2 / Math.PI);
+    }
+
     /// How far a point is from it [m], negative inside: the greatest distance from one of its sides, which beyond a
     /// corner is somewhat less than the true one.
     public double distance(double x, double y) {
