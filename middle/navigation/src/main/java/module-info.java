@@ -12,6 +12,8 @@ module rsal.navigation {
     exports rsal.navigation.grid;
     exports rsal.navigation.jumppoint;
     exports rsal.navigation.mpc;
+    exports rsal.navigation.nd;
+    exports rsal.navigation.snd;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;
 

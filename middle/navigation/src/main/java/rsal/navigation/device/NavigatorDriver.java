@@ -14,8 +14,11 @@ import rsal.device.RangeSensor;
 import rsal.device.SonarArray;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Outline;
 import rsal.navigation.dwa.Dwa;
 import rsal.navigation.mpc.Mpc;
+import rsal.navigation.nd.Nd;
+import rsal.navigation.snd.Snd;
 import rsal.navigation.vfh.Vfh;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
@@ -26,6 +29,7 @@ import rsal.settings.Parameter;
 public final class NavigatorDriver implements DeviceDriver {
     private static final double LOOKAHEAD_TIME = 2.0; // s
     private static final double LEAST_LOOKAHEAD = 0.6; // m
+    private static final double VIEW = 5; // m
 
     private final Ways ways = new Ways();
 
@@ -54,13 +58,18 @@ public final class NavigatorDriver implements DeviceDriver {
     public List<Parameter> parameters() {
         var parameters = new ArrayList<Parameter>();
         parameters.add(Parameter.choice("global", "wavefront", List.of("wavefront"), "plans the way"));
-        parameters.add(Parameter.choice("local", "vfh", List.of("vfh", "dwa", "mpc"), "drives along it"));
+        parameters.add(Parameter.choice("local", "vfh", List.of("vfh", "nd", "snd", "dwa", "mpc"), "drives along it"));
         parameters.add(Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster"));
         parameters.add(Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster"));
         parameters.add(
                 Parameter.number("safetyDistance", 0.1, 0, 1, "m", "room to keep from obstacles while standing"));
         parameters.add(
                 Parameter.number("safetyDistanceAtSpeed", 0.4, 0, 2, "m", "room to keep from obstacles at 1 m/s"));
+        parameters.add(Parameter.number(
+                "avoidDist", 0.5, 0.05, 3, "m", "from what is nearer to its edge nd turns away and slows down"));
+        parameters.add(Parameter.number("obstacleAvoidDist", 1, 0.05, 5, "m", "the same for snd"));
+        parameters.add(Parameter.number(
+                "minGapWidth", 0.5, 0.05, 3, "m", "by how much ranges must jump where snd sees a gap"));
         parameters.add(Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way"));
         parameters.add(Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast it backs off when blocked"));
         parameters.add(Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long it does so at most"));
@@ -103,7 +112,7 @@ public final class NavigatorDriver implements DeviceDriver {
                 new PathNavigator.Settings(
                         limits,
                         lookahead,
-                        lookahead + 2 * model.footprint().circumscribedRadius(),
+                        view(arguments, lookahead + 2 * model.footprint().circumscribedRadius()),
                         model.footprint().circumscribedRadius(),
                         arguments.seconds("replanPeriod"),
                         arguments.number("escapeSpeed"),
@@ -115,11 +124,26 @@ public final class NavigatorDriver implements DeviceDriver {
         return navigator;
     }
 
+    /// Planners that look for gaps or ahead see farther than the next step.
+    private static double view(Arguments arguments, double atLeast) {
+        return arguments.text("local").equals("vfh") ? atLeast : Math.max(atLeast, VIEW);
+    }
+
     private static LocalPlanner avoidance(
             Arguments arguments, Footprint footprint, DriveLimits limits, double lookahead) {
         double reaction = 2 * PathNavigator.BEAT_SECONDS;
         return switch (arguments.text("local")) {
             case "dwa" -> new Dwa(footprint, limits, Dwa.Settings.of(0.25, lookahead), reaction);
+            case "nd" -> new Nd(footprint, limits, new Nd.Settings(arguments.number("avoidDist"), 0), reaction);
+            case "snd" ->
+                new Snd(
+                        footprint,
+                        limits,
+                        new Snd.Settings(
+                                Outline.radius(footprint),
+                                arguments.number("minGapWidth"),
+                                arguments.number("obstacleAvoidDist")),
+                        reaction);
             case "mpc" -> new Mpc(footprint, limits, Mpc.Settings.DEFAULT, reaction, PathNavigator.BEAT_SECONDS);
             default -> {
                 double safety = arguments.number("safetyDistance");

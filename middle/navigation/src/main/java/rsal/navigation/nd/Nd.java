@@ -65,7 +65,8 @@ public final class Nd implements LocalPlanner {
         findNearest(direction);
         double left = threat(nearestLeft);
         double right = threat(nearestRight);
-        direction = Angles.wrap(direction + away(directionLeft, direction, left) + away(directionRight, direction, right));
+        direction =
+                Angles.wrap(direction + away(directionLeft, direction, left) + away(directionRight, direction, right));
         double near = Math.max(left, right);
         double turn = Math.clamp(direction, -Math.PI / 2, Math.PI / 2);
         double omega = limits.turnRate() * turn / (Math.PI / 2);
