@@ -14,6 +14,7 @@ module rsal.navigation {
     exports rsal.navigation.mpc;
     exports rsal.navigation.nd;
     exports rsal.navigation.scanmatch;
+    exports rsal.navigation.slam;
     exports rsal.navigation.snd;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;

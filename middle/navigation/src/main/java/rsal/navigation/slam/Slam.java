@@ -1,0 +1,296 @@
+package rsal.navigation.slam;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rsal.data.Angles;
+import rsal.data.Covariance2d;
+import rsal.data.LaserScan;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.navigation.grid.ScanMapper;
+import rsal.navigation.grid.ScanMapper.PosedScan;
+import rsal.navigation.scanmatch.Cloud;
+import rsal.navigation.scanmatch.CorrelativeMatcher;
+import rsal.navigation.scanmatch.CorrelativeMatcher.Window;
+import rsal.navigation.scanmatch.LineMatcher;
+import rsal.navigation.scanmatch.Match;
+
+/// Maps a place and finds its way in it at once, from a laser and odometry: each scan is matched with those just
+/// before it, scans that lie some way apart are kept as the nodes of a graph, places that are seen again close loops
+/// ([LoopCloser]), and the graph is fitted to all of that ([PoseGraph]). After E. Olson, Robust and Efficient Robotic
+/// Mapping (PhD thesis, MIT 2008), and M. Hess et al., Real-Time Loop Closure in 2D LIDAR SLAM (ICRA 2016).
+///
+/// The first scan kept is where the odometry says; the map's frame begins there. The same input gives the same map.
+/// It keeps at most [Settings#mostFrames] scans, and after that only finds its way. Not safe for several threads.
+public final class Slam {
+    private static final double LEAST_SCORE = 0.35; // of a search, to be worth refining
+    private static final double LEAST_PAIRS = 0.35; // of a scan, to be believed
+    private static final double TRUST = 0.15; // in odometry; see Window
+    private static final double SEARCHED = 0.12; // m; cells in which scans are thinned for the search
+    private static final double APART = 0.4; // m; a refinement doesn't go farther from what was found
+    private static final double TURNED = 0.15; // rad
+    private static final CorrelativeMatcher.Settings SEARCH = new CorrelativeMatcher.Settings(0.05, 0.08, 4);
+    private static final double MISFIT = 16; // square of a loop's error in deviations that is too much
+    private static final int MOST_STRAINED = 3; // relations that loops which are right don't bend more
+    // how scans err beside what their points tell
+    private static final double OWN_METERS = 0.02;
+    private static final double OWN_RADIANS = 0.003;
+
+    private final Settings settings;
+    private final LoopCloser loops;
+    private final List<Frame> frames = new ArrayList<>();
+    private final List<Relation> relations = new ArrayList<>();
+    private List<Pose2d> poses = new ArrayList<>();
+    private int fits;
+
+    private Pose2d lastOdomFromBase = Pose2d.ORIGIN;
+    private double traveled;
+    private Located last = new Located(0, Pose2d.ORIGIN); // of the last scan
+    private int base; // the frame in whose frame the scans are that the next ones are matched with
+    private Optional<LineMatcher> lines = Optional.empty();
+    private Optional<CorrelativeMatcher> search = Optional.empty();
+
+    /// @param maxRange hits farther than this are not matched [m]
+    /// @param everyMeters how far apart scans are that are kept
+    /// @param everyRadians likewise of their headings
+    /// @param odometry how wheels err
+    /// @param recent how many scans that were kept the next is matched with
+    /// @param closesLoops whether places are known again
+    /// @param mostFrames scans kept at most
+    public record Settings(
+            double maxRange,
+            double everyMeters,
+            double everyRadians,
+            Wheels odometry,
+            int recent,
+            boolean closesLoops,
+            int mostFrames) {
+        public static final Settings DEFAULT = new Settings(25, 0.5, 0.35, Wheels.ROUGH, 10, true, 10_000);
+
+        public Settings {
+            if (!(maxRange > 0 && everyMeters > 0 && everyRadians > 0 && recent >= 1 && mostFrames >= 2)) {
+                throw new IllegalArgumentException(
+                        ("The longest range (%s), distance (%s) and turn (%s) between scans must be more than 0, the"
+                                        + " scans to match with (%d) at least 1 and those kept (%d) 2.")
+                                .formatted(maxRange, everyMeters, everyRadians, recent, mostFrames));
+            }
+        }
+    }
+
+    /// How odometry errs between two scans, as deviations.
+    ///
+    /// @param metersPerMeter of the way
+    /// @param radiansPerRadian of the turn
+    /// @param radiansPerMeter of the turn, by the way
+    public record Wheels(double metersPerMeter, double radiansPerRadian, double radiansPerMeter) {
+        /// As small robots on carpets do.
+        public static final Wheels ROUGH = new Wheels(0.06, 0.08, 0.04);
+
+        Covariance2d covariance(Pose2d way) {
+            double meters = 0.02 + metersPerMeter * Math.hypot(way.x(), way.y());
+            return Covariance2d.ofDeviations(meters, meters, radians(way));
+        }
+
+        double radians(Pose2d way) {
+            return 0.01 + radiansPerRadian * Math.abs(way.theta()) + radiansPerMeter * Math.hypot(way.x(), way.y());
+        }
+    }
+
+    /// Where a scan was taken, seen from one that was kept, so that it stays right when the graph is fitted.
+    public record Located(int frame, Pose2d frameFromBase) {}
+
+    public Slam(Settings settings) {
+        this.settings = settings;
+        this.loops = new LoopCloser(frames);
+    }
+
+    /// Takes one scan.
+    ///
+    /// @param odomFromBase what the wheels say
+    /// @throws IllegalArgumentException when the pose is not finite
+    public Located add(Pose2d odomFromBase, LaserScan scan) {
+        if (!odomFromBase.isFinite()) {
+            throw new IllegalArgumentException("Odometry can't say (%s).".formatted(odomFromBase));
+        }
+        Cloud cloud = Cloud.of(scan, settings.maxRange());
+        if (frames.isEmpty()) {
+            poses.add(odomFromBase);
+            keep(new Frame(odomFromBase, 0, scan, cloud));
+            lastOdomFromBase = odomFromBase;
+            return last;
+        }
+        Pose2d way = lastOdomFromBase.inverse().compose(odomFromBase);
+        lastOdomFromBase = odomFromBase;
+        traveled += Math.hypot(way.x(), way.y());
+        Pose2d guess = last.frameFromBase().compose(way);
+        Optional<Match> match = match(cloud, guess, way);
+        Pose2d frameFromBase = match.map(m -> joined(guess, way, m)).orElse(guess);
+        last = new Located(base, frameFromBase);
+        boolean apart = Math.hypot(frameFromBase.x(), frameFromBase.y()) >= settings.everyMeters()
+                || Math.abs(frameFromBase.theta()) >= settings.everyRadians();
+        if (apart && frames.size() < settings.mostFrames()) {
+            Pose2d told = frames.get(base).odomFromBase().inverse().compose(odomFromBase);
+            int number = frames.size();
+            poses.add(poses.get(base).compose(frameFromBase));
+            Covariance2d wheels = settings.odometry().covariance(told);
+            relations.add(new Relation(base, number, told, wheels, Relation.Source.ODOMETRY));
+            match.ifPresent(m -> relations.add(
+                    new Relation(base, number, m.aFromB(), honest(m.covariance()), Relation.Source.SCANS)));
+            loops.step(
+                    base,
+                    number,
+                    frameFromBase,
+                    match.map(m -> Gauss.joined(wheels, honest(m.covariance()))).orElse(wheels));
+            keep(new Frame(odomFromBase, traveled, scan, cloud));
+            if (settings.closesLoops()) {
+                close(loops.look(number, poses));
+            }
+        }
+        return last;
+    }
+
+    /// What the match says and, along what it can't tell, the wheels.
+    private Pose2d joined(Pose2d guess, Pose2d way, Match match) {
+        return Gauss.mean(guess, settings.odometry().covariance(way), match.aFromB(), honest(match.covariance()));
+    }
+
+    static Covariance2d honest(Covariance2d c) {
+        double place = OWN_METERS * OWN_METERS;
+        return new Covariance2d(
+                c.xx() + place,
+                c.xy(),
+                c.xTheta(),
+                c.yy() + place,
+                c.yTheta(),
+                c.thetaTheta() + OWN_RADIANS * OWN_RADIANS);
+    }
+
+    private Optional<Match> match(Cloud cloud, Pose2d guess, Pose2d way) {
+        if (lines.isEmpty() || search.isEmpty()) {
+            return Optional.empty();
+        }
+        var window = new Window(
+                Math.min(1.5, 0.1 + 3 * settings.odometry().metersPerMeter() * Math.hypot(way.x(), way.y())),
+                Math.min(0.8, 3 * settings.odometry().radians(way)),
+                TRUST);
+        Pose2d found = search.get()
+                .match(cloud.thinned(SEARCHED), guess, window, LEAST_SCORE)
+                .map(Match::aFromB)
+                .orElse(guess);
+        return lines.get()
+                .match(cloud, found)
+                .filter(m -> m.score() >= LEAST_PAIRS && m.aFromB().isNear(found, APART, TURNED));
+    }
+
+    private void keep(Frame frame) {
+        frames.add(frame);
+        base = frames.size() - 1;
+        last = new Located(base, Pose2d.ORIGIN);
+        Cloud around = Surroundings.of(frames, poses, base - settings.recent() + 1, base, base);
+        lines = around.count() == 0 ? Optional.empty() : Optional.of(new LineMatcher(around));
+        search = around.count() == 0 ? Optional.empty() : Optional.of(new CorrelativeMatcher(around, SEARCH));
+    }
+
+    private void close(List<Relation> closing) {
+        if (closing.isEmpty()) {
+            return;
+        }
+        List<Pose2d> before = poses;
+        long strained = strained(poses);
+        int known = relations.size();
+        relations.addAll(closing);
+        boolean near = closing.stream().allMatch(r -> square(r) <= PoseGraph.LOOP_PHI);
+        poses = new ArrayList<>(
+                near
+                        ? PoseGraph.fit(poses, relations).poses()
+                        : PoseGraph.fitFromAfar(poses, relations).poses());
+        fits++;
+        if (!near && strained(poses) > strained + MOST_STRAINED) {
+            poses = before;
+            relations.subList(known, relations.size()).clear();
+        } else {
+            closing.forEach(loops::trust);
+        }
+    }
+
+    /// How many relations hardly fit, besides what the wheels say.
+    private long strained(List<Pose2d> poses) {
+        return relations.stream()
+                .filter(r -> r.source() != Relation.Source.ODOMETRY
+                        && PoseGraph.square(r, poses.get(r.from()), poses.get(r.to())) > MISFIT)
+                .count();
+    }
+
+    private void fit() {
+        poses = new ArrayList<>(PoseGraph.fit(poses, relations).poses());
+        fits++;
+    }
+
+    /// Looks at all scans once more, now that it is known where they were taken: those that see the same are matched
+    /// with each other, relations that don't fit are dropped, and all is fitted again.
+    ///
+    /// @param rounds how often; 2 do
+    public void polish(int rounds) {
+        for (int round = 0; round < rounds && settings.closesLoops(); round++) {
+            relations.removeIf(r -> r.source() == Relation.Source.LOOP);
+            relations.addAll(loops.everywhere(poses));
+            fit();
+            relations.removeIf(r -> r.source() == Relation.Source.LOOP && square(r) > MISFIT);
+            fit();
+        }
+    }
+
+    /// How many scans were kept.
+    public int frameCount() {
+        return frames.size();
+    }
+
+    /// How often the graph was fitted; after that, poses may have jumped.
+    public int fits() {
+        return fits;
+    }
+
+    /// Where the scans that were kept were taken, by number.
+    public List<Pose2d> poses() {
+        return List.copyOf(poses);
+    }
+
+    public Pose2d pose(Located located) {
+        return poses.get(located.frame()).compose(located.frameFromBase());
+    }
+
+    /// What is known of how they lie to each other.
+    public List<Relation> relations() {
+        return List.copyOf(relations);
+    }
+
+    /// How far off a relation is after the last fit, in deviations.
+    public double residual(Relation relation) {
+        return Math.sqrt(square(relation));
+    }
+
+    private double square(Relation relation) {
+        return PoseGraph.square(relation, poses.get(relation.from()), poses.get(relation.to()));
+    }
+
+    /// Difference of two headings of a relation [rad], told and fitted.
+    public double headingResidual(Relation relation) {
+        Pose2d is = poses.get(relation.from()).inverse().compose(poses.get(relation.to()));
+        return Math.abs(Angles.difference(is.theta(), relation.fromFromTo().theta()));
+    }
+
+    /// The scans that were kept, where they were taken.
+    public List<PosedScan> posedScans() {
+        var posed = new ArrayList<PosedScan>();
+        for (int i = 0; i < frames.size(); i++) {
+            posed.add(new PosedScan(poses.get(i), frames.get(i).scan()));
+        }
+        return posed;
+    }
+
+    /// @throws IllegalArgumentException when there is no scan yet, or the map would be too large
+    public OccupancyGrid map(ScanMapper.Settings how) {
+        return ScanMapper.draw(posedScans(), how);
+    }
+}

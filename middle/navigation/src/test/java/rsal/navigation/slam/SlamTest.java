@@ -1,0 +1,140 @@
+package rsal.navigation.slam;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.navigation.grid.ScanMapper;
+import rsal.navigation.scanmatch.Walls;
+
+class SlamTest {
+    /// Corridors around a block with niches, 26 m × 18 m.
+    private static final Walls FLOOR = new Walls()
+            .box(0, 0, 26, 18)
+            .chain(2.5, 2.5, 9, 2.5, 9, 3.5, 10, 3.5, 10, 2.5, 23.5, 2.5, 23.5, 8, 22, 8, 22, 9, 23.5, 9, 23.5, 15.5)
+            .chain(
+                    23.5, 15.5, 14, 15.5, 14, 14, 12, 14, 12, 15.5, 2.5, 15.5, 2.5, 11, 3.5, 11, 3.5, 10, 2.5, 10, 2.5,
+                    2.5)
+            .box(17, 0, 17.4, 0.4)
+            .box(0, 6, 0.5, 6.5)
+            .box(25, 12, 26, 12.6);
+
+    private record Drive(List<Pose2d> truth, List<Pose2d> odometry) {}
+
+    /// Around it and a bit more, counter-clockwise, with wheels that err.
+    private static Drive drive(SplittableRandom random) {
+        var truth = new ArrayList<Pose2d>();
+        var odometry = new ArrayList<Pose2d>();
+        truth.add(new Pose2d(1.2, 1.2, 0));
+        odometry.add(truth.getFirst());
+        double[] sides = {23.4, 15.4, 23.4, 15.4, 10};
+        for (double side : sides) {
+            int steps = (int) (side / 0.6);
+            for (int i = 1; i <= steps; i++) {
+                move(truth, odometry, new Pose2d(side / steps, 0, 0), random);
+            }
+            for (int i = 0; i < 3; i++) {
+                move(truth, odometry, new Pose2d(0, 0, Math.PI / 6), random);
+            }
+        }
+        return new Drive(truth, odometry);
+    }
+
+    private static void move(List<Pose2d> truth, List<Pose2d> odometry, Pose2d way, SplittableRandom random) {
+        truth.add(truth.getLast().compose(way));
+        double turn = 0.05 * Math.abs(way.theta()) + 0.03 * way.x();
+        odometry.add(odometry.getLast()
+                .compose(new Pose2d(
+                        way.x() * (1 + 0.05 * random.nextGaussian()),
+                        0,
+                        way.theta() + turn * random.nextGaussian() + 0.01 * way.x())));
+    }
+
+    private static double worst(List<Pose2d> truth, List<Pose2d> poses) {
+        double worst = 0;
+        for (int i = 0; i < truth.size(); i++) {
+            worst = Math.max(worst, truth.get(i).distanceTo(poses.get(i)));
+        }
+        return worst;
+    }
+
+    private record Run(Slam slam, List<Slam.Located> located) {
+        List<Pose2d> poses() {
+            return located.stream().map(slam::pose).toList();
+        }
+    }
+
+    private static Run run(Slam.Settings settings, Drive drive, SplittableRandom random) {
+        var slam = new Slam(settings);
+        var located = new ArrayList<Slam.Located>();
+        for (int i = 0; i < drive.truth().size(); i++) {
+            located.add(
+                    slam.add(drive.odometry().get(i), FLOOR.scan(drive.truth().get(i), 0.01, random)));
+        }
+        return new Run(slam, located);
+    }
+
+    @Test
+    void closesALoopAndMapsTheFloor() {
+        var random = new SplittableRandom(11);
+        Drive drive = drive(random);
+        Run run = run(Slam.Settings.DEFAULT, drive, random);
+        run.slam().polish(2);
+
+        assertThat(worst(drive.truth(), drive.odometry())).isGreaterThan(3);
+        assertThat(worst(drive.truth(), run.poses())).isLessThan(0.3);
+        assertThat(run.slam().relations()).anyMatch(r -> r.source() == Relation.Source.LOOP);
+        OccupancyGrid map = run.slam().map(ScanMapper.Settings.of(0.1));
+        assertThat(map.isFree(1.2, 1.2)).isTrue();
+        assertThat(map.isFree(24.8, 16.5)).isTrue();
+        assertThat(map.isFree(13, 9)).isFalse();
+        assertThat(map.width() * map.resolution()).isBetween(26.0, 28.0);
+    }
+
+    @Test
+    void theSameScansGiveTheSameMap() {
+        Drive drive = drive(new SplittableRandom(3));
+
+        assertThat(run(Slam.Settings.DEFAULT, drive, new SplittableRandom(1)).poses())
+                .isEqualTo(run(Slam.Settings.DEFAULT, drive, new SplittableRandom(1))
+                        .poses());
+    }
+
+    @Test
+    void goesOnFindingItsWayWhenItMayKeepNoMore() {
+        Drive drive = drive(new SplittableRandom(3));
+        var settings = new Slam.Settings(25, 0.5, 0.35, Slam.Wheels.ROUGH, 10, true, 5);
+
+        Run run = run(settings, drive, new SplittableRandom(1));
+
+        assertThat(run.slam().frameCount()).isEqualTo(5);
+        assertThat(run.located()).hasSize(drive.truth().size());
+        assertThat(run.poses().get(8).isNear(drive.truth().get(8), 0.3, 0.1)).isTrue();
+    }
+
+    @Test
+    void scansThatShowNothingLeaveItToTheWheels() {
+        var nowhere = new Walls();
+        var slam = new Slam(Slam.Settings.DEFAULT);
+        for (int i = 0; i < 10; i++) {
+            var located = slam.add(new Pose2d(i, 0, 0), nowhere.scan(Pose2d.ORIGIN, 0, new SplittableRandom(1)));
+            assertThat(slam.pose(located).isNear(new Pose2d(i, 0, 0), 1e-9, 1e-9))
+                    .isTrue();
+        }
+        slam.polish(1);
+        assertThat(slam.poses()).hasSize(10);
+    }
+
+    @Test
+    void refusesOdometryThatIsNoPlace() {
+        var scan = FLOOR.scan(new Pose2d(1, 1, 0), 0, new SplittableRandom(1));
+
+        assertThatThrownBy(() -> new Slam(Slam.Settings.DEFAULT).add(new Pose2d(Double.NaN, 0, 0), scan))
+                .hasMessageContaining("NaN");
+    }
+}
