@@ -5,7 +5,9 @@ import java.util.Arrays;
 /// A wave that spreads from one cell of a [CostMap] over the eight neighbors of each and leaves in each cell what
 /// the way between there and its source costs. Ways do not squeeze through between two corners.
 ///
-/// The wave is ordered by R. Dial's buckets (Algorithm 360, CACM 12, 1969), since costs are small whole numbers. A
+/// The wave is ordered by R. Dial's buckets (Algorithm 360, CACM 12, 1969), since costs are small whole numbers; a
+/// bucket is as wide as can be so that none of its cells is reached from another (E. Dinitz, 1978), for then cells
+/// side by side are looked at one after the other. A
 /// [Guide] hurries it towards a cell (P. Hart, N. Nilsson, B. Raphael, 1968). What it leaves in the cells of
 /// cheapest ways to that cell depends neither on the guide nor on the order in which it gets there, for it goes on
 /// until all of them are found.
@@ -16,8 +18,9 @@ final class Wave {
     static final int UNREACHED = Integer.MAX_VALUE;
 
     private static final int BLOCKED = -1; // in the field, so that one look tells whether a cell is open
-    private static final int BUCKETS = 512; // a power of 2, more than twice what a step costs
-    private static final int ROOM = 256; // of a bucket at first
+    private static final int WIDTH_BITS = 4; // of a bucket: 16 is less than the cheapest step, CostMap.SIDE
+    private static final int BUCKETS = 64; // a power of 2, more than twice what a step costs
+    private static final int ROOM = 1024; // of a bucket at first
 
     private final CostMap map;
     private final byte[] costs;
@@ -25,8 +28,7 @@ final class Wave {
     private final int[] field;
     private final int[][] buckets = new int[BUCKETS][ROOM];
     private final int[] counts = new int[BUCKETS];
-    private int waiting; // cells in buckets
-    private int front; // all that costs less is final
+    private int front; // the next bucket
     private int lowest; // of the cells that are not as in the map
     private int highest;
 
@@ -57,20 +59,23 @@ final class Wave {
         Arrays.fill(counts, 0);
         lowest = field.length;
         highest = -1;
-        waiting = 0;
     }
 
     /// Lets nothing through a cell until it is cleared. To be called before it starts.
     void block(int cell) {
         field[cell] = BLOCKED;
-        note(cell);
+        lowest = Math.min(lowest, cell);
+        highest = Math.max(highest, cell);
     }
 
     /// Starts from a cell that is open.
     void start(int source, Guide guide) {
         field[source] = 0;
-        front = guide.least(source);
-        push(source, front);
+        int least = guide.least(source);
+        front = least >> WIDTH_BITS;
+        push(source, least);
+        lowest = Math.min(lowest, source);
+        highest = Math.max(highest, source);
     }
 
     /// Spreads on until it is known what the way to a cell costs.
@@ -79,7 +84,9 @@ final class Wave {
     /// @param guide the one that it started with
     /// @return whether it reaches the target
     boolean spread(int target, Guide guide) {
-        while (waiting > 0 && (target < 0 || field[target] == UNREACHED || field[target] >= front)) {
+        int empty = 0; // buckets in a row
+        while (empty < BUCKETS && (target < 0 || field[target] == UNREACHED || field[target] >= known())) {
+            empty = counts[bucket(front)] == 0 ? empty + 1 : 0;
             expand(guide);
             front++;
         }
@@ -87,7 +94,7 @@ final class Wave {
     }
 
     /// What the way between a cell and the source costs, negative where nothing can be. Without a guide it is final
-    /// if it costs less than [#front].
+    /// if it costs less than what is [#known].
     int at(int cell) {
         return field[cell];
     }
@@ -96,8 +103,9 @@ final class Wave {
         return field[cell] >= 0;
     }
 
-    int front() {
-        return front;
+    /// All ways that cost less are known.
+    int known() {
+        return front << WIDTH_BITS;
     }
 
     /// The neighbor from which the wave came; of several the first by row, then column; −1 at the source.
@@ -123,61 +131,79 @@ final class Wave {
     }
 
     /// Lets all cells of the next bucket pass the wave on. A guide may say that a step costs nothing: then cells are
-    /// added to the bucket meanwhile.
+    /// added to the bucket meanwhile, or reached again for less.
     private void expand(Guide guide) {
-        int bucket = front & BUCKETS - 1;
+        int[] field = this.field; // the compiler would look them up again after each step
+        byte[] costs = this.costs;
+        int up = width;
+        int now = front;
+        int bucket = bucket(now);
         for (int i = 0; i < counts[bucket]; i++) {
             int cell = buckets[bucket][i];
             int reached = field[cell];
-            if (reached + guide.least(cell) != front) {
+            if ((reached + guide.least(cell)) >> WIDTH_BITS != now) {
                 continue; // was reached for less since
             }
             int cost = costs[cell];
-            boolean left = relax(cell - 1, reached + cost + costs[cell - 1], guide);
-            boolean right = relax(cell + 1, reached + cost + costs[cell + 1], guide);
-            boolean below = relax(cell - width, reached + cost + costs[cell - width], guide);
-            boolean above = relax(cell + width, reached + cost + costs[cell + width], guide);
-            if (left && below) {
-                relax(cell - width - 1, reached + CostMap.diagonal(cost + costs[cell - width - 1]), guide);
+            int left = field[cell - 1];
+            int right = field[cell + 1];
+            int below = field[cell - up];
+            int above = field[cell + up];
+            if (left > reached) {
+                relax(field, cell - 1, left, reached + cost + costs[cell - 1], guide);
             }
-            if (right && below) {
-                relax(cell - width + 1, reached + CostMap.diagonal(cost + costs[cell - width + 1]), guide);
+            if (right > reached) {
+                relax(field, cell + 1, right, reached + cost + costs[cell + 1], guide);
             }
-            if (left && above) {
-                relax(cell + width - 1, reached + CostMap.diagonal(cost + costs[cell + width - 1]), guide);
+            if (below > reached) {
+                relax(field, cell - up, below, reached + cost + costs[cell - up], guide);
             }
-            if (right && above) {
-                relax(cell + width + 1, reached + CostMap.diagonal(cost + costs[cell + width + 1]), guide);
+            if (above > reached) {
+                relax(field, cell + up, above, reached + cost + costs[cell + up], guide);
             }
+            if ((left | below) >= 0) {
+                across(field, costs, cell - up - 1, reached, cost, guide);
+            }
+            if ((right | below) >= 0) {
+                across(field, costs, cell - up + 1, reached, cost, guide);
+            }
+            if ((left | above) >= 0) {
+                across(field, costs, cell + up - 1, reached, cost, guide);
+            }
+            if ((right | above) >= 0) {
+                across(field, costs, cell + up + 1, reached, cost, guide);
+            }
+            lowest = Math.min(lowest, cell - up - 1);
+            highest = Math.max(highest, cell + up + 1);
         }
-        waiting -= counts[bucket];
         counts[bucket] = 0;
     }
 
-    /// @return whether the cell is open
-    private boolean relax(int cell, int now, Guide guide) {
+    private void across(int[] field, byte[] costs, int cell, int reached, int cost, Guide guide) {
         int old = field[cell];
+        if (old > reached) {
+            relax(field, cell, old, reached + CostMap.diagonal(cost + costs[cell]), guide);
+        }
+    }
+
+    private void relax(int[] field, int cell, int old, int now, Guide guide) {
         if (now < old) {
             field[cell] = now;
             push(cell, now + guide.least(cell));
         }
-        return old >= 0;
+    }
+
+    private static int bucket(int number) {
+        return number & (BUCKETS - 1);
     }
 
     private void push(int cell, int value) {
-        int bucket = value & BUCKETS - 1;
+        int bucket = bucket(value >> WIDTH_BITS);
         int count = counts[bucket];
         if (count == buckets[bucket].length) {
             buckets[bucket] = Arrays.copyOf(buckets[bucket], 2 * count);
         }
         buckets[bucket][count] = cell;
         counts[bucket] = count + 1;
-        waiting++;
-        note(cell);
-    }
-
-    private void note(int cell) {
-        lowest = Math.min(lowest, cell);
-        highest = Math.max(highest, cell);
     }
 }

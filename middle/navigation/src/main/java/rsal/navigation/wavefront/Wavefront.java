@@ -73,7 +73,7 @@ public final class Wavefront {
             var cells = (Ends.Cells) ends;
             return waves.from(cells.goal, kept -> {
                         kept.spread(cells.start, Guide.NONE);
-                        int known = kept.front();
+                        int known = kept.known();
                         return fromStart(wave, cells, cell -> Math.min(kept.at(cell), known), start, goal);
                     })
                     .orElseGet(() -> fromStart(wave, cells, straightTo(cells.goal), start, goal));

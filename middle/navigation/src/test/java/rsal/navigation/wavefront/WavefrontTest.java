@@ -323,7 +323,7 @@ class WavefrontTest {
                             && costs[cell + dx] != CostMap.BLOCKED
                             && costs[cell + dy * width] != CostMap.BLOCKED;
                     int step = costs[cell] + costs[next];
-                    int reached = field[cell] + (diagonal ? step * 14 / 10 : step);
+                    int reached = field[cell] + (diagonal ? step * 181 / 128 : step);
                     if (open && next != cell && reached < field[next]) {
                         field[next] = reached;
                         changed = true;
