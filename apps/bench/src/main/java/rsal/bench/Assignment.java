@@ -14,9 +14,15 @@ import java.util.function.Consumer;
 /// @param repeats how often each is measured; the median counts
 /// @param data where public data is: folders `logs`, `maps` and `barn`
 /// @param results told of each as soon as it is known
+/// @param plots told of each picture of them
 /// @param notes told what is left out and why
 public record Assignment(
-        Set<String> wanted, int repeats, Optional<Path> data, Consumer<Result> results, Consumer<String> notes) {
+        Set<String> wanted,
+        int repeats,
+        Optional<Path> data,
+        Consumer<Result> results,
+        Consumer<Plot> plots,
+        Consumer<String> notes) {
     public Assignment {
         wanted = Set.copyOf(wanted);
     }
@@ -32,6 +38,10 @@ public record Assignment(
 
     void tell(Result... measured) {
         tell(List.of(measured));
+    }
+
+    void show(Plot plot) {
+        plots.accept(plot);
     }
 
     /// A file of the public data; when it isn't there, those who asked are told that something is left out.

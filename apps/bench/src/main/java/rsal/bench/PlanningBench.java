@@ -2,8 +2,10 @@ package rsal.bench;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.IntConsumer;
+import rsal.bench.Plot.Bars.Bar;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
@@ -35,8 +37,12 @@ final class PlanningBench implements Bench {
             return this == CAVE2560 ? Cave.draw(128, 0.05, 1) : Floor.draw(3117, 1189, 0.05, 1);
         }
 
+        String label() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
         String name(String kind) {
-            return "wavefront.%s.%sms".formatted(this == CAVE2560 ? "cave2560" : "hospital", kind);
+            return "wavefront.%s.%sms".formatted(label(), kind);
         }
     }
 
@@ -51,14 +57,17 @@ final class PlanningBench implements Bench {
 
     @Override
     public void measure(Assignment assignment) {
+        var bars = new ArrayList<Bar>();
         for (Site site : Site.values()) {
             if (KINDS.stream().anyMatch(kind -> assignment.wants(site.name(kind)))) {
-                measure(site, assignment);
+                bars.addAll(measure(site, assignment));
             }
         }
+        assignment.show(new Plot.Bars("Planning", "", "time of the processor [ms]", bars));
     }
 
-    private static void measure(Site site, Assignment assignment) {
+    private static List<Bar> measure(Site site, Assignment assignment) {
+        var bars = new ArrayList<Bar>();
         OccupancyGrid map = site.map();
         var random = new SplittableRandom(1);
         CostMap costs = CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
@@ -76,11 +85,16 @@ final class PlanningBench implements Bench {
                 case "full." -> _ -> check(ways.everywhere(goal, SLACK).isPresent());
                 case "again." -> i -> found(ways.plan(places.get(1 + i), goal, SLACK));
                 case "around." -> _ -> found(ways.plan(places.get(1), goal, SLACK, List.of(inTheWay)));
+                case "shortest." ->
+                    i -> check(jumps.plan(places.get(1 + i), goal).isPresent());
                 case "costs." -> _ -> CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
                 default -> i -> found(new Wavefront(costs).plan(places.get(1 + i), goal, SLACK));
             };
-            assignment.tell(Result.less(site.name(kind), "ms", times(job, assignment.repeats())));
+            var result = Result.less(site.name(kind), "ms", times(job, assignment.repeats()));
+            assignment.tell(result);
+            bars.add(new Bar(site.label(), kind.isEmpty() ? "first" : kind.replace(".", ""), result.value()));
         }
+        return bars;
     }
 
     private static double[] times(IntConsumer job, int repeats) {

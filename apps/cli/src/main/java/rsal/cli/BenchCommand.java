@@ -13,6 +13,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.bench.Area;
 import rsal.bench.Assignment;
+import rsal.bench.Plot;
 import rsal.bench.Result;
 import rsal.settings.Suggestion;
 
@@ -46,8 +47,19 @@ final class BenchCommand extends Subcommand {
             })
     private Optional<Path> data = Optional.empty();
 
+    @Option(
+            names = "--page",
+            paramLabel = "FILE.html",
+            description = "Write the results with plots to a page, too. It can be read anywhere, without a network.")
+    private Optional<Path> page = Optional.empty();
+
     /// On which machine.
-    record Machine(String java, String system, int cores) {}
+    record Machine(String java, String system, int cores) {
+        @Override
+        public String toString() {
+            return "Java %s, %s, %d cores".formatted(java, system, cores);
+        }
+    }
 
     @Override
     int run() {
@@ -69,7 +81,9 @@ final class BenchCommand extends Subcommand {
                     "Nothing in area (%s) has (%s) in its name. It has: %s."
                             .formatted(chosen.name(), only, String.join(", ", chosen.names())));
         }
+        Optional<BenchPage> report = page.map(BenchPage::at);
         var results = new ArrayList<Result>();
+        var plots = new ArrayList<Plot>();
         chosen.measure(new Assignment(
                 Set.copyOf(wanted),
                 repeats,
@@ -78,8 +92,11 @@ final class BenchCommand extends Subcommand {
                     results.add(result);
                     err().println("%d/%d %s".formatted(results.size(), wanted.size(), result.name()));
                 },
+                plots::add,
                 err()::println));
-        print(results);
+        var machine = machine();
+        report.ifPresent(written -> written.write(chosen.name(), results, plots, machine));
+        print(results, machine);
         return Exit.SUCCESS;
     }
 
@@ -99,11 +116,14 @@ final class BenchCommand extends Subcommand {
                                                         .toList()))));
     }
 
-    private void print(List<Result> results) {
-        var machine = new Machine(
+    private static Machine machine() {
+        return new Machine(
                 Runtime.version().toString(),
                 System.getProperty("os.name") + " " + System.getProperty("os.arch"),
                 Runtime.getRuntime().availableProcessors());
+    }
+
+    private void print(List<Result> results, Machine machine) {
         if (json) {
             printJson(Map.of("results", results, "machine", machine));
             return;
@@ -120,12 +140,12 @@ final class BenchCommand extends Subcommand {
                                     number(result.most())));
         }
         out().print(table);
-        out().println("Java %s, %s, %d cores".formatted(machine.java, machine.system, machine.cores));
+        out().println(machine);
         out().flush();
     }
 
     /// Three digits that say something.
-    private static String number(double value) {
+    static String number(double value) {
         if (value >= 1e6) {
             return String.format(Locale.ROOT, "%.3g M", value / 1e6);
         }

@@ -1,0 +1,70 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import rsal.bench.Plot;
+import rsal.bench.Plot.Bars.Bar;
+import rsal.bench.Plot.Lines.Point;
+import rsal.bench.Result;
+
+class BenchPageTest {
+    private static final BenchCommand.Machine MACHINE = new BenchCommand.Machine("25", "Linux", 2);
+
+    @TempDir
+    Path folder;
+
+    @AfterEach
+    void forget() {
+        System.clearProperty("rsal.page");
+    }
+
+    @Test
+    void carriesAllThatItNeeds() throws IOException {
+        Path file = folder.resolve("page.html");
+        page(file, "draw('</script>')")
+                .write(
+                        "navigation",
+                        List.of(new Result("a.b<c>", 2.5, 1, 3, "ms", "less")),
+                        List.of(
+                                new Plot.Bars(
+                                        "Bars & more", "world", "time [s]", List.of(new Bar("vfh", "</script>", 2))),
+                                new Plot.Lines("Lines", "time [s]", "error [m]", List.of(new Point("one", 0.5, 0.25)))),
+                        MACHINE);
+        assertThat(Files.readString(file))
+                .contains("a.b&lt;c>", "2.5", "Bars &amp; more", "\"time [s]\"", "\"vfh\"", "\"name\":\"<\\/script>\"")
+                .contains("draw('<\\/script>')", "\"x\":0.5", "Java 25, Linux, 2 cores")
+                .doesNotContain("src=", "href=");
+    }
+
+    @Test
+    void saysBeforeAnythingIsMeasuredThatItCantBeWritten() {
+        assertThatExceptionOfType(Unreachable.class)
+                .isThrownBy(() -> page(folder, ""))
+                .withMessageContaining(folder.toString());
+        assertThatExceptionOfType(Unreachable.class)
+                .isThrownBy(() -> page(folder.resolve("no/such/folder.html"), ""))
+                .withMessageContaining("folder.html");
+    }
+
+    @Test
+    void saysWhatIsMissing() {
+        System.setProperty("rsal.page", folder.resolve("nowhere").toString());
+        assertThatExceptionOfType(Unreachable.class)
+                .isThrownBy(() -> BenchPage.at(folder.resolve("page.html")))
+                .withMessageContainingAll("plots.js", "doctor");
+    }
+
+    private BenchPage page(Path file, String script) throws IOException {
+        Files.writeString(folder.resolve("plots.js"), script);
+        System.setProperty("rsal.page", folder.toString());
+        return BenchPage.at(file);
+    }
+}
