@@ -8,5 +8,6 @@ module rsal.bench {
 
     exports rsal.bench;
 
+    uses rsal.robot.DeviceDriver;
     uses rsal.system.RobotSystemProvider;
 }

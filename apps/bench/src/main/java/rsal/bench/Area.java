@@ -27,6 +27,7 @@ public record Area(String name, List<Bench> benches) {
     /// All that there are.
     public static List<Area> all() {
         return List.of(
-                new Area("sim", List.of(new SwarmBench())), new Area("navigation", List.of(new PlanningBench())));
+                new Area("sim", List.of(new SwarmBench())),
+                new Area("navigation", List.of(new PlanningBench(), new BarnBench(), new OfficeBench())));
     }
 }

@@ -70,7 +70,7 @@ public final class Mpc implements LocalPlanner {
     /// @param creep speed where the outline is as near as it may be [m/s]
     /// @param speedPerRoom how much faster it may be with more room [1/s]
     public record Settings(double view, double margin, double creep, double speedPerRoom) {
-        public static final Settings DEFAULT = new Settings(12, 0.05, 0.5, 4);
+        public static final Settings DEFAULT = new Settings(10, 0.05, 0.5, 4);
     }
 
     /// @param reaction how long a command lasts before the next one can take effect [s]
@@ -136,7 +136,7 @@ public final class Mpc implements LocalPlanner {
         Point2d goal = pose.transform(goal(to));
         goalX = goal.x();
         goalY = goal.y();
-        field.spread(goal);
+        field.spread(goal, pose.position());
         double cost = search(motion);
         if (cost >= HOPELESS) {
             planned = false;

@@ -100,7 +100,7 @@ final class RollingMap {
     /// Lowers the evidence of what is seen through, for every direction of sight.
     private void clear(Obstacles obstacles, Pose2d odomFromBase) {
         for (int i = 0; i < Obstacles.SIGHTS; i++) {
-            double far = obstacles.sight(i) - BEFORE;
+            double far = Math.min(obstacles.sight(i) - BEFORE, side * resolution / 2);
             double direction = odomFromBase.theta() + 2 * Math.PI * i / Obstacles.SIGHTS;
             double dx = Math.cos(direction);
             double dy = Math.sin(direction);

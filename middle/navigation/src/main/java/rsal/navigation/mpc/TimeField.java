@@ -13,6 +13,7 @@ final class TimeField {
     private static final int BUCKETS = 1 << 11;
     private static final double STEP = 0.01; // m; of distances that speeds are kept for
     private static final int STEPS = 200;
+    private static final float BEYOND = 3; // s
 
     private final RollingMap map;
     private final int side;
@@ -44,8 +45,8 @@ final class TimeField {
     }
 
     /// Lets the wave spread from a place in the odometry frame; from the map's border, when it is outside, as if
-    /// nothing were beyond.
-    void spread(Point2d goal) {
+    /// nothing were beyond. It ends some time after it came to the robot: farther away nobody asks.
+    void spread(Point2d goal, Point2d robot) {
         Arrays.fill(times, UNREACHED);
         Arrays.fill(done, false);
         Arrays.fill(filled, 0);
@@ -64,7 +65,7 @@ final class TimeField {
                 }
             }
         }
-        march();
+        march(map.cell(robot.x(), robot.y()));
     }
 
     private int border(int i) {
@@ -100,15 +101,22 @@ final class TimeField {
         waiting++;
     }
 
-    private void march() {
+    private void march(int robot) {
+        float last = UNREACHED;
         for (int bucket = 0; waiting > 0; bucket = (bucket + 1) & (BUCKETS - 1)) {
             while (filled[bucket] > 0) {
                 filled[bucket]--;
                 waiting--;
                 int cell = buckets[bucket][filled[bucket]];
+                if (times[cell] > last) {
+                    return;
+                }
                 if (!done[cell]) {
                     done[cell] = true;
                     reachNeighbors(cell);
+                }
+                if (cell == robot) {
+                    last = times[cell] + BEYOND;
                 }
             }
         }

@@ -1,0 +1,163 @@
+package rsal.bench;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import java.util.SplittableRandom;
+import java.util.concurrent.Executor;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.device.Navigator;
+import rsal.device.Navigator.Result;
+import rsal.device.Navigator.Tolerance;
+import rsal.device.SimulationControl;
+import rsal.map.Maps;
+import rsal.navigation.grid.DistanceField;
+import rsal.navigation.wavefront.CostMap;
+import rsal.navigation.wavefront.CostMap.Clearance;
+import rsal.navigation.wavefront.Plan;
+import rsal.navigation.wavefront.Wavefront;
+import rsal.robot.DeviceDriver;
+import rsal.robot.Robot;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModels;
+import rsal.robot.RobotSpec;
+import rsal.scene.Scene;
+import rsal.settings.Arguments;
+import rsal.settings.FileSource;
+import rsal.settings.Location;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
+import rsal.time.LockstepScheduler;
+
+/// Three Pioneers on the office floor, each sent from one random place to the next.
+final class OfficeRun implements AutoCloseable {
+    private static final int ROBOTS = 3;
+    private static final double SPEED = 0.4; // m/s, the navigator's own highest
+    private static final Clearance NARROW = new Clearance(0.3, 0.3, 0); // m; just so that the robot gets through
+    private static final Clearance ROOMY = new Clearance(0.35, 0.35, 0); // m; where goals are
+    private static final Point2d CORRIDOR = new Point2d(0, -1.2);
+    private static final Duration PERIOD = Duration.ofMillis(100);
+
+    private final LockstepScheduler time;
+    private final RobotSystem system;
+    private final SimulationControl truth;
+    private final List<Robot> robots = new ArrayList<>();
+    private final Wavefront shortest;
+    private final Wavefront roomy;
+    private final SplittableRandom random;
+    private final List<Errand> errands = new ArrayList<>();
+    private int sent;
+
+    /// A goal and how it ended.
+    ///
+    /// @param shortest time of the shortest way at full speed [s]
+    /// @param seconds that it took
+    record Errand(Result result, double shortest, double seconds) {
+        boolean reached() {
+            return result instanceof Result.Reached;
+        }
+    }
+
+    /// @param settings of the navigators
+    OfficeRun(Map<String, ?> settings, long seed, Executor workers) {
+        time = new LockstepScheduler(Instant.EPOCH, workers);
+        random = new SplittableRandom(seed);
+        var files = FileSource.resources(RobotModels.class, "/");
+        OccupancyGrid office = new Maps(files).read("office", Location.of("bench"));
+        var field = DistanceField.toNotFree(office);
+        shortest = new Wavefront(CostMap.of(office, field, NARROW));
+        roomy = new Wavefront(CostMap.of(office, field, ROOMY));
+        Location here = Location.of("bench");
+        RobotModel pioneer = new RobotModels(files)
+                .read("pioneer2dx", here, Map.of("laser", new RobotModels.Choice("urg04lx", here)));
+        var specs = new ArrayList<RobotSpec>();
+        for (int i = 0; i < ROBOTS; i++) {
+            specs.add(new RobotSpec("r" + i, "robot", pioneer, Optional.of(place()), "#000000"));
+        }
+        var simulator = ServiceLoader.load(RobotSystemProvider.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .filter(provider -> provider.key().equals("sim"))
+                .findFirst()
+                .orElseThrow();
+        system = simulator.create(
+                new RobotSystemProvider.Config(
+                        Arguments.defaults(simulator.parameters()), Scene.of(office), specs, seed),
+                time);
+        truth = system.simulation().orElseThrow();
+        DeviceDriver amcl = driver("amcl");
+        DeviceDriver navigator = driver("navigator");
+        for (Robot robot : system.discover().toCompletableFuture().join()) {
+            Robot localized = equip(robot, amcl, office, Map.of());
+            robots.add(equip(localized, navigator, office, settings));
+        }
+    }
+
+    private static DeviceDriver driver(String key) {
+        return ServiceLoader.load(DeviceDriver.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .filter(driver -> driver.key().equals(key))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private Robot equip(Robot robot, DeviceDriver driver, OccupancyGrid map, Map<String, ?> settings) {
+        var context = new DeviceDriver.Context(
+                driver.key(), robot, map, truth.truth(robot.id()), time, new SplittableRandom(random.nextLong()));
+        return robot.with(driver.create(context, Arguments.of(driver.parameters(), settings)));
+    }
+
+    /// Somewhere on the floor from where there is a way to the corridor.
+    private Pose2d place() {
+        while (true) {
+            var place = new Point2d(random.nextDouble(-31, 31), random.nextDouble(-7.5, 7.5));
+            if (roomy.map().isPassable(place) && roomy.plan(place, CORRIDOR, 0) instanceof Plan.Found) {
+                return new Pose2d(place.x(), place.y(), random.nextDouble(-Math.PI, Math.PI));
+            }
+        }
+    }
+
+    /// Sends the robots about until so many goals have ended.
+    List<Errand> run(int goals) {
+        while (errands.size() < goals) {
+            for (Robot robot : robots) {
+                Navigator navigator = robot.require(Navigator.class);
+                if (navigator.goal().isEmpty() && sent < goals) {
+                    sent++;
+                    send(robot, navigator);
+                }
+            }
+            time.advance(PERIOD);
+        }
+        return List.copyOf(errands);
+    }
+
+    private void send(Robot robot, Navigator navigator) {
+        Pose2d from = truth.truth(robot.id()).orElseThrow();
+        Pose2d goal = place();
+        double way = switch (shortest.plan(from.position(), goal.position(), 0.2)) {
+            case Plan.Found found -> found.path().length();
+            case Plan.None _ -> from.distanceTo(goal);
+        };
+        Duration start = time.elapsed();
+        navigator.goTo(goal, Tolerance.DEFAULT).result().thenAccept(result -> {
+            double seconds = time.elapsed().minus(start).toMillis() * 1e-3;
+            errands.add(new Errand(result, way / SPEED, seconds));
+        });
+    }
+
+    /// How often robots touched something.
+    int contacts() {
+        return truth.contacts().size();
+    }
+
+    @Override
+    public void close() {
+        system.close();
+    }
+}

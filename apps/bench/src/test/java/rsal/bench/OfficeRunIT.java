@@ -1,0 +1,24 @@
+package rsal.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.bench.OfficeRun.Errand;
+
+class OfficeRunIT {
+    @ParameterizedTest
+    @ValueSource(strings = "vfh")
+    void threeRobotsReachTheirGoalsInTimeWithoutTouchingAnything(String planner) {
+        try (var run = new OfficeRun(Map.of("local", planner), 1, Runnable::run)) {
+            List<Errand> errands = run.run(15);
+            assertThat(errands).hasSize(15).allMatch(Errand::reached);
+            assertThat(run.contacts()).isZero();
+            double took = errands.stream().mapToDouble(Errand::seconds).sum();
+            double shortest = errands.stream().mapToDouble(Errand::shortest).sum();
+            assertThat(took / shortest).isLessThan(1.5);
+        }
+    }
+}
