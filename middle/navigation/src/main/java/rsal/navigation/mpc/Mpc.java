@@ -147,15 +147,21 @@ public final class Mpc implements LocalPlanner {
         return caution.guarded(Twist2d.drive(best[0], best[1]), motion.velocity(), obstacles);
     }
 
-    /// The end of the planned way, as far as it is in view; the target, when nobody planned.
+    /// Where the planned way leaves what is in view, or its end; the target, when nobody planned.
     private Point2d goal(Target to) {
-        Point2d goal = to.place();
+        if (to.way().isEmpty()) {
+            return to.place();
+        }
         double half = settings.view() / 2 - 1.5;
-        for (Point2d point : to.way()) {
-            if (Math.max(Math.abs(point.x()), Math.abs(point.y())) > half) {
-                break;
+        Point2d goal = to.way().getFirst();
+        for (Point2d next : to.way()) {
+            double reach = Math.max(Math.abs(next.x()), Math.abs(next.y()));
+            if (reach > half) {
+                double from = Math.max(Math.abs(goal.x()), Math.abs(goal.y()));
+                double share = Math.max(0, (half - from) / (reach - from));
+                return new Point2d(goal.x() + share * (next.x() - goal.x()), goal.y() + share * (next.y() - goal.y()));
             }
-            goal = point;
+            goal = next;
         }
         return goal;
     }

@@ -3,16 +3,31 @@ package rsal.navigation.mpc;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
 import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.LocalPlanner.Motion;
+import rsal.navigation.avoid.LocalPlanner.Target;
 import rsal.navigation.avoid.LocalPlannerContract;
+import rsal.navigation.avoid.Obstacles;
 
 class MpcTest extends LocalPlannerContract {
     @Override
     protected LocalPlanner planner(Footprint footprint, double reaction, double beat) {
         return new Mpc(footprint, LIMITS, new Mpc.Settings(8, 0.05, 0.5, 4), reaction, beat);
+    }
+
+    @Test
+    void followsAPlannedWayThatLeadsOutOfView() {
+        Point2d far = new Point2d(0, 30);
+        var target = new Target(new Point2d(0, 1), false, List.of(new Point2d(0, 0), far));
+        Twist2d command =
+                planner(BOX, 0.2, 0.1).drive(new Obstacles(3), target, new Motion(Pose2d.ORIGIN, Twist2d.STOP));
+        assertThat(command.omega()).isGreaterThan(0.5);
     }
 
     @Test
