@@ -27,6 +27,7 @@ final class PlanningBench implements Bench {
     private static final double SLACK = 0.5; // [m]
     private static final double WARM = 3; // [s]
     private static final int PLANS = 10; // of a measurement
+    private static final int FRESH = 300; // goals; that many later nobody remembers one
     private static final List<String> KINDS = List.of("", "full.", "again.", "around.", "costs.", "shortest.");
 
     private enum Site {
@@ -83,12 +84,12 @@ final class PlanningBench implements Bench {
             }
             IntConsumer job = switch (kind) {
                 case "full." -> _ -> check(ways.everywhere(goal, SLACK).isPresent());
-                case "again." -> i -> found(ways.plan(places.get(1 + i), goal, SLACK));
+                case "again." -> i -> found(ways.plan(places.get(1 + i % PLANS), goal, SLACK));
                 case "around." -> _ -> found(ways.plan(places.get(1), goal, SLACK, List.of(inTheWay)));
                 case "shortest." ->
-                    i -> check(jumps.plan(places.get(1 + i), goal).isPresent());
+                    i -> check(jumps.plan(places.get(1 + i % PLANS), goal).isPresent());
                 case "costs." -> _ -> CostMap.of(map, DistanceField.toNotFree(map), CLEARANCE);
-                default -> i -> found(new Wavefront(costs).plan(places.get(1 + i), goal, SLACK));
+                default -> i -> found(ways.plan(places.get(1 + i % PLANS), places.get(20 + i % FRESH), SLACK));
             };
             var result = Result.less(site.name(kind), "ms", times(job, assignment.repeats()));
             assignment.tell(result);
@@ -99,26 +100,27 @@ final class PlanningBench implements Bench {
 
     private static double[] times(IntConsumer job, int repeats) {
         var warm = new Stopwatch();
-        for (int i = 0; warm.cpu() < WARM; i++) {
-            job.accept(i % PLANS);
+        int number = 0;
+        while (warm.cpu() < WARM) {
+            job.accept(number++);
         }
         double[] times = new double[repeats];
         for (int repeat = 0; repeat < repeats; repeat++) {
             var watch = new Stopwatch();
             for (int i = 0; i < PLANS; i++) {
-                job.accept(i);
+                job.accept(number++);
             }
             times[repeat] = watch.thread() / PLANS * 1e3;
         }
         return times;
     }
 
-    /// Places between which there is a way, the first as far from the others as can be.
+    /// Places between which there is a way.
     private static List<Point2d> places(CostMap costs, SplittableRandom random) {
         OccupancyGrid grid = costs.grid();
         var ways = new Wavefront(costs);
         var anywhere = new ArrayList<Point2d>();
-        while (anywhere.size() < 50) {
+        while (anywhere.size() < 2 * FRESH) {
             var place = new Point2d(
                     grid.originX() + random.nextDouble() * grid.width() * grid.resolution(),
                     grid.originY() + random.nextDouble() * grid.height() * grid.resolution());

@@ -1,6 +1,7 @@
 package rsal.navigation.wavefront;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /// A wave that spreads from one cell of a [CostMap] over the eight neighbors of each and leaves in each cell what
 /// the way between there and its source costs. Ways do not squeeze through between two corners.
@@ -28,6 +29,7 @@ final class Wave {
     private final int[] field;
     private final int[][] buckets = new int[BUCKETS][ROOM];
     private final int[] counts = new int[BUCKETS];
+    private @Nullable Guide guide;
     private int front; // the next bucket
     private int lowest; // of the cells that are not as in the map
     private int highest;
@@ -37,9 +39,6 @@ final class Wave {
     @FunctionalInterface
     interface Guide {
         int least(int cell);
-
-        /// Every direction is as good.
-        Guide NONE = _ -> 0;
     }
 
     Wave(CostMap map) {
@@ -68,10 +67,18 @@ final class Wave {
         highest = Math.max(highest, cell);
     }
 
+    /// Starts from a cell that is open and spreads alike in every direction.
+    void start(int source) {
+        start(source, null);
+    }
+
     /// Starts from a cell that is open.
-    void start(int source, Guide guide) {
+    ///
+    /// @param towards where to; if null, every direction is as good
+    void start(int source, @Nullable Guide towards) {
+        guide = towards;
         field[source] = 0;
-        int least = guide.least(source);
+        int least = least(source);
         front = least >> WIDTH_BITS;
         push(source, least);
         lowest = Math.min(lowest, source);
@@ -81,13 +88,12 @@ final class Wave {
     /// Spreads on until it is known what the way to a cell costs.
     ///
     /// @param target −1 lets it reach everything
-    /// @param guide the one that it started with
     /// @return whether it reaches the target
-    boolean spread(int target, Guide guide) {
+    boolean spread(int target) {
         int empty = 0; // buckets in a row
         while (empty < BUCKETS && (target < 0 || field[target] == UNREACHED || field[target] >= known())) {
             empty = counts[bucket(front)] == 0 ? empty + 1 : 0;
-            expand(guide);
+            expand();
             front++;
         }
         return target >= 0 && field[target] != UNREACHED;
@@ -132,7 +138,7 @@ final class Wave {
 
     /// Lets all cells of the next bucket pass the wave on. A guide may say that a step costs nothing: then cells are
     /// added to the bucket meanwhile, or reached again for less.
-    private void expand(Guide guide) {
+    private void expand() {
         int[] field = this.field; // the compiler would look them up again after each step
         byte[] costs = this.costs;
         int up = width;
@@ -141,7 +147,7 @@ final class Wave {
         for (int i = 0; i < counts[bucket]; i++) {
             int cell = buckets[bucket][i];
             int reached = field[cell];
-            if ((reached + guide.least(cell)) >> WIDTH_BITS != now) {
+            if ((reached + least(cell)) >> WIDTH_BITS != now) {
                 continue; // was reached for less since
             }
             int cost = costs[cell];
@@ -150,28 +156,28 @@ final class Wave {
             int below = field[cell - up];
             int above = field[cell + up];
             if (left > reached) {
-                relax(field, cell - 1, left, reached + cost + costs[cell - 1], guide);
+                relax(field, cell - 1, left, reached + cost + costs[cell - 1]);
             }
             if (right > reached) {
-                relax(field, cell + 1, right, reached + cost + costs[cell + 1], guide);
+                relax(field, cell + 1, right, reached + cost + costs[cell + 1]);
             }
             if (below > reached) {
-                relax(field, cell - up, below, reached + cost + costs[cell - up], guide);
+                relax(field, cell - up, below, reached + cost + costs[cell - up]);
             }
             if (above > reached) {
-                relax(field, cell + up, above, reached + cost + costs[cell + up], guide);
+                relax(field, cell + up, above, reached + cost + costs[cell + up]);
             }
             if ((left | below) >= 0) {
-                across(field, costs, cell - up - 1, reached, cost, guide);
+                across(field, costs, cell - up - 1, reached, cost);
             }
             if ((right | below) >= 0) {
-                across(field, costs, cell - up + 1, reached, cost, guide);
+                across(field, costs, cell - up + 1, reached, cost);
             }
             if ((left | above) >= 0) {
-                across(field, costs, cell + up - 1, reached, cost, guide);
+                across(field, costs, cell + up - 1, reached, cost);
             }
             if ((right | above) >= 0) {
-                across(field, costs, cell + up + 1, reached, cost, guide);
+                across(field, costs, cell + up + 1, reached, cost);
             }
             lowest = Math.min(lowest, cell - up - 1);
             highest = Math.max(highest, cell + up + 1);
@@ -179,18 +185,22 @@ final class Wave {
         counts[bucket] = 0;
     }
 
-    private void across(int[] field, byte[] costs, int cell, int reached, int cost, Guide guide) {
+    private void across(int[] field, byte[] costs, int cell, int reached, int cost) {
         int old = field[cell];
         if (old > reached) {
-            relax(field, cell, old, reached + CostMap.diagonal(cost + costs[cell]), guide);
+            relax(field, cell, old, reached + CostMap.diagonal(cost + costs[cell]));
         }
     }
 
-    private void relax(int[] field, int cell, int old, int now, Guide guide) {
+    private void relax(int[] field, int cell, int old, int now) {
         if (now < old) {
             field[cell] = now;
-            push(cell, now + guide.least(cell));
+            push(cell, now + least(cell));
         }
+    }
+
+    private int least(int cell) {
+        return guide == null ? 0 : guide.least(cell);
     }
 
     private static int bucket(int number) {

@@ -51,11 +51,10 @@ public final class Wavefront {
             return why;
         }
         var cells = (Ends.Cells) ends;
-        return waves.from(cells.goal, wave -> toGoal(wave, cells, Guide.NONE, start, goal))
+        return waves.from(cells.goal, wave -> toGoal(wave, cells, start, goal))
                 .orElseGet(() -> waves.borrow(wave -> {
-                    Guide guide = straightTo(cells.start);
-                    wave.start(cells.goal, guide);
-                    return toGoal(wave, cells, guide, start, goal);
+                    wave.start(cells.goal, straightTo(cells.start));
+                    return toGoal(wave, cells, start, goal);
                 }));
     }
 
@@ -72,7 +71,7 @@ public final class Wavefront {
             }
             var cells = (Ends.Cells) ends;
             return waves.from(cells.goal, kept -> {
-                        kept.spread(cells.start, Guide.NONE);
+                        kept.spread(cells.start);
                         int known = kept.known();
                         return fromStart(wave, cells, cell -> Math.min(kept.at(cell), known), start, goal);
                     })
@@ -88,14 +87,14 @@ public final class Wavefront {
             return Optional.empty();
         }
         var wave = new Wave(map);
-        wave.start(goalCell, Guide.NONE);
-        wave.spread(-1, Guide.NONE);
+        wave.start(goalCell);
+        wave.spread(-1);
         return Optional.of(new NavigationFunction(grid, wave));
     }
 
     /// @param wave from the goal
-    private Plan toGoal(Wave wave, Ends.Cells ends, Guide guide, Point2d start, Point2d goal) {
-        if (!wave.spread(ends.start, guide)) {
+    private Plan toGoal(Wave wave, Ends.Cells ends, Point2d start, Point2d goal) {
+        if (!wave.spread(ends.start)) {
             return none("Nothing this robot fits through leads to the goal %s.", goal);
         }
         return way(wave, downhill(wave, ends.start), wave.at(ends.start), start, goal);
@@ -104,7 +103,7 @@ public final class Wavefront {
     /// @param wave that has not started
     private Plan fromStart(Wave wave, Ends.Cells ends, Guide guide, Point2d start, Point2d goal) {
         wave.start(ends.start, guide);
-        if (!wave.spread(ends.goal, guide)) {
+        if (!wave.spread(ends.goal)) {
             return none("Nothing this robot fits through leads to the goal %s.", goal);
         }
         int[] cells = downhill(wave, ends.goal);

@@ -37,7 +37,7 @@ final class Waves {
         private Wave from(int goalCell) {
             if (source != goalCell) {
                 wave.clear();
-                wave.start(goalCell, Wave.Guide.NONE);
+                wave.start(goalCell);
                 source = goalCell;
             }
             return wave;

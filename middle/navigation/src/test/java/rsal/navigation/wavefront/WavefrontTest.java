@@ -56,10 +56,10 @@ class WavefrontTest {
             int source = passable(map, random);
             int[] slow = slowly(map, source, Set.of());
             wave.clear();
-            wave.start(source, Wave.Guide.NONE);
+            wave.start(source);
             for (int j = 0; j < 10; j++) { // it may be asked to go on
                 int target = j < 9 ? passable(map, random) : -1;
-                boolean reached = wave.spread(target, Wave.Guide.NONE);
+                boolean reached = wave.spread(target);
                 if (target >= 0) {
                     assertThat(wave.at(target)).as("seed %d", seed).isEqualTo(slow[target]);
                     assertThat(reached).isEqualTo(slow[target] != Wave.UNREACHED);

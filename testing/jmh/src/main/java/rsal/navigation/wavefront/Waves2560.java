@@ -46,8 +46,8 @@ public class Waves2560 {
     public Wave kernel() {
         wave.clear();
         if (map.isOpen(source)) {
-            wave.start(source, Wave.Guide.NONE);
-            wave.spread(-1, Wave.Guide.NONE);
+            wave.start(source);
+            wave.spread(-1);
         }
         return wave;
     }
