@@ -13,6 +13,7 @@ module rsal.navigation {
     exports rsal.navigation.jumppoint;
     exports rsal.navigation.mpc;
     exports rsal.navigation.nd;
+    exports rsal.navigation.replay;
     exports rsal.navigation.scanmatch;
     exports rsal.navigation.slam;
     exports rsal.navigation.snd;

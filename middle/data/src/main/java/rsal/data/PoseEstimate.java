@@ -4,16 +4,49 @@ import java.util.List;
 
 /// Where a localizer believes the robot to be. `mapFromBase` and `covariance` are the best hypothesis;
 /// `hypotheses` are all that are still held, heaviest first, weights summing to 1 at most.
-public record PoseEstimate(Pose2d mapFromBase, Covariance2d covariance, List<Hypothesis> hypotheses) {
+///
+/// @param confidence how likely `mapFromBase` is right, as far as the localizer can tell, 0–1
+/// @param quality the same in a word
+public record PoseEstimate(
+        Pose2d mapFromBase, Covariance2d covariance, List<Hypothesis> hypotheses, double confidence, Quality quality) {
 
     /// @param weight share of the belief, 0–1
-    public record Hypothesis(double weight, Pose2d mapFromBase, Covariance2d covariance) {}
+    public record Hypothesis(double weight, Pose2d mapFromBase, Covariance2d covariance) {
+        /// The same after the robot moved.
+        Hypothesis moved(Pose2d way) {
+            return new Hypothesis(weight, mapFromBase.compose(way), covariance);
+        }
+    }
+
+    /// How well a robot is localized.
+    public enum Quality {
+        /// What is measured does not fit the map at the best hypothesis, or nothing has been measured yet.
+        LOST,
+        /// It fits, but elsewhere too, or along some way: a corridor that looks the same everywhere.
+        AMBIGUOUS,
+        /// It fits here and nowhere else that could be.
+        LOCALIZED
+    }
 
     public PoseEstimate {
         hypotheses = List.copyOf(hypotheses);
     }
 
+    /// One pose that is told, by who knows it.
     public static PoseEstimate of(Pose2d mapFromBase, Covariance2d covariance) {
-        return new PoseEstimate(mapFromBase, covariance, List.of(new Hypothesis(1, mapFromBase, covariance)));
+        return new PoseEstimate(
+                mapFromBase, covariance, List.of(new Hypothesis(1, mapFromBase, covariance)), 1, Quality.LOCALIZED);
+    }
+
+    /// The same after the robot moved.
+    ///
+    /// @param way from where the base was to where it is, in the base frame
+    public PoseEstimate moved(Pose2d way) {
+        return new PoseEstimate(
+                mapFromBase.compose(way),
+                covariance,
+                hypotheses.stream().map(hypothesis -> hypothesis.moved(way)).toList(),
+                confidence,
+                quality);
     }
 }

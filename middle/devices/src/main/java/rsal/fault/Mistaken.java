@@ -161,14 +161,7 @@ final class Mistaken {
     }
 
     private static PoseEstimate estimate(PoseEstimate right, Miss miss) {
-        Pose2d wrongFromRight = step(miss);
-        return new PoseEstimate(
-                right.mapFromBase().compose(wrongFromRight),
-                right.covariance(),
-                right.hypotheses().stream()
-                        .map(one -> new PoseEstimate.Hypothesis(
-                                one.weight(), one.mapFromBase().compose(wrongFromRight), one.covariance()))
-                        .toList());
+        return right.moved(step(miss));
     }
 
     private static Pose2d moved(Pose2d right, Miss miss) {

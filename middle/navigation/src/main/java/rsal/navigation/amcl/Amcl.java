@@ -1,5 +1,6 @@
 package rsal.navigation.amcl;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.random.RandomGenerator;
 import rsal.data.Angles;
@@ -7,6 +8,7 @@ import rsal.data.ParticleCloud;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Hypothesis;
+import rsal.data.PoseEstimate.Quality;
 
 /// Adaptive Monte Carlo localization: Thrun, Burgard, Fox, Probabilistic Robotics, table 8.3, with as many
 /// particles as the belief needs ([Kld]).
@@ -23,15 +25,22 @@ import rsal.data.PoseEstimate.Hypothesis;
 /// Not safe for several threads at once; the map is shared.
 public final class Amcl {
     private static final int FEWEST_BEAMS = 5; // for a global search
-    private static final int CANDIDATES = 60;
-    private static final int UPDATES_BETWEEN_SEARCHES = 10;
+    private static final int CANDIDATES = 120;
+    private static final int MOST_UPDATES_BETWEEN_SEARCHES = 10;
     private static final double ANYWHERE_SHARE = 0.1;
     private static final double INJECTED_SHARE = 0.2;
     private static final double SLOW = 0.02; // share of the newest scan, as α_slow in the book
     private static final double FAST = 0.2; // as α_fast in the book
     private static final double LEAST_FIT = 0.6; // share of hits among the beams that tell
     private static final double MOST_SHORT = 0.7; // of all beams
-    private static final double BETTER = 0.1; // mean logarithm of a beam's likelihood
+    private static final double ABOUT_THE_SAME = 0.25; // mean logarithm of a beam's likelihood
+    private static final double DOUBT = -2; // logarithm of how likely a rival is that was not there before
+    private static final int UPDATES_BEFORE_TRUST = 3;
+    private static final double LEAST_FIT_NOW = 0.3; // of one scan alone
+    private static final double NEAR = 0.5; // m; one hypothesis
+    private static final double NEARLY = 0.35; // rad, likewise
+    private static final double SURE = 0.9; // of the belief
+    private static final double PRECISE = 0.5; // m, standard deviation
 
     /// @param minParticles tracked with at least
     /// @param maxParticles never more than
@@ -45,15 +54,27 @@ public final class Amcl {
             double updateDistance,
             double updateTurn,
             OdometryModel odometry,
-            Kld kld) {}
+            Kld kld) {
 
-    /// What came of an update.
-    public record Belief(PoseEstimate estimate, ParticleCloud particles) {}
+        /// Of a laser on a robot of which little is known: odometry may be several percent wrong.
+        public static Settings of(int minParticles, int maxParticles) {
+            return new Settings(
+                    minParticles,
+                    maxParticles,
+                    15,
+                    0.1,
+                    Math.toRadians(6),
+                    new OdometryModel(0.1, 0.06, 0.12),
+                    new Kld(0.05, 2.33));
+        }
+    }
 
     private final Settings settings;
     private final LocalizationMap map;
     private final RandomGenerator random;
     private final GlobalSearch search;
+    private final Refinement refinement;
+    private final Rivals rivals;
     private final PoseBins bins;
     private final Clusters clusters;
     private final double[] logs;
@@ -62,9 +83,13 @@ public final class Amcl {
     private Pose2d odomFromBase = Pose2d.ORIGIN;
     private boolean fresh = true;
     private boolean anywhere = true;
-    private boolean settled;
+    private boolean lost = true;
     private int updatesSinceSearch;
-    private double fit;
+    private int searchAfter;
+    private double fit = 1;
+    private boolean fitKnown;
+    private double fitNow = 1;
+    private boolean trusted; // no other place has been as good since it was last lost
     private double shortShare;
 
     /// Knows nothing yet: starts anywhere on the map.
@@ -73,6 +98,8 @@ public final class Amcl {
         this.map = map;
         this.random = random;
         this.search = new GlobalSearch(map);
+        this.refinement = new Refinement(map.toOccupied, map.deviation, settings.independentBeams());
+        this.rivals = new Rivals(search, refinement, settings.independentBeams());
         this.particles = new Particles(settings.maxParticles());
         this.spare = new Particles(settings.maxParticles());
         this.bins = new PoseBins(0.5, 36, settings.maxParticles());
@@ -109,7 +136,8 @@ public final class Amcl {
 
     /// Moves the belief to where odometry says the robot went since the last update, and corrects it by what the
     /// beams hit there.
-    public Belief update(Pose2d odomFromBase, Beams beams) {
+    public PoseEstimate update(Pose2d odomFromBase, Beams beams) {
+        Pose2d way = fresh ? Pose2d.ORIGIN : this.odomFromBase.inverse().compose(odomFromBase);
         if (anywhere) {
             scatter(beams);
         } else if (!fresh) {
@@ -120,26 +148,93 @@ public final class Amcl {
         if (beams.count() > 0) {
             weigh(beams);
         }
-        PoseEstimate estimate = clusters.estimate(particles);
-        settled = estimate.hypotheses().getFirst().weight() > 0.9;
-        boolean lost = beams.count() > 0 && !fits(beams, estimate.mapFromBase());
+        PoseEstimate clustered = clusters.estimate(particles);
+        Pose2d pose = refinement.refine(beams, clustered.mapFromBase(), clustered.covariance());
+        lost = beams.count() > 0 ? !fits(beams, pose) : lost;
+        trusted &= !lost;
+        if (rivals.count() > 0) {
+            rivals.follow(way, settings.odometry().covariance(way), beams);
+            if (!rivals.hasNear(pose, NEAR, NEARLY)) {
+                rivals.add(pose, 0);
+            }
+        }
+        updatesSinceSearch++;
+        if (beams.count() >= FEWEST_BEAMS && searchIsDue()) {
+            lookElsewhere(beams, pose);
+        }
+        PoseEstimate estimate = judged(clustered, pose);
         if (particles.effectiveCount() < particles.count / 2.0 || wrongSize()) {
             resample();
         }
-        updatesSinceSearch++;
-        if ((lost || !settled) && updatesSinceSearch >= UPDATES_BETWEEN_SEARCHES && beams.count() >= FEWEST_BEAMS) {
-            inject(beams, estimate.mapFromBase());
+        if (rivals.count() > 0 && rivals.share(pose, NEAR, NEARLY) < 1 - SURE) {
+            injectBestRival();
         }
-        return new Belief(estimate, particles.cloud());
+        return estimate;
+    }
+
+    /// Soon when it is lost, then less and less often; when it is about to be sure for the first time since; and now
+    /// and then when it is not.
+    private boolean searchIsDue() {
+        if (lost) {
+            return updatesSinceSearch >= searchAfter;
+        }
+        return !trusted && rivals.count() <= 1 && updatesSinceSearch >= Math.min(searchAfter, UPDATES_BEFORE_TRUST);
+    }
+
+    /// Takes up as rivals where else on the map the scan fits as well as here, or better. Where it is not lost, they
+    /// have to be better for a while.
+    private void lookElsewhere(Beams beams, Pose2d pose) {
+        updatesSinceSearch = 0;
+        searchAfter = Math.min(searchAfter + 1, MOST_UPDATES_BETWEEN_SEARCHES);
+        double least = search.score(beams, pose) - ABOUT_THE_SAME;
+        rivals.add(pose, 0);
+        int before = rivals.count();
+        for (GlobalSearch.Candidate candidate : search.candidates(beams, CANDIDATES)) {
+            if (candidate.score() > least && !candidate.mapFromBase().isNear(pose, NEAR, NEARLY)) {
+                rivals.add(candidate.mapFromBase(), lost ? 0 : DOUBT);
+            }
+        }
+        if (!lost && rivals.count() == before) {
+            trusted = true;
+            searchAfter = 1;
+            rivals.clear();
+        }
+    }
+
+    private PoseEstimate judged(PoseEstimate clustered, Pose2d pose) {
+        var hypotheses = new ArrayList<>(clustered.hypotheses());
+        Hypothesis first = hypotheses.getFirst();
+        hypotheses.set(0, new Hypothesis(first.weight(), pose, first.covariance()));
+        double share =
+                rivals.count() == 0 ? first.weight() : Math.min(first.weight(), rivals.share(pose, NEAR, NEARLY));
+        double confidence = Math.clamp(share * fit, 0, 1);
+        boolean sure = trusted && share >= SURE && first.covariance().positionDeviation() <= PRECISE;
+        Quality quality = lost || fitNow < LEAST_FIT_NOW ? Quality.LOST : sure ? Quality.LOCALIZED : Quality.AMBIGUOUS;
+        return new PoseEstimate(pose, first.covariance(), hypotheses, confidence, quality);
+    }
+
+    /// The particles as they are now.
+    public ParticleCloud particles() {
+        return particles.cloud();
+    }
+
+    /// How many particles there are now.
+    public int particleCount() {
+        return particles.count;
     }
 
     private void restart(boolean anywhere) {
         this.anywhere = anywhere;
         fresh = true;
-        settled = !anywhere;
+        lost = anywhere;
         updatesSinceSearch = 0;
+        searchAfter = 1;
         fit = 1;
+        fitKnown = !anywhere; // who starts somewhere is believed at first
+        trusted = !anywhere;
+        fitNow = 1;
         shortShare = 0;
+        rivals.clear();
     }
 
     private Hypothesis draw(List<Hypothesis> hypotheses) {
@@ -180,10 +275,12 @@ public final class Amcl {
     /// Particles where the scan could have been taken, and some anywhere.
     private void scatter(Beams beams) {
         anywhere = false;
+        rivals.clear();
         particles.count = 0;
         int scattered = particles.capacity();
         if (beams.count() >= FEWEST_BEAMS) {
             var candidates = search.candidates(beams, CANDIDATES);
+            candidates.forEach(candidate -> rivals.add(candidate.mapFromBase(), 0));
             scattered = candidates.isEmpty() ? scattered : (int) (ANYWHERE_SHARE * scattered);
             for (int i = 0; particles.count < particles.capacity() - scattered; i++) {
                 addNear(candidates.get(i % candidates.size()).mapFromBase());
@@ -250,9 +347,11 @@ public final class Amcl {
         int told = hits + through;
         shortShare += SLOW * ((double) (beams.count() - told) / beams.count() - shortShare);
         if (told >= FEWEST_BEAMS) {
-            fit += FAST * ((double) hits / told - fit);
+            fitNow = (double) hits / told;
+            fit = fitKnown ? fit + FAST * (fitNow - fit) : fitNow;
+            fitKnown = true;
         }
-        return fit >= LEAST_FIT && shortShare <= MOST_SHORT;
+        return fitKnown && fit >= LEAST_FIT && shortShare <= MOST_SHORT;
     }
 
     private boolean wrongSize() {
@@ -294,24 +393,22 @@ public final class Amcl {
         void take(double x, double y, double theta);
     }
 
-    /// Puts some particles where the scan fits better than at the estimate.
-    private void inject(Beams beams, Pose2d estimate) {
-        updatesSinceSearch = 0;
-        double toBeat = search.score(beams, estimate) + (settled ? BETTER : 0);
-        var better = search.candidates(beams, CANDIDATES / 4).stream()
-                .filter(c -> c.score() > toBeat && !c.mapFromBase().isNear(estimate, 0.5, 0.3))
-                .toList();
-        if (better.isEmpty()) {
-            return;
+    /// Puts some particles where the scans fit best, when none are there.
+    private void injectBestRival() {
+        int injected = makeRoom(1);
+        for (int i = 0; i < injected; i++) {
+            addNear(rivals.best());
         }
-        int injected = Math.max(better.size(), (int) (INJECTED_SHARE * particles.count));
+        particles.weighEqually();
+    }
+
+    /// @return how many particles can be added now, at least as many as said
+    private int makeRoom(int least) {
+        int injected = Math.max(least, (int) (INJECTED_SHARE * particles.count));
         spare.count = 0;
         draw(Math.min(particles.count, particles.capacity() - injected), spare::add);
         swap();
-        for (int i = 0; i < injected; i++) {
-            addNear(better.get(i % better.size()).mapFromBase());
-        }
-        particles.weighEqually();
+        return injected;
     }
 
     private void swap() {

@@ -8,6 +8,7 @@ import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Hypothesis;
+import rsal.data.PoseEstimate.Quality;
 
 /// Sums particles up: particles in neighboring bins of the pose space are one hypothesis.
 final class Clusters {
@@ -45,7 +46,7 @@ final class Clusters {
                 .filter(s -> s.weight > 0)
                 .forEach(s -> hypotheses.add(s.hypothesis()));
         Hypothesis best = hypotheses.getFirst();
-        return new PoseEstimate(best.mapFromBase(), best.covariance(), hypotheses);
+        return new PoseEstimate(best.mapFromBase(), best.covariance(), hypotheses, best.weight(), Quality.AMBIGUOUS);
     }
 
     /// Gives each bin the number of its cluster.

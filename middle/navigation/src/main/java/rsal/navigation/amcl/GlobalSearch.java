@@ -1,40 +1,60 @@
 package rsal.navigation.amcl;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.PriorityQueue;
 import rsal.data.Angles;
+import rsal.data.Covariance2d;
+import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 
-/// Where on the whole map a scan could have been taken: tries poses on a grid against a blurred likelihood field,
-/// climbs from the best ones in the sharp field, then checks by casting rays that no beam went through a wall.
+/// Where on the whole map a scan could have been taken: tries poses on a grid against a coarse likelihood field,
+/// sorts the best of each neighborhood by how well walls hide what is behind them, climbs from the best of those in
+/// the sharp field, and sorts again.
 ///
 /// A particle filter that starts from such places needs far fewer particles than one that starts from uniform
 /// ones; the idea of drawing particles from the sensor is S. Lenser, M. Veloso, Sensor Resetting Localization for
-/// Poorly Modelled Mobile Robots (ICRA 2000).
+/// Poorly Modelled Mobile Robots (ICRA 2000). That a likelihood field alone sees through walls, which clutter makes
+/// worse, is why walls are looked at early.
+///
+/// Not safe for several threads at once.
 final class GlobalSearch {
     private static final double STEP = 0.3; // m
-    private static final int HEADINGS = 36;
+    private static final int HEADINGS = 72;
     private static final int COARSE_BEAMS = 32;
-    private static final int CLIMBERS = 400;
+    private static final int STEPS_PER_BIN = 3; // in each direction; the best of a bin is looked at
+    private static final int HEADINGS_PER_BIN = 3;
+    private static final int LOOKED_AT = 6000;
+    private static final int CLIMBERS = 300;
     private static final double CLEARANCE = 0.15; // m; no robot stands closer to a wall
+    private static final double ALL_BEAMS = 1e6;
+    private static final double COARSE_DEVIATION = 0.3; // m, of what the coarse steps miss
 
     /// @param score mean logarithm of the likelihood of a beam; 0 is a perfect match
     record Candidate(double score, Pose2d mapFromBase) {}
 
+    private static final Covariance2d ABOUT_HERE = Covariance2d.ofDeviations(0.5, 0.5, 0.3);
+
     private final LocalizationMap map;
+    private final Refinement blurred;
+    private final Refinement sharp;
 
     GlobalSearch(LocalizationMap map) {
         this.map = map;
+        this.blurred = new Refinement(map.toOccupied, Math.max(map.deviation, COARSE_DEVIATION), ALL_BEAMS);
+        this.sharp = new Refinement(map.toOccupied, map.deviation, ALL_BEAMS);
     }
 
     /// The best places, best first, none of them near a better one.
     List<Candidate> candidates(Beams beams, int limit) {
-        List<Candidate> found = coarse(thin(beams)).stream()
-                .map(c -> climb(beams, c.mapFromBase()))
-                .map(pose -> new Candidate(score(beams, pose), pose))
+        Beams thin = thin(beams);
+        List<Candidate> found = coarse(thin).stream()
+                .map(c -> new Candidate(score(thin, c.mapFromBase(), COARSE_DEVIATION), c.mapFromBase()))
+                .sorted(Comparator.comparingDouble(Candidate::score).reversed())
+                .limit(CLIMBERS)
+                .map(c -> better(beams, climb(beams, c.mapFromBase()), slide(beams, c.mapFromBase())))
                 .sorted(Comparator.comparingDouble(Candidate::score).reversed())
                 .toList();
         var best = new ArrayList<Candidate>();
@@ -51,10 +71,14 @@ final class GlobalSearch {
 
     /// How well a scan fits a place, when walls hide what is behind them.
     double score(Beams beams, Pose2d mapFromBase) {
+        return score(beams, mapFromBase, map.deviation);
+    }
+
+    private double score(Beams beams, Pose2d mapFromBase, double deviation) {
         double sum = 0;
         for (int i = 0; i < beams.count(); i++) {
-            sum += switch (verdict(beams, i, mapFromBase)) {
-                case HIT -> log(beams, i, mapFromBase);
+            sum += switch (verdict(beams, i, mapFromBase, deviation)) {
+                case HIT -> log(beams, i, mapFromBase, deviation);
                 case SHORT -> map.walls.unlikely();
                 case THROUGH -> 2 * map.walls.unlikely();
             };
@@ -73,51 +97,106 @@ final class GlobalSearch {
     }
 
     Verdict verdict(Beams beams, int beam, Pose2d mapFromBase) {
+        return verdict(beams, beam, mapFromBase, map.deviation);
+    }
+
+    private Verdict verdict(Beams beams, int beam, Pose2d mapFromBase, double deviation) {
         Point2d from = mapFromBase.transform(new Point2d(beams.originX()[beam], beams.originY()[beam]));
         Point2d to = mapFromBase.transform(new Point2d(beams.x()[beam], beams.y()[beam]));
         double measured = from.distanceTo(to);
         double direction = Math.atan2(to.y() - from.y(), to.x() - from.x());
-        if (map.toOccupied.castRay(from.x(), from.y(), direction, measured) < measured - 4 * map.deviation) {
+        if (map.toOccupied.castRay(from.x(), from.y(), direction, measured) < measured - 4 * deviation) {
             return Verdict.THROUGH;
         }
-        return map.toOccupied.at(to.x(), to.y()) <= 3 * map.deviation ? Verdict.HIT : Verdict.SHORT;
+        boolean inside = map.grid.contains(map.grid.column(to.x()), map.grid.row(to.y()));
+        return inside && map.toOccupied.at(to.x(), to.y()) <= 3 * deviation ? Verdict.HIT : Verdict.SHORT;
     }
 
-    private double log(Beams beams, int beam, Pose2d mapFromBase) {
+    private double log(Beams beams, int beam, Pose2d mapFromBase, double deviation) {
         Point2d to = mapFromBase.transform(new Point2d(beams.x()[beam], beams.y()[beam]));
-        return map.walls.log(to.x(), to.y());
+        return deviation == map.deviation ? map.walls.log(to.x(), to.y()) : map.nearWalls.log(to.x(), to.y());
     }
 
+    /// The best pose of each bin of poses, and of these the best ones.
     private List<Candidate> coarse(Beams beams) {
-        var best = new PriorityQueue<Candidate>(Comparator.comparingDouble(Candidate::score));
-        double resolution = map.grid.resolution();
+        OccupancyGrid grid = map.grid;
+        double resolution = grid.resolution();
         int stride = Math.max(1, (int) Math.round(STEP / resolution));
+        int columns = Math.ceilDiv(grid.width(), stride);
+        int rows = Math.ceilDiv(grid.height(), stride);
+        int binColumns = Math.ceilDiv(columns, STEPS_PER_BIN);
+        int binRows = Math.ceilDiv(rows, STEPS_PER_BIN);
+        int perHeading = binColumns * binRows;
+        int binHeadings = HEADINGS / HEADINGS_PER_BIN;
+        var bestOfBin = new float[Math.multiplyExact(perHeading, binHeadings)];
+        var poseOfBin = new int[bestOfBin.length];
+        Arrays.fill(bestOfBin, Float.NEGATIVE_INFINITY);
+        double toCoarse = 1 / map.coarseResolution;
         var turnedX = new float[beams.count()];
         var turnedY = new float[beams.count()];
         for (int heading = 0; heading < HEADINGS; heading++) {
-            double theta = Angles.wrap(heading * 2 * Math.PI / HEADINGS);
-            double cos = Math.cos(theta) / resolution;
-            double sin = Math.sin(theta) / resolution;
+            double theta = heading * 2 * Math.PI / HEADINGS;
+            double cos = Math.cos(theta) * toCoarse;
+            double sin = Math.sin(theta) * toCoarse;
             for (int i = 0; i < beams.count(); i++) {
                 turnedX[i] = (float) (cos * beams.x()[i] - sin * beams.y()[i]);
                 turnedY[i] = (float) (sin * beams.x()[i] + cos * beams.y()[i]);
             }
-            for (int row = stride / 2; row < map.grid.height(); row += stride) {
-                for (int column = stride / 2; column < map.grid.width(); column += stride) {
-                    if (map.toNotFree.at(row * map.grid.width() + column) < CLEARANCE) {
+            int headingBin = heading / HEADINGS_PER_BIN * perHeading;
+            for (int row = 0; row < rows; row++) {
+                int gridRow = Math.min(row * stride + stride / 2, grid.height() - 1);
+                float coarseRow = (float) ((gridRow + 0.5) * resolution * toCoarse);
+                int rowBin = headingBin + row / STEPS_PER_BIN * binColumns;
+                for (int column = 0; column < columns; column++) {
+                    int gridColumn = Math.min(column * stride + stride / 2, grid.width() - 1);
+                    int cell = gridRow * grid.width() + gridColumn;
+                    if (grid.cells()[cell] != OccupancyGrid.FREE || map.toOccupied.at(cell) < CLEARANCE) {
                         continue;
                     }
-                    double score = map.nearWalls.log(turnedX, turnedY, column + 0.5f, row + 0.5f);
-                    if (best.size() < CLIMBERS || score > best.element().score()) {
-                        best.add(new Candidate(score, new Pose2d(map.grid.x(column), map.grid.y(row), theta)));
-                        if (best.size() > CLIMBERS) {
-                            best.remove();
-                        }
+                    float coarseColumn = (float) ((gridColumn + 0.5) * resolution * toCoarse);
+                    int bin = rowBin + column / STEPS_PER_BIN;
+                    float score = map.nearWalls.log(turnedX, turnedY, coarseColumn, coarseRow, bestOfBin[bin]);
+                    if (score > bestOfBin[bin]) {
+                        bestOfBin[bin] = score;
+                        poseOfBin[bin] = (heading * rows + row) * columns + column;
                     }
                 }
             }
         }
-        return List.copyOf(best);
+        float least = least(bestOfBin);
+        var best = new ArrayList<Candidate>();
+        for (int bin = 0; bin < bestOfBin.length; bin++) {
+            if (bestOfBin[bin] >= least && bestOfBin[bin] > Float.NEGATIVE_INFINITY) {
+                int column = poseOfBin[bin] % columns;
+                int row = poseOfBin[bin] / columns % rows;
+                int heading = poseOfBin[bin] / columns / rows;
+                best.add(new Candidate(
+                        bestOfBin[bin],
+                        new Pose2d(
+                                grid.x(Math.min(column * stride + stride / 2, grid.width() - 1)),
+                                grid.y(Math.min(row * stride + stride / 2, grid.height() - 1)),
+                                Angles.wrap(heading * 2 * Math.PI / HEADINGS))));
+            }
+        }
+        return best;
+    }
+
+    /// What the [#LOOKED_AT] best have at least.
+    private static float least(float[] scores) {
+        float[] sorted = scores.clone();
+        Arrays.sort(sorted);
+        return sorted[Math.max(0, sorted.length - LOOKED_AT)];
+    }
+
+    private Candidate better(Beams beams, Pose2d one, Pose2d other) {
+        double scoreOfOne = score(beams, one);
+        double scoreOfOther = score(beams, other);
+        return scoreOfOne >= scoreOfOther ? new Candidate(scoreOfOne, one) : new Candidate(scoreOfOther, other);
+    }
+
+    /// First on a blurred map, then on the sharp one. Gets over hills on which climbing ends.
+    private Pose2d slide(Beams beams, Pose2d start) {
+        return sharp.refine(beams, blurred.refine(beams, start, ABOUT_HERE), ABOUT_HERE);
     }
 
     /// Hill climbing with ever smaller steps.

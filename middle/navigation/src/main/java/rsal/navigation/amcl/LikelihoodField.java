@@ -11,6 +11,8 @@ import rsal.navigation.grid.DistanceField;
 /// what is far from any wall. The share of random readings (z_rand) bounds how much one beam can say, so that
 /// people and robots who are not on the map do little harm.
 public final class LikelihoodField {
+    private static final double FARTHEST = 8; // deviations, where the density has no weight left
+
     private final int width;
     private final int height;
     private final double originX;
@@ -31,6 +33,10 @@ public final class LikelihoodField {
         this.logs = new float[width * height];
         for (int i = 0; i < logs.length; i++) {
             double deviations = toOccupied.at(i) / deviation;
+            if (deviations > FARTHEST) { // nearly everywhere on a map, and costly to compute
+                logs[i] = unlikely;
+                continue;
+            }
             logs[i] = (float) Math.log((1 - randomShare) * Math.exp(-deviations * deviations / 2) + randomShare);
         }
     }
@@ -60,10 +66,11 @@ public final class LikelihoodField {
         return sum;
     }
 
-    /// The same where the beams are already turned and in cells, and the base stands on a cell.
-    float log(float[] turnedX, float[] turnedY, float column, float row) {
+    /// The same where the beams are already turned and in cells, and the base stands on a cell. Looks no further
+    /// once the sum, which only falls, is below `enough`.
+    float log(float[] turnedX, float[] turnedY, float column, float row, float enough) {
         float sum = 0;
-        for (int i = 0; i < turnedX.length; i++) {
+        for (int i = 0; i < turnedX.length && sum > enough; i++) {
             sum += logAt(column + turnedX[i], row + turnedY[i]);
         }
         return sum;

@@ -8,12 +8,14 @@ public final class BrokenLog extends IOException {
 
     private final String file;
     private final int line;
+    private final String reason;
 
     /// @param line where it ends to make sense, from 1; 0 when the whole file does not
     BrokenLog(String file, int line, String message) {
         super((line == 0 ? file : file + ":" + line) + ": " + message);
         this.file = file;
         this.line = line;
+        this.reason = message;
     }
 
     BrokenLog(String file, int line, String message, Throwable cause) {
@@ -28,5 +30,10 @@ public final class BrokenLog extends IOException {
     /// From 1; 0 for the whole file.
     public int line() {
         return line;
+    }
+
+    /// Why, without the place.
+    public String reason() {
+        return reason;
     }
 }

@@ -62,6 +62,7 @@ public final class AmclDriver implements DeviceDriver {
                 Parameter.number(
                         "randomShare", 0.05, 0.001, 0.5, "", "share of readings that have nothing to do with the map"),
                 Parameter.number("independentBeams", 15, 1, 1000, "", "how many beams a scan counts for"),
+                Parameter.number("independentSonars", 3, 1, 1000, "", "how many of a round of sonars count"),
                 Parameter.integer("minParticles", 150, 20, 100_000, "", "particles when it knows well where it is"),
                 Parameter.integer("maxParticles", 5000, 100, 100_000, "", "particles when it knows least"),
                 Parameter.number("updateDistance", 0.1, 0.01, 5, "m", "way after which it looks at a scan"),
@@ -84,7 +85,7 @@ public final class AmclDriver implements DeviceDriver {
         var settings = new Amcl.Settings(
                 minParticles,
                 Math.max(minParticles, arguments.integer("maxParticles")),
-                arguments.number("independentBeams"),
+                arguments.number(laser.isPresent() ? "independentBeams" : "independentSonars"),
                 arguments.number("updateDistance"),
                 arguments.radians("updateAngle"),
                 odometry(context.robot().model().drive().odometryNoise(), arguments.number("odometryDoubt")),

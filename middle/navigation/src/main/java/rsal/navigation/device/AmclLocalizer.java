@@ -16,7 +16,6 @@ import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
-import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
@@ -55,16 +54,13 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private Instant lastRanges;
     private Instant lastOdometry;
 
+    /// What came of an update.
+    private record Corrected(PoseEstimate estimate, ParticleCloud particles) {}
+
     /// What is believed, and where odometry was then.
     private record Belief(PoseEstimate estimate, Pose2d odomFromBase) {
         PoseEstimate moved(Pose2d odomFromBaseNow) {
-            Pose2d way = odomFromBase.inverse().compose(odomFromBaseNow);
-            return new PoseEstimate(
-                    estimate.mapFromBase().compose(way),
-                    estimate.covariance(),
-                    estimate.hypotheses().stream()
-                            .map(h -> new Hypothesis(h.weight(), h.mapFromBase().compose(way), h.covariance()))
-                            .toList());
+            return estimate.moved(odomFromBase.inverse().compose(odomFromBaseNow));
         }
     }
 
@@ -154,7 +150,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             if (again) {
                 from.ifPresentOrElse(amcl::start, amcl::startAnywhere);
             }
-            return amcl.update(odomFromBase, beams.get());
+            return new Corrected(amcl.update(odomFromBase, beams.get()), amcl.particles());
         });
         work.whenComplete((found, error) -> {
             busy = false;

@@ -44,6 +44,32 @@ public final class DistanceField {
         return column >= 0 && column < width && row >= 0 && row < height ? meters[row * width + column] : 0;
     }
 
+    /// Distance at a place in the map frame, interpolated between the middles of the four nearest cells, and how it
+    /// grows along x and along y.
+    ///
+    /// @param into distance [m] and the two slopes, when the place is in the map and its distance finite
+    /// @return whether it is
+    public boolean slope(double x, double y, double[] into) {
+        double column = (x - originX) / resolution - 0.5;
+        double row = (y - originY) / resolution - 0.5;
+        if (!(column >= 0 && column < width - 1 && row >= 0 && row < height - 1)) {
+            return false;
+        }
+        int left = (int) column;
+        int low = (int) row;
+        double right = column - left;
+        double up = row - low;
+        int cell = low * width + left;
+        double a = meters[cell];
+        double b = meters[cell + 1];
+        double c = meters[cell + width];
+        double d = meters[cell + width + 1];
+        into[0] = (1 - up) * (a + right * (b - a)) + up * (c + right * (d - c));
+        into[1] = ((1 - up) * (b - a) + up * (d - c)) / resolution;
+        into[2] = ((1 - right) * (c - a) + right * (d - b)) / resolution;
+        return into[0] < Double.POSITIVE_INFINITY;
+    }
+
     /// How far one sees from a place in a direction before a cell is hit or the map ends, at most `limit` [m].
     ///
     /// Steps as far as the field says that nothing is (J. Hart: Sphere Tracing, The Visual Computer 12, 1996),

@@ -1,0 +1,169 @@
+package rsal.navigation.replay;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.IntPredicate;
+import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
+import rsal.data.Angles;
+import rsal.data.LaserScan;
+import rsal.data.Pose2d;
+import rsal.navigation.amcl.OdometryModel;
+import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.carmen.LogEntry.Motion;
+import rsal.navigation.carmen.LogEntry.Poses;
+import rsal.navigation.carmen.LogEntry.Scan;
+import rsal.navigation.grid.ScanMapper.PosedScan;
+
+/// Where a robot went and what its laser saw there, as a log has it.
+///
+/// @param stops one for each scan, in the order in which they were taken
+/// @param untold scans left out since nothing tells where the wheels had brought the robot
+public record Course(List<Stop> stops, int untold) {
+
+    /// One scan.
+    ///
+    /// @param line of the log, from 1
+    /// @param odomFromBase what the wheels said, or are made to have said
+    /// @param mapFromBase where the robot was, if that is known
+    public record Stop(int line, Instant time, LaserScan scan, Pose2d odomFromBase, Optional<Pose2d> mapFromBase) {}
+
+    public Course {
+        stops = List.copyOf(stops);
+    }
+
+    /// As a log tells it: where the robot was is what its author made of the odometry. Where a scan comes without
+    /// odometry, that is taken from the messages before and after it.
+    public static Course of(CarmenLog log) {
+        var stops = new ArrayList<Stop>();
+        for (Scan scan : log.scans()) {
+            switch (scan.poses()) {
+                case Poses.Told(Pose2d odomFromBase, Pose2d mapFromBase) ->
+                    stops.add(new Stop(scan.line(), scan.time(), scan.scan(), odomFromBase, Optional.of(mapFromBase)));
+                case Poses.Untold() ->
+                    odometryAt(scan, log.motions())
+                            .ifPresent(odomFromBase -> stops.add(
+                                    new Stop(scan.line(), scan.time(), scan.scan(), odomFromBase, Optional.empty())));
+            }
+        }
+        return new Course(stops, log.scans().size() - stops.size());
+    }
+
+    /// Between the last message before the scan and the first behind it, by time.
+    private static Optional<Pose2d> odometryAt(Scan scan, List<Motion> motions) {
+        int low = 0;
+        int high = motions.size();
+        while (low < high) { // the first message that is behind the scan
+            int middle = (low + high) >>> 1;
+            if (motions.get(middle).line() < scan.line()) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        if (low == 0) {
+            return Optional.empty();
+        }
+        Motion before = motions.get(low - 1);
+        if (low == motions.size()) {
+            return Optional.of(before.odomFromBase());
+        }
+        Motion after = motions.get(low);
+        double span = seconds(before.time(), after.time());
+        double share = span > 0 ? Math.clamp(seconds(before.time(), scan.time()) / span, 0, 1) : 0;
+        Pose2d from = before.odomFromBase();
+        Pose2d to = after.odomFromBase();
+        return Optional.of(new Pose2d(
+                from.x() + share * (to.x() - from.x()),
+                from.y() + share * (to.y() - from.y()),
+                from.theta() + share * Angles.difference(from.theta(), to.theta())));
+    }
+
+    private static double seconds(Instant from, Instant to) {
+        return Duration.between(from, to).toNanos() * 1e-9;
+    }
+
+    /// The same, but where the robot was is what another log says of the same scans, which are known by their
+    /// readings.
+    public Course judgedBy(CarmenLog reference) {
+        Map<Integer, List<Scan>> known = new HashMap<>();
+        for (Scan scan : reference.scans()) {
+            known.computeIfAbsent(fingerprint(scan.scan()), _ -> new ArrayList<>())
+                    .add(scan);
+        }
+        return new Course(
+                stops.stream()
+                        .map(stop -> new Stop(
+                                stop.line(),
+                                stop.time(),
+                                stop.scan(),
+                                stop.odomFromBase(),
+                                known.getOrDefault(fingerprint(stop.scan()), List.of()).stream()
+                                        .filter(scan -> Arrays.equals(
+                                                scan.scan().ranges(),
+                                                stop.scan().ranges()))
+                                        .map(scan -> told(scan.poses()))
+                                        .flatMap(Optional::stream)
+                                        .findFirst()))
+                        .toList(),
+                untold);
+    }
+
+    private static Optional<Pose2d> told(Poses poses) {
+        return switch (poses) {
+            case Poses.Told told -> Optional.of(told.mapFromBase());
+            case Poses.Untold() -> Optional.empty();
+        };
+    }
+
+    private static int fingerprint(LaserScan scan) {
+        return Arrays.hashCode(scan.ranges());
+    }
+
+    /// The same without anything that tells where the robot was.
+    public Course unjudged() {
+        return new Course(
+                stops.stream()
+                        .map(s -> new Stop(s.line(), s.time(), s.scan(), s.odomFromBase(), Optional.empty()))
+                        .toList(),
+                untold);
+    }
+
+    /// The same with wheels that err more: each way between two scans with noise of its own, which adds up.
+    public Course drifting(OdometryModel noise, RandomGenerator random) {
+        var drifted = new ArrayList<Stop>();
+        Pose2d pose = Pose2d.ORIGIN;
+        for (int i = 0; i < stops.size(); i++) {
+            Stop stop = stops.get(i);
+            pose = i == 0
+                    ? stop.odomFromBase()
+                    : noise.sample(pose, stops.get(i - 1).odomFromBase(), stop.odomFromBase(), random);
+            drifted.add(new Stop(stop.line(), stop.time(), stop.scan(), pose, stop.mapFromBase()));
+        }
+        return new Course(drifted, untold);
+    }
+
+    /// Some of the scans, by their numbers from 0.
+    public Course only(IntPredicate chosen) {
+        return new Course(
+                IntStream.range(0, stops.size())
+                        .filter(chosen)
+                        .mapToObj(stops::get)
+                        .toList(),
+                untold);
+    }
+
+    /// The scans of which it is known where they were taken, to draw a map from.
+    public List<PosedScan> posed() {
+        return stops.stream()
+                .filter(stop -> stop.mapFromBase().isPresent())
+                .map(stop -> new PosedScan(stop.mapFromBase().get(), stop.scan()))
+                .toList();
+    }
+}

@@ -1,0 +1,143 @@
+package rsal.navigation.amcl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Covariance2d;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Quality;
+import rsal.testkit.DrawnMap;
+
+class AmclTest {
+    private static final LocalizationMap ROOM = new LocalizationMap(Seen.ROOM.grid(), 0.1, 0.05);
+    private static final Seen SEEN = new Seen(Seen.ROOM);
+    private static final Pose2d STEP = new Pose2d(0.15, 0, 0.1);
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    void findsItselfWithoutBeingToldWhereItIs(long seed) {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
+        Pose2d truth = Seen.ROOM.pose('a', 40.0 * seed);
+
+        List<PoseEstimate> told = drive(amcl, SEEN, truth, Pose2d.ORIGIN, 8);
+
+        assertThat(told.getLast().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(told.getLast().mapFromBase().distanceTo(after(truth, 8))).isLessThan(0.06);
+    }
+
+    @Test
+    void isLostUntilItHasSeenSomething() {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
+
+        PoseEstimate estimate = amcl.update(Pose2d.ORIGIN, Seen.NOTHING);
+
+        assertThat(estimate.quality()).isEqualTo(Quality.LOST);
+        assertThat(estimate.confidence()).isBetween(0.0, 1.0);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    void noticesThatItWasCarriedAwayAndFindsBack(long seed) {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
+        Pose2d first = Seen.ROOM.pose('a', 0);
+        amcl.start(PoseEstimate.of(first, Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
+        drive(amcl, SEEN, first, Pose2d.ORIGIN, 5);
+        Pose2d elsewhere = Seen.ROOM.pose('k', 200);
+
+        List<PoseEstimate> told = drive(amcl, SEEN, elsewhere, after(Pose2d.ORIGIN, 5), 20);
+
+        assertThat(told).anyMatch(estimate -> estimate.quality() == Quality.LOST);
+        assertThat(told.getLast().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(told.getLast().mapFromBase().distanceTo(after(elsewhere, 20)))
+                .isLessThan(0.1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    void saysThatASymmetricPlaceIsAmbiguous(long seed) {
+        DrawnMap symmetric = Seen.fine("""
+                ########################################
+                #......................................#
+                #..a...................................#
+                #......................................#
+                #...................................####
+                ####...................................#
+                #......................................#
+                #......................................#
+                #......................................#
+                ########################################
+                """);
+        var map = new LocalizationMap(symmetric.grid(), 0.1, 0.05);
+        var amcl = new Amcl(map, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
+        Pose2d there = new Pose2d(0.15, 0, 0);
+        var seen = new Seen(symmetric);
+        Pose2d truth = symmetric.pose('a', 0);
+        Pose2d odometry = Pose2d.ORIGIN;
+        var told = new ArrayList<PoseEstimate>();
+        for (int i = 0; i < 30; i++) {
+            told.add(amcl.update(odometry, seen.beams(truth, 60)));
+            truth = truth.compose(there);
+            odometry = odometry.compose(there);
+        }
+
+        assertThat(told).noneMatch(estimate -> estimate.quality() == Quality.LOCALIZED);
+        assertThat(told.getLast().confidence()).isLessThan(0.9);
+    }
+
+    @Test
+    void aPoseThatIsToldEndsTheAmbiguity() {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
+        drive(amcl, SEEN, Seen.ROOM.pose('a', 0), Pose2d.ORIGIN, 3);
+
+        amcl.start(PoseEstimate.of(Seen.ROOM.pose('b', 90), Covariance2d.ofDeviations(0.2, 0.2, 0.1)));
+        List<PoseEstimate> told = drive(amcl, SEEN, Seen.ROOM.pose('b', 90), Pose2d.ORIGIN, 2);
+
+        assertThat(told.getFirst().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(told.getFirst().mapFromBase().distanceTo(Seen.ROOM.pose('b', 90)))
+                .isLessThan(0.06);
+    }
+
+    @Test
+    void doesTheSameForTheSameSeed() {
+        Pose2d truth = Seen.ROOM.pose('a', 10);
+        var one = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(3));
+        var other = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(3));
+
+        assertThat(drive(one, SEEN, truth, Pose2d.ORIGIN, 6)).isEqualTo(drive(other, SEEN, truth, Pose2d.ORIGIN, 6));
+    }
+
+    @Test
+    void aMapWithoutWallsOrFreeCellsTellsNothing() {
+        for (String drawing : List.of("...\n...\n", "???\n")) {
+            var map = new LocalizationMap(DrawnMap.grid(0.5, drawing).grid(), 0.1, 0.05);
+            var amcl = new Amcl(map, Amcl.Settings.of(50, 200), new SplittableRandom(1));
+
+            List<PoseEstimate> told = drive(amcl, SEEN, Seen.ROOM.pose('a', 0), Pose2d.ORIGIN, 3);
+
+            assertThat(told).allMatch(estimate -> estimate.mapFromBase().isFinite());
+            assertThat(told).noneMatch(estimate -> estimate.quality() == Quality.LOCALIZED);
+        }
+    }
+
+    private static List<PoseEstimate> drive(Amcl amcl, Seen seen, Pose2d from, Pose2d odomFrom, int steps) {
+        var told = new ArrayList<PoseEstimate>();
+        for (int i = 0; i <= steps; i++) {
+            told.add(amcl.update(after(odomFrom, i), seen.beams(after(from, i), 60)));
+        }
+        return told;
+    }
+
+    private static Pose2d after(Pose2d start, int steps) {
+        Pose2d pose = start;
+        for (int i = 0; i < steps; i++) {
+            pose = pose.compose(STEP);
+        }
+        return pose;
+    }
+}

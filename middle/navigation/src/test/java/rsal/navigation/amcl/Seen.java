@@ -1,0 +1,70 @@
+package rsal.navigation.amcl;
+
+import rsal.data.LaserScan;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.testkit.DrawnMap;
+import rsal.testkit.Rays;
+
+/// What a laser sees in a drawn map.
+final class Seen {
+    private static final int FINE = 5; // cells in a sign, along each side
+
+    /// A room like no other, some 10 m × 5 m.
+    static final DrawnMap ROOM = fine("""
+            ########################################
+            #......................................#
+            #......................................#
+            #..........................#...........#
+            #..........a...............#...........#
+            #..........................#...........#
+            #..........................#......k....#
+            #..................#########...........#
+            #......................................#
+            #......................................#
+            #......##..............................#
+            #......##..............................#
+            #................b.....................#
+            #......................................#
+            #..................................#####
+            #..................................#####
+            ########################################
+            """);
+
+    static final Beams NOTHING = new Beams(new float[0], new float[0], new float[0], new float[0]);
+
+    private final Rays rays;
+
+    /// A map drawn with signs of 0.25 m, in cells of 0.05 m.
+    static DrawnMap fine(String drawing) {
+        DrawnMap drawn = DrawnMap.grid(0.25, drawing);
+        OccupancyGrid coarse = drawn.grid();
+        int width = FINE * coarse.width();
+        var cells = new byte[FINE * coarse.height() * width];
+        for (int i = 0; i < cells.length; i++) {
+            cells[i] = coarse.at(i % width / FINE, i / width / FINE);
+        }
+        return new DrawnMap(
+                new OccupancyGrid(width, FINE * coarse.height(), coarse.resolution() / FINE, 0, 0, cells),
+                drawn.places());
+    }
+
+    Seen(DrawnMap map) {
+        rays = new Rays(map.grid());
+    }
+
+    /// All around, up to 8 m.
+    Beams beams(Pose2d mapFromBase, int count) {
+        return beams(mapFromBase, 8, count);
+    }
+
+    /// @param reach beyond which nothing is seen [m]
+    Beams beams(Pose2d mapFromBase, double reach, int count) {
+        var ranges = new float[count];
+        double increment = 2 * Math.PI / count;
+        for (int i = 0; i < count; i++) {
+            ranges[i] = (float) rays.range(mapFromBase.compose(new Pose2d(0, 0, i * increment)));
+        }
+        return Beams.of(new LaserScan(Pose2d.ORIGIN, 0, increment, 0, reach, ranges), count, reach);
+    }
+}

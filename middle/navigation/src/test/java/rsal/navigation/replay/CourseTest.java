@@ -1,0 +1,79 @@
+package rsal.navigation.replay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import rsal.data.Pose2d;
+import rsal.navigation.amcl.OdometryModel;
+import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.carmen.LogReader;
+
+class CourseTest {
+    private static final String RAW = """
+            RAWLASER1 0 -1 2 1 20 0.01 0 3 1 2 3 0 0.5 h 0
+            ODOM 1 0 0 0 0 0 1 h 0
+            RAWLASER1 0 -1 2 1 20 0.01 0 3 1 2 4 0 1.25 h 0
+            ODOM 2 0 1 0 0 0 2 h 0
+            RAWLASER1 0 -1 2 1 20 0.01 0 3 1 2 5 0 3 h 0
+            """;
+
+    @Test
+    void aScanWithoutOdometryHasThatAroundIt() throws IOException {
+        Course course = Course.of(log(RAW));
+
+        assertThat(course.untold()).isEqualTo(1);
+        assertThat(course.stops()).hasSize(2);
+        Pose2d between = course.stops().getFirst().odomFromBase();
+        assertThat(between.x()).isCloseTo(1.25, within(1e-9));
+        assertThat(between.theta()).isCloseTo(0.25, within(1e-9));
+        assertThat(course.stops().getLast().odomFromBase()).isEqualTo(new Pose2d(2, 0, 1));
+        assertThat(course.posed()).isEmpty();
+    }
+
+    @Test
+    void anotherLogOfTheSameScansTellsWhereTheyWereTaken() throws IOException {
+        Course course = Course.of(log("""
+                FLASER 3 1 2 3 0 0 0 5 5 0 1 h 1
+                FLASER 3 1 2 4 0 0 0 6 5 0 2 h 2
+                """)).judgedBy(log("FLASER 3 1 2 4 7 7 1 7 7 1 9 h 9\n"));
+
+        assertThat(course.stops().get(0).mapFromBase()).isEmpty();
+        assertThat(course.stops().get(1).mapFromBase()).isEqualTo(Optional.of(new Pose2d(7, 7, 1)));
+        assertThat(course.stops().get(1).odomFromBase()).isEqualTo(new Pose2d(6, 5, 0));
+    }
+
+    @Test
+    void wheelsThatErrDriftAwayAndTheTruthStays() throws IOException {
+        var lines = new StringBuilder();
+        for (int i = 0; i < 200; i++) {
+            lines.append("FLASER 1 1 %d 0 0 %d 0 0 %d h 0\n".formatted(i, i, i + 1));
+        }
+        Course course = Course.of(log(lines.toString()));
+        var noise = new OdometryModel(0.05, 0.03, 0.05);
+
+        Course drifted = course.drifting(noise, new SplittableRandom(1));
+
+        assertThat(drifted.stops().getLast().mapFromBase())
+                .isEqualTo(course.stops().getLast().mapFromBase());
+        assertThat(drifted.stops().getLast().odomFromBase().distanceTo(new Pose2d(199, 0, 0)))
+                .isBetween(1.0, 199.0);
+        assertThat(course.drifting(noise, new SplittableRandom(1))).isEqualTo(drifted);
+        assertThat(course.drifting(new OdometryModel(0, 0, 0), new SplittableRandom(1))
+                        .stops()
+                        .getLast()
+                        .odomFromBase()
+                        .distanceTo(new Pose2d(199, 0, 0)))
+                .isLessThan(1e-9);
+    }
+
+    private static CarmenLog log(String text) throws IOException {
+        return CarmenLog.read(
+                "test.log", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), LogReader.Options.DEFAULT);
+    }
+}

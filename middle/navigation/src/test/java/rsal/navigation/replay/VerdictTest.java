@@ -1,0 +1,64 @@
+package rsal.navigation.replay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.time.Instant;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import rsal.data.Covariance2d;
+import rsal.data.LaserScan;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Quality;
+
+class VerdictTest {
+    @Test
+    void countsFromTheScanWhereItIsNearAndStays() {
+        Verdict verdict = Verdict.of(steps(9, 0.1, 9, 0.3, 0.4, 0.3, 0.4, 0.3, 0.4));
+
+        assertThat(verdict.converged()).hasValue(4);
+        assertThat(verdict.judged()).isEqualTo(9);
+        assertThat(verdict.rmse()).isCloseTo(Math.sqrt((0.09 + 0.16) / 2), within(1e-9));
+        assertThat(verdict.p95()).isCloseTo(0.4, within(1e-9));
+        assertThat(verdict.near()).isEqualTo(1);
+        assertThat(verdict.falselySure()).isEqualTo(2);
+    }
+
+    @Test
+    void whatGoesWrongLaterCounts() {
+        Verdict verdict = Verdict.of(steps(0, 0, 0, 0, 0, 3, 3, 3, 3, 3));
+
+        assertThat(verdict.converged()).hasValue(1);
+        assertThat(verdict.near()).isEqualTo(0.5);
+        assertThat(verdict.worst()).isCloseTo(3, within(1e-9));
+    }
+
+    @Test
+    void neverConvergedIsSaidSo() {
+        Verdict verdict = Verdict.of(steps(3, 3, 0.1, 3));
+
+        assertThat(verdict.converged()).isEmpty();
+        assertThat(verdict.rmse()).isNaN();
+        assertThat(Verdict.of(List.of()).converged()).isEmpty();
+    }
+
+    private static List<Replay.Step> steps(double... errors) {
+        var scan = new LaserScan(Pose2d.ORIGIN, 0, 0, 0, 1, new float[] {1});
+        return Arrays.stream(errors)
+                .mapToObj(error -> new Replay.Step(
+                        new Course.Stop(1, Instant.EPOCH, scan, Pose2d.ORIGIN, Optional.of(Pose2d.ORIGIN)),
+                        new PoseEstimate(
+                                new Pose2d(error, 0, 0),
+                                Covariance2d.ofDeviations(0.1, 0.1, 0.1),
+                                List.of(),
+                                1,
+                                Quality.LOCALIZED),
+                        1,
+                        0,
+                        true))
+                .toList();
+    }
+}
