@@ -1,5 +1,5 @@
 /// The command `rsal`: reads what a person types, starts runs and their page, prints results. Knows nothing of how
-/// robots, agents and algorithms work.
+/// robots and agents work; of navigation's algorithms only how to try them on recorded data.
 module rsal.cli {
     requires ch.qos.logback.classic;
     requires ch.qos.logback.core;
@@ -8,6 +8,7 @@ module rsal.cli {
     requires jdk.management; // memory of the machine
     requires org.slf4j;
     requires rsal.bench;
+    requires rsal.navigation;
     requires rsal.scenarios;
     requires rsal.server;
     requires static org.jspecify;

@@ -40,6 +40,7 @@ import rsal.settings.Suggestion;
             ShowCommand.class,
             ValidateCommand.class,
             ConvertCommand.class,
+            LocalizeCommand.class,
             DoctorCommand.class,
             BenchCommand.class,
             TestCommand.class

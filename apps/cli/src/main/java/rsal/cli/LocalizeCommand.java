@@ -1,0 +1,514 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.SplittableRandom;
+import java.util.stream.DoubleStream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import rsal.data.Covariance2d;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.map.Maps;
+import rsal.map.RosMap;
+import rsal.navigation.amcl.Amcl;
+import rsal.navigation.amcl.LocalizationMap;
+import rsal.navigation.amcl.OdometryModel;
+import rsal.navigation.carmen.BrokenLog;
+import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.carmen.LogReader;
+import rsal.navigation.grid.ScanMapper;
+import rsal.navigation.replay.Course;
+import rsal.navigation.replay.Replay;
+import rsal.navigation.replay.Verdict;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.time.AllowedToReadWallClock;
+
+/// `rsal localize`
+@Command(
+        name = "localize",
+        description = "Follow a robot's log on a map: where it was at each scan, how sure that is, and how right.",
+        footer = {
+            "",
+            "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip. Errors are told"
+                    + " against the poses in the log, or in that of --reference. In 'corrected' logs the odometry is"
+                    + " these poses, without any error: add some with --odometry-noise.",
+            "",
+            "  rsal localize lab.log.gz --map lab.yaml --global",
+            "  rsal localize lab.log.gz --map-from-half --global --odometry-noise 0.05,2,3 --seeds 50 --vary-start",
+            ""
+        })
+@AllowedToReadWallClock("Tells how long updates take.")
+final class LocalizeCommand extends Subcommand {
+    @Parameters(index = "0", paramLabel = "LOG", description = "The log's file.")
+    private String file = "";
+
+    @ArgGroup(multiplicity = "1")
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    private MapChoice map;
+
+    @Option(
+            names = "--save-map",
+            paramLabel = "MAP.yaml",
+            description = "Writes the map of --map-from-half, its image beside it.")
+    private @Nullable String saveMap;
+
+    @ArgGroup
+    private @Nullable Start start;
+
+    @Option(
+            names = "--odometry-noise",
+            paramLabel = "WAY,HEADING,TURN",
+            description = "Makes the wheels err, by these standard deviations: of the way [m per square root of a"
+                    + " meter], of the heading by driving [deg likewise] and by turning [deg per square root of a"
+                    + " radian]. 0.05,2,3 is a usual robot. Left out: the log's odometry as it is.")
+    private @Nullable String odometryNoise;
+
+    @Option(
+            names = "--seeds",
+            paramLabel = "N",
+            description = "Runs so many times, each with a seed of its own: 1 to N (1).")
+    private int seeds = 1;
+
+    @Option(
+            names = "--vary-start",
+            description = "Each run begins at a scan of its own, drawn by its seed, not at the log's first.")
+    private boolean varyStart;
+
+    @Option(names = "--scans", paramLabel = "N", description = "Looks at so many scans at most, in each run.")
+    private int scans = Integer.MAX_VALUE;
+
+    @Option(
+            names = "--reference",
+            paramLabel = "LOG",
+            description = "Another log of the same scans, whose poses are right: the corrected one of a raw log.")
+    private @Nullable String reference;
+
+    @Option(names = "--no-reference", description = "The log's poses are not right: tell no errors.")
+    private boolean noReference;
+
+    @Option(names = "--beams", paramLabel = "N", description = "Beams of a scan to look at (60).")
+    private int beams = 60;
+
+    @Option(names = "--max-range", paramLabel = "M", description = "Ranges beyond this are not looked at [m] (30).")
+    private double maxRange = 30;
+
+    @Option(names = "--max-particles", paramLabel = "N", description = "Particles when it knows least (5000).")
+    private int maxParticles = 5000;
+
+    @Option(names = "--min-particles", paramLabel = "N", description = "Particles when it knows most (150).")
+    private int minParticles = 150;
+
+    @Option(
+            names = "--field-of-view",
+            paramLabel = "DEG",
+            description = "Of the laser, where the log doesn't tell: FLASER (180).")
+    private double fieldOfView = 180;
+
+    static final class MapChoice {
+        @Option(
+                names = "--map",
+                paramLabel = "MAP",
+                required = true,
+                description = "ROS's YAML of a map, in the frame of the log's poses; or a built-in map's name.")
+        @Nullable
+        String map;
+
+        @Option(
+                names = "--map-from-half",
+                required = true,
+                description = "Draw the map from every other scan, by the poses that are right, and localize on the"
+                        + " rest.")
+        boolean fromHalf;
+    }
+
+    static final class Start {
+        @Option(
+                names = "--global",
+                required = true,
+                description = "It may be anywhere on the map. This is the default.")
+        boolean global;
+
+        @Option(
+                names = "--pose",
+                arity = "3",
+                required = true,
+                paramLabel = "X Y DEG",
+                hideParamSyntax = true,
+                description = "It starts about here [m, m, deg].")
+        double @Nullable [] pose;
+
+        @Option(names = "--right-pose", required = true, description = "It starts about where the reference says.")
+        boolean right;
+    }
+
+    /// @param time of the scan [s]
+    /// @param x in the map frame [m]
+    /// @param heading [rad]
+    /// @param covariance rows of the 3 × 3 covariance of x, y and heading, the upper triangle [m, rad]
+    /// @param error of the position [m]; null when it is not known where the robot was
+    /// @param headingError [rad]; likewise
+    record StepView(
+            double time,
+            int line,
+            double x,
+            double y,
+            double heading,
+            double[] covariance,
+            double confidence,
+            String quality,
+            int particles,
+            double ms,
+            @Nullable Double error,
+            @Nullable Double headingError) {
+        static StepView of(Replay.Step step) {
+            PoseEstimate estimate = step.estimate();
+            Pose2d pose = estimate.mapFromBase();
+            Covariance2d c = estimate.covariance();
+            var time = step.stop().time();
+            return new StepView(
+                    time.getEpochSecond() + time.getNano() * 1e-9,
+                    step.stop().line(),
+                    pose.x(),
+                    pose.y(),
+                    pose.theta(),
+                    new double[] {c.xx(), c.xy(), c.xTheta(), c.yy(), c.yTheta(), c.thetaTheta()},
+                    estimate.confidence(),
+                    word(estimate),
+                    step.particles(),
+                    step.nanos() * 1e-6,
+                    step.error().orElse(null),
+                    step.headingError().orElse(null));
+        }
+
+        static String word(PoseEstimate estimate) {
+            return estimate.quality().name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /// @param convergedAfter scans, from 1; null when it never did
+    /// @param rmse and the like from there on [m]; null when it never converged
+    record RunView(
+            int seed,
+            int judged,
+            @Nullable Integer convergedAfter,
+            @Nullable Double rmse,
+            @Nullable Double p95,
+            @Nullable Double worst,
+            @Nullable Double headingRmse,
+            double near,
+            int falselySure,
+            double msPerScan,
+            double msWorst,
+            List<StepView> steps) {
+        static RunView of(int seed, List<Replay.Step> steps) {
+            Verdict verdict = Verdict.of(steps);
+            OptionalInt converged = verdict.converged();
+            return new RunView(
+                    seed,
+                    verdict.judged(),
+                    converged.isPresent() ? converged.getAsInt() : null,
+                    known(verdict.rmse()),
+                    known(verdict.p95()),
+                    known(verdict.worst()),
+                    known(verdict.headingRmse()),
+                    verdict.near(),
+                    verdict.falselySure(),
+                    steps.stream().mapToLong(Replay.Step::nanos).average().orElse(0) * 1e-6,
+                    steps.stream().mapToLong(Replay.Step::nanos).max().orElse(0) * 1e-6,
+                    steps.stream().map(StepView::of).toList());
+        }
+    }
+
+    /// @param converged10 share of the runs that converged within 10 scans
+    /// @param rmse and the like are medians of the runs that converged; null when none did
+    /// @param falselySure share of the judged scans at which it said to be localized and was not near
+    record Summary(
+            int seeds,
+            double converged,
+            double converged10,
+            @Nullable Double rmse,
+            @Nullable Double p95,
+            @Nullable Double headingRmse,
+            double near,
+            double falselySure,
+            double msPerScan) {
+        static Summary of(List<RunView> runs) {
+            int judged = runs.stream().mapToInt(RunView::judged).sum();
+            return new Summary(
+                    runs.size(),
+                    share(runs.stream().filter(r -> r.convergedAfter != null).count(), runs.size()),
+                    share(
+                            runs.stream()
+                                    .filter(r -> r.convergedAfter != null && r.convergedAfter <= 10)
+                                    .count(),
+                            runs.size()),
+                    median(runs.stream().mapToDouble(run -> orNaN(run.rmse))),
+                    median(runs.stream().mapToDouble(run -> orNaN(run.p95))),
+                    median(runs.stream().mapToDouble(run -> orNaN(run.headingRmse))),
+                    runs.stream().mapToDouble(RunView::near).average().orElse(0),
+                    share(runs.stream().mapToInt(RunView::falselySure).sum(), judged),
+                    runs.stream().mapToDouble(RunView::msPerScan).average().orElse(0));
+        }
+
+        private static double share(long part, int all) {
+            return all == 0 ? 0 : (double) part / all;
+        }
+
+        private static @Nullable Double median(DoubleStream values) {
+            return known(Verdict.median(values.toArray()));
+        }
+
+        private static double orNaN(@Nullable Double value) {
+            return value == null ? Double.NaN : value;
+        }
+    }
+
+    /// @param skipped messages of the log that were not used, by reason
+    record Localized(
+            String log, String map, int scans, Map<String, Integer> skipped, Summary summary, List<RunView> runs) {}
+
+    @Override
+    int run() throws IOException {
+        if (seeds < 1
+                || scans < 1
+                || beams < 5
+                || !(maxRange > 0)
+                || minParticles < 20
+                || maxParticles < minParticles) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--seeds and --scans must be at least 1, --beams 5, --min-particles 20, --max-particles as many;"
+                            + " --max-range more than 0.");
+        }
+        if (!(fieldOfView > 0 && fieldOfView <= 360)) {
+            throw new ParameterException(spec.commandLine(), "--field-of-view must be above 0° and at most 360°.");
+        }
+        Optional<OdometryModel> noise = noise();
+        CarmenLog log = read(file);
+        Course course = course(log);
+        if (course.stops().isEmpty()) {
+            throw new InvalidSettings(
+                    Location.of(file),
+                    "There is no scan in it whose odometry is known; skipped: %s."
+                            .formatted(log.skipped().counts()),
+                    "FLASER and ROBOTLASER1 tell it; RAWLASER1 needs ODOM before it.");
+        }
+        var localizationMap = new LocalizationMap(grid(course), 0.1, 0.05);
+        if (map.fromHalf) {
+            course = course.only(i -> i % 2 == 1);
+        }
+        var runs = new ArrayList<RunView>();
+        for (int seed = 1; seed <= seeds; seed++) {
+            RunView run = follow(course, localizationMap, noise, seed);
+            runs.add(run);
+            if (!json) {
+                tell(run);
+            }
+        }
+        Summary summary = Summary.of(runs);
+        if (json) {
+            printJson(new Localized(
+                    file,
+                    map.map == null ? "from half" : map.map,
+                    course.stops().size(),
+                    log.skipped().counts(),
+                    summary,
+                    runs));
+        } else {
+            tell(log, summary);
+        }
+        return Exit.SUCCESS;
+    }
+
+    private RunView follow(Course course, LocalizationMap localizationMap, Optional<OdometryModel> noise, int seed) {
+        var random = new SplittableRandom(seed);
+        int last = course.stops().size() - 1;
+        int first = varyStart ? random.nextInt(Math.max(1, last + 2 - Math.min(scans, last + 1))) : 0;
+        Course part = course.only(i -> i >= first && i - first < scans);
+        Course driven = noise.isPresent() ? part.drifting(noise.get(), random) : part;
+        var amcl = new Amcl(localizationMap, Amcl.Settings.of(minParticles, maxParticles), random);
+        startPose(driven)
+                .ifPresent(pose -> amcl.start(PoseEstimate.of(pose, Covariance2d.ofDeviations(0.3, 0.3, 0.2))));
+        return RunView.of(seed, Replay.run(driven, amcl, new Replay.Look(beams, maxRange), System::nanoTime));
+    }
+
+    private Optional<Pose2d> startPose(Course course) {
+        if (start == null || start.global) {
+            return Optional.empty();
+        }
+        if (start.pose != null) {
+            return Optional.of(Pose2d.ofDegrees(start.pose[0], start.pose[1], start.pose[2]));
+        }
+        return course.stops().getFirst().mapFromBase().or(() -> {
+            throw new InvalidSettings(
+                    Location.of(file), "Nothing tells where its first scan was taken.", "Say --pose or --global.");
+        });
+    }
+
+    private Optional<OdometryModel> noise() {
+        if (odometryNoise == null) {
+            return Optional.empty();
+        }
+        String[] words = odometryNoise.split(",", -1);
+        try {
+            if (words.length == 3) {
+                var model = new OdometryModel(
+                        Double.parseDouble(words[0]),
+                        Math.toRadians(Double.parseDouble(words[1])),
+                        Math.toRadians(Double.parseDouble(words[2])));
+                return Optional.of(model);
+            }
+        } catch (IllegalArgumentException _) {
+            // told below
+        }
+        throw new ParameterException(
+                spec.commandLine(),
+                "--odometry-noise takes three numbers, none below 0, as 0.05,2,3; not (%s).".formatted(odometryNoise));
+    }
+
+    private Course course(CarmenLog log) {
+        Course course = Course.of(log);
+        if (reference != null) {
+            Course judged = course.judgedBy(read(reference));
+            if (judged.posed().isEmpty()) {
+                throw new InvalidSettings(
+                        Location.of(reference),
+                        "It has none of the scans of (%s).".formatted(file),
+                        "Maybe it is of another run, or its readings were rounded.");
+            }
+            return judged;
+        }
+        return noReference ? course.unjudged() : course;
+    }
+
+    private OccupancyGrid grid(Course course) throws IOException {
+        if (map.map != null) {
+            return new Maps(FileSource.disk()).read(map.map, Location.of("--map"));
+        }
+        var half = course.only(i -> i % 2 == 0).posed();
+        if (half.isEmpty()) {
+            throw new InvalidSettings(
+                    Location.of(file), "Nothing tells where its scans were taken.", "Say --map or --reference.");
+        }
+        OccupancyGrid drawn;
+        try {
+            drawn = ScanMapper.draw(half, ScanMapper.Settings.of(0.05));
+        } catch (IllegalArgumentException e) {
+            throw new InvalidSettings(Location.of(file), String.valueOf(e.getMessage()), "");
+        }
+        if (saveMap != null) {
+            save(drawn, saveMap);
+        }
+        return drawn;
+    }
+
+    private void save(OccupancyGrid drawn, String yaml) throws IOException {
+        if (!yaml.endsWith(".yaml")) {
+            throw new ParameterException(spec.commandLine(), "(%s) must end with .yaml.".formatted(yaml));
+        }
+        Path target = Path.of(yaml);
+        String image = String.valueOf(target.getFileName()).replaceFirst("\\.yaml$", ".pgm");
+        Files.write(target.resolveSibling(image), RosMap.pgm(drawn));
+        Files.writeString(target, RosMap.yaml(drawn, image));
+    }
+
+    private CarmenLog read(String name) {
+        try {
+            return CarmenLog.read(
+                    Path.of(name),
+                    new LogReader.Options(Math.toRadians(fieldOfView), LogReader.Options.DEFAULT.rangeMax()));
+        } catch (BrokenLog e) {
+            throw new InvalidSettings(new Location(name, e.line(), 1), e.reason(), "");
+        } catch (NoSuchFileException | InvalidPathException e) {
+            throw new InvalidSettings(Location.of(name), "There is no such file.", "");
+        } catch (IOException e) {
+            throw new InvalidSettings(Location.of(name), "It can't be read: %s.".formatted(e.getMessage()), "");
+        }
+    }
+
+    private static @Nullable Double known(double value) {
+        return Double.isNaN(value) ? null : value;
+    }
+
+    private void tell(RunView run) {
+        if (seeds == 1) {
+            out().println(
+                            "      time        x        y     deg  ± m   confidence             particles      ms  error m");
+            for (StepView step : run.steps) {
+                out().println("%10.2f %8.2f %8.2f %7.1f %5.2f %5.2f %-13s %9d %9.2f %8s"
+                        .formatted(
+                                step.time,
+                                step.x,
+                                step.y,
+                                Math.toDegrees(step.heading),
+                                Math.sqrt(step.covariance[0] + step.covariance[3]),
+                                step.confidence,
+                                step.quality,
+                                step.particles,
+                                step.ms,
+                                meters(step.error)));
+            }
+        }
+        if (run.judged > 0) {
+            out().println(
+                            run.convergedAfter == null
+                                    ? "seed %d: never converged; falsely sure at %d of %d scans"
+                                            .formatted(run.seed, run.falselySure, run.judged)
+                                    : ("seed %d: converged after %d scans; from there on rmse %s m, 95%% below %s m,"
+                                                    + " worst %s m; falsely sure at %d of %d scans")
+                                            .formatted(
+                                                    run.seed,
+                                                    run.convergedAfter,
+                                                    meters(run.rmse),
+                                                    meters(run.p95),
+                                                    meters(run.worst),
+                                                    run.falselySure,
+                                                    run.judged));
+        }
+        out().flush();
+    }
+
+    private void tell(CarmenLog log, Summary summary) {
+        if (log.skipped().total() > 0) {
+            err().println("Skipped of the log: " + log.skipped().counts());
+            log.skipped().first().stream()
+                    .limit(3)
+                    .forEach(place -> err().println("  %s:%d: %s".formatted(file, place.line(), place.what())));
+        }
+        if (summary.seeds > 1 && summary.rmse != null) {
+            out().println(("%d runs: %.0f%% converged within 10 scans, %.0f%% at all; medians: rmse %s m, 95%% below %s"
+                            + " m, heading %.2f°; falsely sure at %.2f%% of scans; %.2f ms per scan")
+                    .formatted(
+                            summary.seeds,
+                            100 * summary.converged10,
+                            100 * summary.converged,
+                            meters(summary.rmse),
+                            meters(summary.p95),
+                            Math.toDegrees(summary.headingRmse == null ? 0 : summary.headingRmse),
+                            100 * summary.falselySure,
+                            summary.msPerScan));
+        }
+        out().flush();
+    }
+
+    private static String meters(@Nullable Double value) {
+        return value == null ? "-" : "%.3f".formatted(value);
+    }
+}

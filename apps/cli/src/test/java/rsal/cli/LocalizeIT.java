@@ -1,0 +1,153 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.zip.GZIPOutputStream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.data.Pose2d;
+import rsal.testkit.DrawnMap;
+import rsal.testkit.Rays;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/// `rsal localize` as a process of its own, on the log of a robot that drives through a room and back.
+class LocalizeIT {
+    private static final DrawnMap ROOM = DrawnMap.grid(0.5, """
+            #####################
+            #...................#
+            #.a.............b...#
+            #.......##..........#
+            #.......##..........#
+            #...............#####
+            #...............#
+            #.....#.........#
+            #################
+            """);
+
+    @TempDir
+    Path folder;
+
+    private Rsal rsal;
+
+    @BeforeEach
+    void writeLog() throws IOException {
+        rsal = new Rsal(folder);
+        Files.writeString(folder.resolve("room.log"), log());
+    }
+
+    @Test
+    void saysWhereTheRobotWasAndHowRightThatIs() throws Exception {
+        Ended ended = rsal.run(
+                "localize",
+                "room.log",
+                "--map-from-half",
+                "--save-map",
+                "room.yaml",
+                "--odometry-noise",
+                "0.05,2,3",
+                "--seeds",
+                "3",
+                "--json");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        JsonNode told = new JsonMapper().readTree(ended.out());
+        assertThat(told.path("summary").path("converged10").asDouble()).isEqualTo(1);
+        assertThat(told.path("summary").path("rmse").asDouble()).isLessThan(0.08);
+        assertThat(told.path("runs").size()).isEqualTo(3);
+        JsonNode step = told.path("runs").path(0).path("steps").path(5);
+        assertThat(step.path("covariance").size()).isEqualTo(6);
+        assertThat(step.path("confidence").asDouble()).isBetween(0.0, 1.0);
+        assertThat(step.path("quality").asString()).isEqualTo("localized");
+        assertThat(step.path("particles").asInt()).isPositive();
+
+        Ended again = rsal.run("localize", "room.log", "--map", "room.yaml", "--pose", "1.3", "3.2", "5");
+        assertThat(again.code()).as(again.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(again.out()).contains("localized", "converged after 1 scans");
+    }
+
+    @Test
+    void aReferenceTellsWhereScansOfARawLogWereTaken() throws Exception {
+        Files.writeString(
+                folder.resolve("raw.log"), log().replaceAll("(?m) \\S+ \\S+ \\S+ (\\S+ h \\S+)$", " 0 0 0 $1"));
+
+        Ended ended = rsal.run("localize", "raw.log", "--reference", "room.log", "--map-from-half", "--json");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        JsonNode told = new JsonMapper().readTree(ended.out());
+        assertThat(told.path("runs").path(0).path("judged").asInt()).isPositive();
+    }
+
+    @Test
+    void aPackedLogIsReadAndOneCutShortRefused() throws Exception {
+        try (var packed = new GZIPOutputStream(Files.newOutputStream(folder.resolve("room.log.gz")))) {
+            packed.write(Files.readAllBytes(folder.resolve("room.log")));
+        }
+        byte[] bytes = Files.readAllBytes(folder.resolve("room.log.gz"));
+        Files.write(folder.resolve("cut.log.gz"), java.util.Arrays.copyOf(bytes, bytes.length / 2));
+
+        assertThat(rsal.run("localize", "room.log.gz", "--map-from-half", "--scans", "3")
+                        .code())
+                .isEqualTo(Exit.SUCCESS);
+        Ended cut = rsal.run("localize", "cut.log.gz", "--map-from-half");
+        assertThat(cut.code()).isEqualTo(Exit.INVALID);
+        assertThat(cut.err()).contains("cut.log.gz:", "ends early");
+        assertThat(cut.out()).isEmpty();
+    }
+
+    @Test
+    void tellsWhatItSkipped() throws Exception {
+        Files.writeString(folder.resolve("bad.log"), "FLASER 3 1 2\n" + log());
+
+        Ended ended = rsal.run("localize", "bad.log", "--map-from-half", "--scans", "2");
+
+        assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.err()).contains("cut short=1", "bad.log:1:");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            localize room.log                                            | --map                 | 2
+            localize room.log --map a.yaml --map-from-half               | exclusive             | 2
+            localize room.log --map-from-half --odometry-noise 1         | (1)                   | 2
+            localize room.log --map-from-half --odometry-noise 1,-2,3    | (1,-2,3)              | 2
+            localize room.log --map-from-half --seeds 0                  | --seeds               | 2
+            localize none.log --map-from-half                            | none.log              | 3
+            localize room.log --map none.yaml                            | none.yaml             | 3
+            localize room.log --map-from-half --reference none.log       | none.log              | 3
+            localize room.log --map-from-half --no-reference             | Nothing tells         | 3
+            """)
+    void refusesWhatItCannotDo(String line, String expected, int code) throws Exception {
+        Ended ended = rsal.run(line.split(" "));
+        assertThat(ended.code()).as(ended.err()).isEqualTo(code);
+        assertThat(ended.err()).contains(expected).doesNotContain("\tat ");
+        assertThat(ended.out()).isEmpty();
+    }
+
+    private static String log() {
+        var rays = new Rays(ROOM.grid());
+        var log = new StringBuilder("# a robot in a room\n");
+        Pose2d from = ROOM.pose('a', 0);
+        Pose2d to = ROOM.pose('b', 0);
+        for (int i = 0; i <= 40; i++) {
+            double share = i <= 20 ? i / 20.0 : (40 - i) / 20.0;
+            var pose = new Pose2d(
+                    from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.15 * i);
+            log.append("FLASER 181");
+            for (int beam = 0; beam < 181; beam++) {
+                double range = rays.range(pose.compose(new Pose2d(0, 0, Math.toRadians(beam - 90))));
+                log.append(String.format(Locale.ROOT, " %.3f", Math.min(range, 81.91)));
+            }
+            String at = String.format(Locale.ROOT, " %.5f %.5f %.5f", pose.x(), pose.y(), pose.theta());
+            log.append(at).append(at).append(" %d h %d\n".formatted(i + 1, i + 1));
+        }
+        return log.toString();
+    }
+}
