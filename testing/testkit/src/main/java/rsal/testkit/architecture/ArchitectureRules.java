@@ -206,9 +206,15 @@ public abstract class ArchitectureRules {
     void serverAndCommandLineDoNotEither() {
         check(noClasses()
                 .that()
-                .resideInAnyPackage(SERVER, CLI)
+                .resideInAPackage(SERVER)
                 .should()
                 .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION))));
+        check(noClasses()
+                .that()
+                .resideInAPackage(CLI)
+                .should()
+                .dependOnClassesThat(within(with(ROBOT_SYSTEMS, "rsal.navigation.device..")))
+                .because("of navigation it may only try the algorithms on recorded data"));
     }
 
     private void check(ArchRule rule) {
