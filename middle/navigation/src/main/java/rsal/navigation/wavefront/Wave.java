@@ -6,9 +6,7 @@ import org.jspecify.annotations.Nullable;
 /// A wave that spreads from one cell of a [CostMap] over the eight neighbors of each and leaves in each cell what
 /// the way between there and its source costs. Ways do not squeeze through between two corners.
 ///
-/// The wave is ordered by R. Dial's buckets (Algorithm 360, CACM 12, 1969), since costs are small whole numbers; a
-/// bucket is as wide as can be so that none of its cells is reached from another (E. Dinitz, 1978), for then cells
-/// side by side are looked at one after the other. A
+/// The wave is ordered by R. Dial's buckets (Algorithm 360, CACM 12, 1969), since costs are small whole numbers. A
 /// [Guide] hurries it towards a cell (P. Hart, N. Nilsson, B. Raphael, 1968). What it leaves in the cells of
 /// cheapest ways to that cell depends neither on the guide nor on the order in which it gets there, for it goes on
 /// until all of them are found.
@@ -19,9 +17,8 @@ final class Wave {
     static final int UNREACHED = Integer.MAX_VALUE;
 
     private static final int BLOCKED = -1; // in the field, so that one look tells whether a cell is open
-    private static final int WIDTH_BITS = 4; // of a bucket: 16 is less than the cheapest step, CostMap.SIDE
-    private static final int BUCKETS = 64; // a power of 2, more than twice what a step costs
-    private static final int ROOM = 1024; // of a bucket at first
+    private static final int BUCKETS = 512; // a power of 2, more than twice what a step costs
+    private static final int ROOM = 256; // of a bucket at first
 
     private final CostMap map;
     private final byte[] costs;
@@ -78,9 +75,8 @@ final class Wave {
     void start(int source, @Nullable Guide towards) {
         guide = towards;
         field[source] = 0;
-        int least = least(source);
-        front = least >> WIDTH_BITS;
-        push(source, least);
+        front = least(source);
+        push(source, front);
         lowest = Math.min(lowest, source);
         highest = Math.max(highest, source);
     }
@@ -91,7 +87,7 @@ final class Wave {
     /// @return whether it reaches the target
     boolean spread(int target) {
         int empty = 0; // buckets in a row
-        while (empty < BUCKETS && (target < 0 || field[target] == UNREACHED || field[target] >= known())) {
+        while (empty < BUCKETS && (target < 0 || field[target] == UNREACHED || field[target] >= front)) {
             empty = counts[bucket(front)] == 0 ? empty + 1 : 0;
             expand();
             front++;
@@ -111,7 +107,7 @@ final class Wave {
 
     /// All ways that cost less are known.
     int known() {
-        return front << WIDTH_BITS;
+        return front;
     }
 
     /// The neighbor from which the wave came; of several the first by row, then column; −1 at the source.
@@ -137,17 +133,27 @@ final class Wave {
     }
 
     /// Lets all cells of the next bucket pass the wave on. A guide may say that a step costs nothing: then cells are
-    /// added to the bucket meanwhile, or reached again for less.
+    /// added to the bucket meanwhile.
     private void expand() {
+        int bucket = bucket(front);
+        int done = 0;
+        while (done < counts[bucket]) {
+            int count = counts[bucket];
+            expand(buckets[bucket], done, count);
+            done = count;
+        }
+        counts[bucket] = 0;
+    }
+
+    private void expand(int[] cells, int from, int to) {
         int[] field = this.field; // the compiler would look them up again after each step
         byte[] costs = this.costs;
         int up = width;
         int now = front;
-        int bucket = bucket(now);
-        for (int i = 0; i < counts[bucket]; i++) {
-            int cell = buckets[bucket][i];
+        for (int i = from; i < to; i++) {
+            int cell = cells[i];
             int reached = field[cell];
-            if ((reached + least(cell)) >> WIDTH_BITS != now) {
+            if (reached + least(cell) != now) {
                 continue; // was reached for less since
             }
             int cost = costs[cell];
@@ -182,7 +188,6 @@ final class Wave {
             lowest = Math.min(lowest, cell - up - 1);
             highest = Math.max(highest, cell + up + 1);
         }
-        counts[bucket] = 0;
     }
 
     private void across(int[] field, byte[] costs, int cell, int reached, int cost) {
@@ -208,7 +213,7 @@ final class Wave {
     }
 
     private void push(int cell, int value) {
-        int bucket = bucket(value >> WIDTH_BITS);
+        int bucket = bucket(value);
         int count = counts[bucket];
         if (count == buckets[bucket].length) {
             buckets[bucket] = Arrays.copyOf(buckets[bucket], 2 * count);
