@@ -28,6 +28,7 @@ import rsal.map.RosMap;
 import rsal.navigation.amcl.Amcl;
 import rsal.navigation.amcl.LocalizationMap;
 import rsal.navigation.amcl.OdometryModel;
+import rsal.navigation.amcl.SensorModel;
 import rsal.navigation.carmen.BrokenLog;
 import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.carmen.LogReader;
@@ -114,6 +115,13 @@ final class LocalizeCommand extends Subcommand {
 
     @Option(names = "--min-particles", paramLabel = "N", description = "Particles when it knows most (150).")
     private int minParticles = 150;
+
+    @Option(
+            names = "--model",
+            paramLabel = "MODEL",
+            description = "How beams are judged: field, by how near they end to walls (the default); beam, by how far"
+                    + " they should reach.")
+    private SensorModel.Kind model = SensorModel.Kind.FIELD;
 
     @Option(
             names = "--field-of-view",
@@ -343,7 +351,8 @@ final class LocalizeCommand extends Subcommand {
         int first = varyStart ? random.nextInt(Math.max(1, last + 2 - Math.min(scans, last + 1))) : 0;
         Course part = course.only(i -> i >= first && i - first < scans);
         Course driven = noise.isPresent() ? part.drifting(noise.get(), random) : part;
-        var amcl = new Amcl(localizationMap, Amcl.Settings.of(minParticles, maxParticles), random);
+        var amcl = new Amcl(
+                localizationMap, Amcl.Settings.of(minParticles, maxParticles).with(model), random);
         startPose(driven)
                 .ifPresent(pose -> amcl.start(PoseEstimate.of(pose, Covariance2d.ofDeviations(0.3, 0.3, 0.2))));
         return RunView.of(seed, Replay.run(driven, amcl, new Replay.Look(beams, maxRange), System::nanoTime));

@@ -69,6 +69,7 @@ public final class Main implements Runnable {
                 .setOut(new PrintWriter(stdout, false, StandardCharsets.UTF_8))
                 .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
                 .setColorScheme(Help.defaultColorScheme(Terminal.colors()))
+                .setCaseInsensitiveEnumValuesAllowed(true)
                 .setUsageHelpWidth(110)
                 .setUsageHelpLongOptionsMaxWidth(30)
                 .setExitCodeExceptionMapper(_ -> Exit.INTERNAL)

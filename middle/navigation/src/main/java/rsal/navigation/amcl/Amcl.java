@@ -36,6 +36,7 @@ public final class Amcl {
     private static final double ABOUT_THE_SAME = 0.25; // mean logarithm of a beam's likelihood
     private static final double DOUBT = -2; // logarithm of how likely a rival is that was not there before
     private static final int UPDATES_BEFORE_TRUST = 3;
+    private static final int ENOUGH_OUTLASTED = 3; // sonars always find places that fit by chance
     private static final double LEAST_FIT_NOW = 0.3; // of one scan alone
     private static final double NEAR = 0.5; // m; one hypothesis
     private static final double NEARLY = 0.35; // rad, likewise
@@ -47,6 +48,7 @@ public final class Amcl {
     /// @param independentBeams how many beams a scan counts for
     /// @param updateDistance way after which a scan is looked at [m]
     /// @param updateTurn turn after which a scan is looked at [rad]
+    /// @param model by which particles are weighed; searches and refinement always use the field
     public record Settings(
             int minParticles,
             int maxParticles,
@@ -54,7 +56,34 @@ public final class Amcl {
             double updateDistance,
             double updateTurn,
             OdometryModel odometry,
-            Kld kld) {
+            Kld kld,
+            SensorModel.Kind model) {
+
+        /// By how near beams end to walls.
+        public Settings(
+                int minParticles,
+                int maxParticles,
+                double independentBeams,
+                double updateDistance,
+                double updateTurn,
+                OdometryModel odometry,
+                Kld kld) {
+            this(
+                    minParticles,
+                    maxParticles,
+                    independentBeams,
+                    updateDistance,
+                    updateTurn,
+                    odometry,
+                    kld,
+                    SensorModel.Kind.FIELD);
+        }
+
+        /// The same with another model.
+        public Settings with(SensorModel.Kind other) {
+            return new Settings(
+                    minParticles, maxParticles, independentBeams, updateDistance, updateTurn, odometry, kld, other);
+        }
 
         /// Of a laser on a robot of which little is known: odometry may be several percent wrong.
         public static Settings of(int minParticles, int maxParticles) {
@@ -89,6 +118,7 @@ public final class Amcl {
     private double fit = 1;
     private boolean fitKnown;
     private double fitNow = 1;
+    private int outlasted; // rivals that were found in so many searches have all been ruled out
     private boolean trusted; // no other place has been as good since it was last lost
     private double shortShare;
 
@@ -194,9 +224,11 @@ public final class Amcl {
                 rivals.add(candidate.mapFromBase(), lost ? 0 : DOUBT);
             }
         }
-        if (!lost && rivals.count() == before) {
+        outlasted = lost ? 0 : outlasted + 1;
+        if (!lost && (rivals.count() == before || outlasted > ENOUGH_OUTLASTED)) {
             trusted = true;
             searchAfter = 1;
+            outlasted = 0;
             rivals.clear();
         }
     }
@@ -232,6 +264,7 @@ public final class Amcl {
         fit = 1;
         fitKnown = !anywhere; // who starts somewhere is believed at first
         trusted = !anywhere;
+        outlasted = 0;
         fitNow = 1;
         shortShare = 0;
         rivals.clear();
@@ -312,9 +345,10 @@ public final class Amcl {
 
     private void weigh(Beams beams) {
         double beamWeight = Math.min(1, settings.independentBeams() / beams.count());
+        SensorModel model = settings.model() == SensorModel.Kind.BEAM ? map.reaches : map.walls;
         double best = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < particles.count; i++) {
-            logs[i] = beamWeight * map.walls.log(beams, particles.x[i], particles.y[i], particles.theta[i]);
+            logs[i] = beamWeight * model.log(beams, particles.x[i], particles.y[i], particles.theta[i]);
             best = Math.max(best, logs[i]);
         }
         double sum = 0;

@@ -11,7 +11,13 @@ import rsal.data.RangeArray;
 /// @param y likewise
 /// @param originX of the sensor that sent the beam, in the base frame [m]
 /// @param originY likewise
-public record Beams(float[] x, float[] y, float[] originX, float[] originY) {
+/// @param cone opening angle of the beams [rad]; 0 for those of a laser
+public record Beams(float[] x, float[] y, float[] originX, float[] originY, double cone) {
+
+    /// Of a laser.
+    public Beams(float[] x, float[] y, float[] originX, float[] originY) {
+        this(x, y, originX, originY, 0);
+    }
 
     public int count() {
         return x.length;
@@ -28,7 +34,7 @@ public record Beams(float[] x, float[] y, float[] originX, float[] originY) {
                 builder.add(scan.baseFromLaser(), scan.angle(beam), scan.ranges()[beam]);
             }
         }
-        return builder.build();
+        return builder.build(0);
     }
 
     /// Of a round of sonars all that hit something within `maxRange` [m], each as a beam along the middle of its
@@ -40,7 +46,7 @@ public record Beams(float[] x, float[] y, float[] originX, float[] originY) {
                 builder.add(sonars.baseFromSensors().get(i), 0, sonars.ranges()[i]);
             }
         }
-        return builder.build();
+        return builder.build(sonars.fieldOfView());
     }
 
     private static final class Builder {
@@ -66,12 +72,13 @@ public record Beams(float[] x, float[] y, float[] originX, float[] originY) {
             count++;
         }
 
-        Beams build() {
+        Beams build(double cone) {
             return new Beams(
                     java.util.Arrays.copyOf(x, count),
                     java.util.Arrays.copyOf(y, count),
                     java.util.Arrays.copyOf(originX, count),
-                    java.util.Arrays.copyOf(originY, count));
+                    java.util.Arrays.copyOf(originY, count),
+                    cone);
         }
     }
 }

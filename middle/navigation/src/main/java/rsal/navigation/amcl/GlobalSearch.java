@@ -233,7 +233,7 @@ final class GlobalSearch {
     private static Beams thin(Beams beams) {
         int every = Math.max(1, Math.ceilDiv(beams.count(), COARSE_BEAMS));
         int count = Math.ceilDiv(beams.count(), every);
-        var thin = new Beams(new float[count], new float[count], new float[count], new float[count]);
+        var thin = new Beams(new float[count], new float[count], new float[count], new float[count], beams.cone());
         for (int i = 0; i < count; i++) {
             thin.x()[i] = beams.x()[i * every];
             thin.y()[i] = beams.y()[i * every];

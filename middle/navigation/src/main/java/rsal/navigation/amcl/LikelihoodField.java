@@ -10,7 +10,7 @@ import rsal.navigation.grid.DistanceField;
 /// scaled to 1 (logarithm 0) where the map has its walls; and that what lies outside the map is as unlikely as
 /// what is far from any wall. The share of random readings (z_rand) bounds how much one beam can say, so that
 /// people and robots who are not on the map do little harm.
-public final class LikelihoodField {
+public final class LikelihoodField implements SensorModel {
     private static final double FARTHEST = 8; // deviations, where the density has no weight left
 
     private final int width;
@@ -51,7 +51,7 @@ public final class LikelihoodField {
         return logAt((float) ((x - originX) * cellsPerMeter), (float) ((y - originY) * cellsPerMeter));
     }
 
-    /// Logarithm of the likelihood of all beams, seen from a pose in the map frame.
+    @Override
     public double log(Beams beams, double x, double y, double theta) {
         float cos = (float) (Math.cos(theta) * cellsPerMeter);
         float sin = (float) (Math.sin(theta) * cellsPerMeter);

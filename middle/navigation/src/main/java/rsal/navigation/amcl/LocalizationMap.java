@@ -13,13 +13,13 @@ public final class LocalizationMap {
     final OccupancyGrid grid;
     final DistanceField toOccupied;
     final LikelihoodField walls;
+    final BeamModel reaches;
 
     /// Blurred and of larger cells, so that a search over the whole map finds it in the processor's cache.
     final LikelihoodField nearWalls;
 
     final double coarseResolution;
     final double deviation;
-    final double randomShare;
 
     /// @param deviation how far hits are from the walls of the map [m]
     /// @param randomShare of readings that have nothing to do with the map
@@ -27,8 +27,8 @@ public final class LocalizationMap {
         this.grid = grid;
         this.toOccupied = DistanceField.toOccupied(grid);
         this.deviation = deviation;
-        this.randomShare = randomShare;
         this.walls = new LikelihoodField(grid, toOccupied, deviation, randomShare);
+        this.reaches = new BeamModel(toOccupied, deviation, randomShare);
         OccupancyGrid coarse = pooled(grid, Math.max(1, (int) Math.round(COARSE_CELL / grid.resolution())));
         this.coarseResolution = coarse.resolution();
         this.nearWalls = new LikelihoodField(

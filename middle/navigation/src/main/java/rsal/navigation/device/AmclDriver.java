@@ -16,8 +16,12 @@ import rsal.navigation.amcl.Amcl;
 import rsal.navigation.amcl.Kld;
 import rsal.navigation.amcl.LocalizationMap;
 import rsal.navigation.amcl.OdometryModel;
+import rsal.navigation.amcl.OdometryModel.Base;
+import rsal.navigation.amcl.SensorModel;
 import rsal.robot.DeviceDriver;
+import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.OdometryNoise;
+import rsal.robot.RobotModel.Steering;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
@@ -55,6 +59,11 @@ public final class AmclDriver implements DeviceDriver {
     @Override
     public List<Parameter> parameters() {
         return List.of(
+                Parameter.choice(
+                        "model",
+                        "auto",
+                        List.of("auto", "field", "beam"),
+                        "how beams are judged: near walls (field) or as long as expected (beam); auto: beam for sonars"),
                 Parameter.integer("beams", 60, 5, 1000, "", "beams of a laser scan to look at"),
                 Parameter.number("maxRange", 30, 0.5, 200, "m", "ranges beyond this are not looked at"),
                 Parameter.number("hitDeviation", 0.1, 0.01, 1, "m", "how far laser hits are from the map's walls"),
@@ -88,8 +97,9 @@ public final class AmclDriver implements DeviceDriver {
                 arguments.number(laser.isPresent() ? "independentBeams" : "independentSonars"),
                 arguments.number("updateDistance"),
                 arguments.radians("updateAngle"),
-                odometry(context.robot().model().drive().odometryNoise(), arguments.number("odometryDoubt")),
-                new Kld(0.05, 2.33));
+                odometry(context.robot().model().drive(), arguments.number("odometryDoubt")),
+                new Kld(0.05, 2.33),
+                model(arguments.text("model"), laser.isPresent()));
         var deviations = Covariance2d.ofDeviations(
                 arguments.number("initialDeviation"),
                 arguments.number("initialDeviation"),
@@ -109,10 +119,21 @@ public final class AmclDriver implements DeviceDriver {
         return localizer;
     }
 
-    private static OdometryModel odometry(OdometryNoise noise, double doubt) {
-        return new OdometryModel(
-                Math.max(LEAST_DISTANCE_NOISE, doubt * noise.distancePerMeter()),
-                Math.max(LEAST_DRIVING_NOISE, doubt * noise.headingPerMeter()),
-                Math.max(LEAST_TURNING_NOISE, doubt * noise.headingPerRadian()));
+    private static SensorModel.Kind model(String name, boolean laser) {
+        return switch (name) {
+            case "field" -> SensorModel.Kind.FIELD;
+            case "beam" -> SensorModel.Kind.BEAM;
+            default -> laser ? SensorModel.Kind.FIELD : SensorModel.Kind.BEAM;
+        };
+    }
+
+    private static OdometryModel odometry(Drive drive, double doubt) {
+        OdometryNoise noise = drive.odometryNoise();
+        double distance = Math.max(LEAST_DISTANCE_NOISE, doubt * noise.distancePerMeter());
+        double driving = Math.max(LEAST_DRIVING_NOISE, doubt * noise.headingPerMeter());
+        double turning = Math.max(LEAST_TURNING_NOISE, doubt * noise.headingPerRadian());
+        return drive.steering() instanceof Steering.Omnidirectional
+                ? new OdometryModel(distance, driving, turning, distance, Base.OMNIDIRECTIONAL)
+                : new OdometryModel(distance, driving, turning);
     }
 }

@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import rsal.data.Angles;
 import rsal.data.Pose2d;
+import rsal.navigation.amcl.OdometryModel.Base;
 
 class OdometryModelTest {
     private static final int COUNT = 20_000;
@@ -50,6 +51,30 @@ class OdometryModelTest {
             squares += error * error;
         }
         assertThat(Math.sqrt(squares / COUNT)).isCloseTo(0.2 * Math.sqrt(2), within(0.01));
+    }
+
+    @Test
+    void anOmnidirectionalBaseSlidesWhereOdometryTellsAndErrsAlongAndAcross() {
+        var exact = new OdometryModel(0, 0, 0, 0, Base.OMNIDIRECTIONAL);
+        Pose2d old = new Pose2d(1, 2, 0.5);
+        for (Pose2d way : new Pose2d[] {new Pose2d(0, 0.4, 0), new Pose2d(-0.3, 0.1, 0.2), new Pose2d(0, 0, 1)}) {
+            Pose2d found = exact.sample(new Pose2d(-3, 4, 2), old, old.compose(way), new SplittableRandom(1));
+            Pose2d expected = new Pose2d(-3, 4, 2).compose(way);
+            assertThat(found.distanceTo(expected)).isLessThan(1e-9);
+            assertThat(Angles.difference(found.theta(), expected.theta())).isCloseTo(0, within(1e-9));
+        }
+        var erring = new OdometryModel(0.1, 0, 0, 0.05, Base.OMNIDIRECTIONAL);
+        Particles particles = at(Pose2d.ORIGIN, COUNT);
+        erring.move(Pose2d.ORIGIN, new Pose2d(0, 4, 0), particles, new SplittableRandom(4));
+        double along = 0;
+        double across = 0;
+        for (int i = 0; i < COUNT; i++) {
+            along += (particles.y[i] - 4) * (particles.y[i] - 4);
+            across += particles.x[i] * particles.x[i];
+            assertThat(particles.theta[i]).isZero();
+        }
+        assertThat(Math.sqrt(along / COUNT)).isCloseTo(0.2, within(0.01));
+        assertThat(Math.sqrt(across / COUNT)).isCloseTo(0.1, within(0.005));
     }
 
     private static double deviationAlong(Pose2d step, int steps) {

@@ -1,0 +1,60 @@
+package rsal.navigation.amcl;
+
+import rsal.navigation.grid.DistanceField;
+
+/// How likely beams are as long as they are, when the map says how long they should be: S. Thrun, W. Burgard, D. Fox,
+/// Probabilistic Robotics (2005), table 6.1.
+///
+/// Differs from the book in that beams that hit nothing are left out, so there is no z_max; in that all is scaled
+/// to 1 where a beam is as long as it should be, and weights are told relative to that; and in that a beam may be a
+/// cone, as a sonar's is, which should be as long as the shortest of three rays in it.
+public final class BeamModel implements SensorModel {
+    private static final double SHORT_SHARE = 0.1; // z_short, of the height of the bell
+    private static final double SHORT_DECAY = 0.3; // λ_short in the book, 1/m
+    private static final double FARTHEST = 4; // deviations
+    private static final double SIDE_RAY = 0.35; // of the cone, from its middle
+
+    private final DistanceField toOccupied;
+    private final double deviation;
+    private final double randomShare;
+
+    /// @param deviation how far beams are from as long as they should be, σ_hit in the book [m]
+    /// @param randomShare of readings that have nothing to do with the map, z_rand in the book
+    BeamModel(DistanceField toOccupied, double deviation, double randomShare) {
+        this.toOccupied = toOccupied;
+        this.deviation = deviation;
+        this.randomShare = randomShare;
+    }
+
+    @Override
+    public double log(Beams beams, double x, double y, double theta) {
+        double cos = Math.cos(theta);
+        double sin = Math.sin(theta);
+        double cone = beams.cone();
+        double sum = 0;
+        for (int i = 0; i < beams.count(); i++) {
+            double dx = beams.x()[i] - beams.originX()[i];
+            double dy = beams.y()[i] - beams.originY()[i];
+            double measured = Math.sqrt(dx * dx + dy * dy);
+            double fromX = x + cos * beams.originX()[i] - sin * beams.originY()[i];
+            double fromY = y + sin * beams.originX()[i] + cos * beams.originY()[i];
+            double direction = theta + Math.atan2(dy, dx);
+            double limit = measured + FARTHEST * deviation;
+            double expected = toOccupied.castRay(fromX, fromY, direction, limit);
+            if (cone > 0) {
+                expected = toOccupied.castRay(fromX, fromY, direction - SIDE_RAY * cone, expected);
+                expected = toOccupied.castRay(fromX, fromY, direction + SIDE_RAY * cone, expected);
+            }
+            sum += Math.log(likelihood(measured, expected));
+        }
+        return sum;
+    }
+
+    /// Scaled to 1 at most.
+    double likelihood(double measured, double expected) {
+        double deviations = (measured - expected) / deviation;
+        double hit = Math.exp(-deviations * deviations / 2);
+        double tooShort = measured < expected ? SHORT_SHARE * Math.exp(-SHORT_DECAY * measured) : 0;
+        return (1 - randomShare - SHORT_SHARE) * hit + tooShort + randomShare;
+    }
+}
