@@ -28,6 +28,8 @@ public record Area(String name, List<Bench> benches) {
     public static List<Area> all() {
         return List.of(
                 new Area("sim", List.of(new SwarmBench())),
-                new Area("navigation", List.of(new PlanningBench(), new BarnBench(), new OfficeBench())));
+                new Area(
+                        "navigation",
+                        List.of(new LocalizationBench(), new PlanningBench(), new BarnBench(), new OfficeBench())));
     }
 }

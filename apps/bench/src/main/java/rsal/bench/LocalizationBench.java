@@ -1,0 +1,335 @@
+package rsal.bench;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import rsal.bench.Drive.Tick;
+import rsal.bench.Plot.Lines.Point;
+import rsal.data.Angles;
+import rsal.data.Covariance2d;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Quality;
+import rsal.map.Maps;
+import rsal.navigation.amcl.Amcl;
+import rsal.navigation.amcl.Amcl.Settings;
+import rsal.navigation.amcl.Beams;
+import rsal.navigation.amcl.Kld;
+import rsal.navigation.amcl.LocalizationMap;
+import rsal.navigation.amcl.OdometryModel;
+import rsal.navigation.amcl.SensorModel;
+import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.carmen.LogReader;
+import rsal.navigation.grid.ScanMapper;
+import rsal.navigation.replay.Course;
+import rsal.navigation.replay.Replay;
+import rsal.navigation.replay.Verdict;
+import rsal.settings.FileSource;
+import rsal.settings.Location;
+
+/// Localization by particles.
+///
+/// Names are `amcl.<case>.<what>`:
+/// * `amcl.<particles>x<beams>.ms`: an update in the office, on one core.
+/// * `amcl.office.<sensor>.<what>`: how far off a robot is that drives through the office and was told where it
+///   starts; 20 drives of a minute.
+/// * `amcl.kidnap.recovered`: share of 40 robots that, carried elsewhere in the office, are right within half a minute.
+/// * `amcl.corridor.falseConfidence`: share of the time in which a robot in a corridor that looks the same from both
+///   ends, not told where it is, says to be localized and is not; 20 drives.
+/// * `amcl.<log>.<what>`: the log's map is drawn from every other of its scans; on the rest, 50 robots with erring
+///   wheels begin anywhere in the log without being told where: share of those right within 10 scans, then for 40
+///   scans the errors, and the share of scans at which they say to be localized and are not.
+final class LocalizationBench implements Bench {
+    private static final List<String> LOGS =
+            List.of("acapulco", "aces", "edmonton", "fhw", "freiburg-101", "orebro", "seattle");
+    private static final List<String> OF_LOGS = List.of("converged", "rmse", "p95", "falseConfidence");
+    private static final List<String> SENSORS = List.of("laser", "sonar16", "sonar8");
+    private static final List<int[]> SIZES = List.of(new int[] {500, 18}, new int[] {1000, 50}, new int[] {1000, 180});
+    private static final int SEEDS = 50;
+    private static final int SCANS = 40;
+    private static final int DRIVES = 20;
+    private static final int KIDNAPPED = 40;
+    private static final int MINUTE = 600; // ticks
+    private static final int HALF_A_MINUTE = 300;
+    private static final double WARM = 2; // [s]
+
+    @Override
+    public List<String> names() {
+        var names = new ArrayList<String>();
+        SIZES.forEach(size -> names.add(name(size)));
+        for (String sensor : SENSORS) {
+            names.add("amcl.office.%s.median".formatted(sensor));
+            names.add("amcl.office.%s.p95".formatted(sensor));
+        }
+        names.add("amcl.kidnap.recovered");
+        names.add("amcl.corridor.falseConfidence");
+        for (String log : LOGS) {
+            OF_LOGS.forEach(what -> names.add(name(log) + what));
+        }
+        return names;
+    }
+
+    private static String name(int[] size) {
+        return "amcl.%dx%d.ms".formatted(size[0], size[1]);
+    }
+
+    private static String name(String log) {
+        return "amcl.%s.".formatted(log.replace("-", ""));
+    }
+
+    @Override
+    public void measure(Assignment assignment) {
+        var office = new Drive(new Maps(FileSource.disk()).read("office", Location.of("office")));
+        for (int[] size : SIZES) {
+            if (assignment.wants(name(size))) {
+                assignment.tell(
+                        Result.less(name(size), "ms", updateTimes(office, size[0], size[1], assignment.repeats())));
+            }
+        }
+        for (String sensor : SENSORS) {
+            String name = "amcl.office.%s.".formatted(sensor);
+            if (assignment.wants(name + "median") || assignment.wants(name + "p95")) {
+                double[] errors = tours(office, sensor);
+                assignment.tell(
+                        Result.less(name + "median", "m", errors[errors.length / 2]),
+                        Result.less(name + "p95", "m", errors[(int) (0.95 * errors.length)]));
+            }
+        }
+        if (assignment.wants("amcl.kidnap.recovered")) {
+            assignment.tell(Result.more("amcl.kidnap.recovered", "", recovered(office)));
+        }
+        if (assignment.wants("amcl.corridor.falseConfidence")) {
+            assignment.tell(Result.less("amcl.corridor.falseConfidence", "", falseConfidence()));
+        }
+        var overTime = new ArrayList<Point>();
+        for (String log : LOGS) {
+            if (OF_LOGS.stream().anyMatch(what -> assignment.wants(name(log) + what))) {
+                assignment.data("logs/%s-corrected.log.gz".formatted(log)).ifPresent(file -> {
+                    List<List<Replay.Step>> runs = onLog(file);
+                    assignment.tell(judge(name(log), runs));
+                    overTime.addAll(errorsOverTime(log, runs));
+                });
+            }
+        }
+        if (!overTime.isEmpty()) {
+            assignment.show(new Plot.Lines(
+                    "Localization on recorded logs, begun anywhere without being told where",
+                    "scans",
+                    "median error [m]",
+                    overTime));
+        }
+    }
+
+    private static Settings settings(int fewest, int most, double independentBeams, SensorModel.Kind model) {
+        return new Settings(
+                fewest,
+                most,
+                independentBeams,
+                0.1,
+                Math.toRadians(6),
+                new OdometryModel(0.06, 0.05, 0.08),
+                new Kld(0.05, 2.33),
+                model);
+    }
+
+    private static double[] updateTimes(Drive office, int particles, int beams, int repeats) {
+        var random = new SplittableRandom(1);
+        List<Tick> ticks = office.tour(office.anywhere(random), MINUTE, random);
+        List<Beams> seen = ticks.stream()
+                .map(tick -> Beams.of(office.laser(tick.mapFromBase(), random), beams, 30))
+                .toList();
+        var map = new LocalizationMap(office.map(), 0.1, 0.05);
+        var sinceStart = new Stopwatch();
+        while (sinceStart.cpu() < WARM) {
+            updateTime(map, ticks, seen, particles);
+        }
+        return IntStream.range(0, repeats)
+                .mapToDouble(_ -> updateTime(map, ticks, seen, particles))
+                .toArray();
+    }
+
+    /// [ms]
+    private static double updateTime(LocalizationMap map, List<Tick> ticks, List<Beams> seen, int particles) {
+        var amcl = new Amcl(map, settings(particles, particles, 15, SensorModel.Kind.FIELD), new SplittableRandom(1));
+        amcl.start(about(ticks.getFirst().mapFromBase()));
+        var watch = new Stopwatch();
+        for (int i = 0; i < ticks.size(); i++) {
+            amcl.update(ticks.get(i).odomFromBase(), seen.get(i));
+        }
+        return watch.cpu() * 1e3 / ticks.size();
+    }
+
+    private static PoseEstimate about(Pose2d pose) {
+        return PoseEstimate.of(pose, Covariance2d.ofDeviations(0.2, 0.2, Math.toRadians(10)));
+    }
+
+    /// What a robot believed at a tick.
+    private record Belief(PoseEstimate estimate, Pose2d truth) {
+        double error() {
+            return estimate.mapFromBase().distanceTo(truth);
+        }
+
+        boolean near() {
+            return error() <= Verdict.NEAR
+                    && Math.abs(Angles.difference(estimate.mapFromBase().theta(), truth.theta())) <= Verdict.NEARLY;
+        }
+
+        boolean falselySure() {
+            return estimate.quality() == Quality.LOCALIZED && !near();
+        }
+    }
+
+    private static List<Belief> follow(List<Tick> ticks, Amcl amcl, Function<Pose2d, Beams> look) {
+        var beliefs = new ArrayList<Belief>();
+        PoseEstimate estimate = amcl.update(
+                ticks.getFirst().odomFromBase(), look.apply(ticks.getFirst().mapFromBase()));
+        Pose2d odometry = ticks.getFirst().odomFromBase();
+        for (Tick tick : ticks) {
+            estimate = amcl.due(tick.odomFromBase())
+                    ? amcl.update(tick.odomFromBase(), look.apply(tick.mapFromBase()))
+                    : estimate.moved(odometry.inverse().compose(tick.odomFromBase()));
+            odometry = tick.odomFromBase();
+            beliefs.add(new Belief(estimate, tick.mapFromBase()));
+        }
+        return beliefs;
+    }
+
+    /// Errors of all drives, ascending [m].
+    private static double[] tours(Drive office, String sensor) {
+        boolean laser = sensor.equals("laser");
+        var map = new LocalizationMap(office.map(), laser ? 0.1 : 0.25, 0.05);
+        var errors = new ArrayList<Double>();
+        for (int seed = 1; seed <= DRIVES; seed++) {
+            var random = new SplittableRandom(seed);
+            List<Tick> ticks = office.tour(office.anywhere(random), MINUTE, random);
+            var amcl = new Amcl(
+                    map,
+                    laser
+                            ? settings(150, 5000, 15, SensorModel.Kind.FIELD)
+                            : settings(150, 5000, 3, SensorModel.Kind.BEAM),
+                    random);
+            amcl.start(about(ticks.getFirst().mapFromBase()));
+            Function<Pose2d, Beams> look = laser
+                    ? pose -> Beams.of(office.laser(pose, random), 60, 30)
+                    : pose -> Beams.of(office.sonars(pose, sensor.equals("sonar16") ? 16 : 8, random), 5);
+            follow(ticks, amcl, look).forEach(belief -> errors.add(belief.error()));
+        }
+        return errors.stream().mapToDouble(Double::doubleValue).sorted().toArray();
+    }
+
+    private static double recovered(Drive office) {
+        var map = new LocalizationMap(office.map(), 0.1, 0.05);
+        int recovered = 0;
+        for (int seed = 1; seed <= KIDNAPPED; seed++) {
+            var random = new SplittableRandom(seed);
+            List<Tick> before = office.tour(office.anywhere(random), HALF_A_MINUTE, random);
+            List<Tick> after = office.tour(office.anywhere(random), HALF_A_MINUTE, random);
+            var amcl = new Amcl(map, settings(150, 5000, 15, SensorModel.Kind.FIELD), random);
+            amcl.start(about(before.getFirst().mapFromBase()));
+            List<Belief> beliefs =
+                    follow(Drive.kidnapped(before, after), amcl, pose -> Beams.of(office.laser(pose, random), 60, 30));
+            List<Belief> last = beliefs.subList(beliefs.size() - 10, beliefs.size());
+            recovered += last.stream().allMatch(Belief::near) ? 1 : 0;
+        }
+        return (double) recovered / KIDNAPPED;
+    }
+
+    private static double falseConfidence() {
+        var corridor = new Drive(corridor());
+        var map = new LocalizationMap(corridor.map(), 0.1, 0.05);
+        long all = 0;
+        long falselySure = 0;
+        for (int seed = 1; seed <= DRIVES; seed++) {
+            var random = new SplittableRandom(seed);
+            List<Tick> ticks = corridor.shuttle(new Point2d(8, 2), new Point2d(32, 2), MINUTE, random);
+            var amcl = new Amcl(map, settings(150, 5000, 15, SensorModel.Kind.FIELD), random);
+            List<Belief> beliefs = follow(ticks, amcl, pose -> Beams.of(corridor.laser(pose, random), 60, 30));
+            all += beliefs.size();
+            falselySure += beliefs.stream().filter(Belief::falselySure).count();
+        }
+        return (double) falselySure / all;
+    }
+
+    /// 40 m × 2 m, with recesses of doors that lie where half a turn puts them.
+    private static OccupancyGrid corridor() {
+        int width = 800;
+        int height = 80;
+        var cells = new byte[width * height];
+        Arrays.fill(cells, OccupancyGrid.OCCUPIED);
+        for (int column = 2; column < width - 2; column++) {
+            boolean door = column % 200 >= 90 && column % 200 < 110;
+            boolean doorOfTurned = (width - 1 - column) % 200 >= 90 && (width - 1 - column) % 200 < 110;
+            for (int row = doorOfTurned ? 16 : 20; row < (door ? 64 : 60); row++) {
+                cells[row * width + column] = OccupancyGrid.FREE;
+            }
+        }
+        return new OccupancyGrid(width, height, 0.05, 0, 0, cells);
+    }
+
+    /// Steps of each run.
+    private static List<List<Replay.Step>> onLog(Path file) {
+        Course course;
+        try {
+            course = Course.of(CarmenLog.read(file, LogReader.Options.DEFAULT));
+        } catch (IOException e) {
+            throw new IllegalStateException("The public data can't be read: " + e.getMessage(), e);
+        }
+        var map = new LocalizationMap(
+                ScanMapper.draw(course.only(i -> i % 2 == 0).posed(), ScanMapper.Settings.of(0.05)), 0.1, 0.05);
+        Course rest = course.only(i -> i % 2 == 1);
+        var runs = new ArrayList<List<Replay.Step>>();
+        for (int seed = 1; seed <= SEEDS; seed++) {
+            var random = new SplittableRandom(seed);
+            int first = random.nextInt(rest.stops().size() - SCANS + 1);
+            Course driven = rest.only(i -> i >= first && i < first + SCANS).drifting(Drive.WHEELS, random);
+            var amcl = new Amcl(map, Settings.of(150, 5000), random);
+            runs.add(Replay.run(driven, amcl, new Replay.Look(60, 30), () -> 0));
+        }
+        return runs;
+    }
+
+    private static List<Point> errorsOverTime(String log, List<List<Replay.Step>> runs) {
+        return IntStream.range(0, SCANS)
+                .mapToObj(scan -> new Point(
+                        log,
+                        scan + 1.0,
+                        Verdict.median(runs.stream()
+                                .mapToDouble(run -> run.get(scan).error().orElse(Double.NaN))
+                                .toArray())))
+                .toList();
+    }
+
+    private static List<Result> judge(String name, List<List<Replay.Step>> runs) {
+        List<Verdict> verdicts = runs.stream().map(Verdict::of).toList();
+        return List.of(
+                Result.more(
+                        name + "converged",
+                        "",
+                        share(verdicts, v -> v.converged().orElse(SCANS) <= 10 ? 1 : 0)),
+                Result.less(
+                        name + "rmse",
+                        "m",
+                        Verdict.median(
+                                verdicts.stream().mapToDouble(Verdict::rmse).toArray())),
+                Result.less(
+                        name + "p95",
+                        "m",
+                        Verdict.median(
+                                verdicts.stream().mapToDouble(Verdict::p95).toArray())),
+                Result.less(name + "falseConfidence", "", share(verdicts, v -> (double) v.falselySure() / v.judged())));
+    }
+
+    private static double share(List<Verdict> verdicts, Function<Verdict, Number> of) {
+        return verdicts.stream()
+                .mapToDouble(verdict -> of.apply(verdict).doubleValue())
+                .average()
+                .orElseThrow();
+    }
+}
