@@ -34,13 +34,13 @@ public final class Mpc implements LocalPlanner {
     private static final double RESOLUTION = 0.05; // m
     private static final double MEMORY = 60; // s
 
-    private static final double[] SPEEDS = {1, 0.6, 0.3, 0.1, 0, -0.15}; // of the highest
+    private static final double[] SPEEDS = {1, 0.6, 0.3, 0.1, 0
+    }; // of the highest; not backward, where robots seldom look
     private static final double[] TURNS = {-1, -0.6, -0.3, -0.12, 0, 0.12, 0.3, 0.6, 1}; // likewise
     private static final double[] THEN = {-0.6, -0.2, 0, 0.2, 0.6}; // likewise, from the second knot on
 
     private static final double HOPELESS = 1e3; // cost of touching anything
     private static final double TOO_FAST = 3; // per m/s and s
-    private static final double BACKWARD = 1.5; // per s
     private static final double LATER = 0.3; // per rad/s of change
     private static final double BELOW_SPEED = 0.35; // s per share of the highest speed
     private static final double MISALIGNED = 0.35; // s/rad
@@ -207,7 +207,7 @@ public final class Mpc implements LocalPlanner {
                 for (int k = 0; k < KNOTS; k++) {
                     double v = middle[2 * k] + spread * limits.speed() * noise[i++];
                     double w = middle[2 * k + 1] + spread * limits.turnRate() * noise[i++];
-                    trial[2 * k] = Math.clamp(v, -0.2 * limits.speed(), limits.speed());
+                    trial[2 * k] = Math.clamp(v, 0, limits.speed());
                     trial[2 * k + 1] = Math.clamp(w, -limits.turnRate(), limits.turnRate());
                 }
                 least = consider(least, motion);
@@ -252,7 +252,7 @@ public final class Mpc implements LocalPlanner {
                 return HOPELESS * (2 - (double) step / steps);
             }
             double safe = settings.creep() + settings.speedPerRoom() * room;
-            cost += DT * (TOO_FAST * Math.max(0, Math.abs(v) - safe) + (v < 0 ? BACKWARD : 0));
+            cost += DT * TOO_FAST * Math.max(0, Math.abs(v) - safe);
             if (cost > enough) {
                 return cost;
             }
