@@ -33,6 +33,7 @@ public final class Slam {
     private static final CorrelativeMatcher.Settings SEARCH = new CorrelativeMatcher.Settings(0.05, 0.08, 4);
     private static final double MISFIT = 16; // square of a loop's error in deviations that is too much
     private static final int MOST_STRAINED = 3; // relations that loops which are right don't bend more
+    private static final double FAR = 1000; // m; between robots, as no way led from one to the other
     // how scans err beside what their points tell
     private static final double OWN_METERS = 0.02;
     private static final double OWN_RADIANS = 0.003;
@@ -239,6 +240,38 @@ public final class Slam {
             relations.removeIf(r -> r.source() == Relation.Source.LOOP && square(r) > MISFIT);
             fit();
         }
+    }
+
+    /// Adds the map of another robot to this one, wherever it began: finds how they lie to each other ([Merging]),
+    /// then fits both to what their scans have in common. The other stays as it is.
+    ///
+    /// @return where the frame of the other's map came to be in this one's; empty, and nothing changes, when the two
+    /// have nothing in common that can be told apart
+    /// @throws IllegalArgumentException when they hold too many scans together
+    public Optional<Pose2d> merge(Slam other) {
+        if (frames.size() + other.frames.size() > settings.mostFrames()) {
+            throw new IllegalArgumentException("The maps hold (%d) and (%d) scans; together at most (%d)."
+                    .formatted(frames.size(), other.frames.size(), settings.mostFrames()));
+        }
+        if (frames.isEmpty() || other.frames.isEmpty()) {
+            return Optional.empty();
+        }
+        Optional<Pose2d> aligned = Merging.align(frames, poses, other.frames, other.poses);
+        aligned.ifPresent(mapFromOther -> {
+            int first = frames.size();
+            for (int i = 0; i < other.frames.size(); i++) {
+                Frame frame = other.frames.get(i);
+                frames.add(new Frame(
+                        frame.odomFromBase(), traveled + FAR + frame.traveled(), frame.scan(), frame.cloud()));
+                poses.add(mapFromOther.compose(other.poses.get(i)));
+            }
+            traveled += FAR + other.traveled;
+            other.relations.forEach(r -> relations.add(new Relation(
+                    r.from() + first, r.to() + first, r.fromFromTo(), r.covariance(), r.source())));
+            polish(2);
+        });
+        return aligned.map(
+                _ -> poses.getLast().compose(other.poses.getLast().inverse()));
     }
 
     /// How many scans were kept.

@@ -131,6 +131,44 @@ class SlamTest {
     }
 
     @Test
+    void mapsOfTwoRobotsBecomeOne() {
+        var random = new SplittableRandom(4);
+        Drive drive = drive(random);
+        Slam first = run(Slam.Settings.DEFAULT, part(drive, 0, 90, Pose2d.ORIGIN), random).slam();
+        var elsewhere = new Pose2d(-40, 12, 2.5);
+        Run second = run(Slam.Settings.DEFAULT, part(drive, 50, 150, elsewhere), random);
+
+        Pose2d firstFromSecond = first.merge(second.slam()).orElseThrow();
+
+        assertThat(firstFromSecond.compose(second.poses().get(20)).isNear(drive.truth().get(70), 0.5, 0.05))
+                .isTrue();
+        OccupancyGrid map = first.map(ScanMapper.Settings.of(0.1));
+        assertThat(map.width() * map.resolution()).isBetween(26.0, 28.0);
+        assertThat(map.isFree(1.2, 8)).isTrue(); // seen by the second alone
+    }
+
+    @Test
+    void mapsWithNothingInCommonStayTwo() {
+        var random = new SplittableRandom(4);
+        Drive drive = drive(random);
+        Slam first = run(Slam.Settings.DEFAULT, part(drive, 0, 40, Pose2d.ORIGIN), random).slam();
+        var other = new Slam(Slam.Settings.DEFAULT);
+        for (int i = 0; i < 5; i++) {
+            other.add(new Pose2d(i, 0, 0), new Walls().chain(2, -1, 3, 0, 2, 1).scan(Pose2d.ORIGIN, 0.01, random));
+        }
+
+        assertThat(first.merge(other)).isEmpty();
+        assertThat(first.merge(new Slam(Slam.Settings.DEFAULT))).isEmpty();
+        assertThat(first.frameCount()).isEqualTo(first.poses().size());
+    }
+
+    private static Drive part(Drive drive, int from, int to, Pose2d shift) {
+        return new Drive(
+                drive.truth().subList(from, to),
+                drive.odometry().subList(from, to).stream().map(shift::compose).toList());
+    }
+
+    @Test
     void refusesOdometryThatIsNoPlace() {
         var scan = FLOOR.scan(new Pose2d(1, 1, 0), 0, new SplittableRandom(1));
 
