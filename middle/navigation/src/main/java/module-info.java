@@ -9,6 +9,7 @@ module rsal.navigation {
     exports rsal.navigation.avoid;
     exports rsal.navigation.carmen;
     exports rsal.navigation.dwa;
+    exports rsal.navigation.explore;
     exports rsal.navigation.grid;
     exports rsal.navigation.jumppoint;
     exports rsal.navigation.mpc;
@@ -22,8 +23,10 @@ module rsal.navigation {
 
     provides rsal.robot.DeviceDriver with
             rsal.navigation.device.AmclDriver,
+            rsal.navigation.device.ExplorerDriver,
             rsal.navigation.device.JumpPointDriver,
             rsal.navigation.device.NavigatorDriver,
             rsal.navigation.device.OdometryLocalizerDriver,
+            rsal.navigation.device.SlamDriver,
             rsal.navigation.device.WavefrontDriver;
 }

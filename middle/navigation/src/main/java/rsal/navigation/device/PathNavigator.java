@@ -81,7 +81,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         }
     }
 
-    private final Parts parts;
+    private Parts parts;
     private final Settings settings;
     private final Scheduler scheduler;
     private final RandomGenerator random;
@@ -102,6 +102,12 @@ final class PathNavigator extends DeviceCore implements Navigator {
 
     void start() {
         scheduler.every(BEAT, Phase.DEVICES, this::beat);
+    }
+
+    /// Gives it another map, from its next goal on.
+    void on(Wavefront ways, DistanceField toNotFree) {
+        parts = new Parts(
+                parts.base(), parts.localizer(), parts.laser(), parts.sonars(), parts.avoidance(), ways, toNotFree);
     }
 
     @Override

@@ -6,8 +6,8 @@ import java.util.List;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
 
-/// What a laser hit, as points in one frame, each with the direction in which the surface there faces, where that
-/// can be told from its neighbors. Immutable.
+/// What a laser hit, as points in one frame, each with the direction in which the surface there faces, where
+/// that can be told from its neighbors. Immutable.
 public final class Cloud {
     /// Points of a scan of which none is drawn are none.
     public static final Cloud EMPTY = new Cloud(0);
@@ -162,8 +162,8 @@ public final class Cloud {
         return joined;
     }
 
-    /// The first point in each cell of a grid, so that near surfaces, which are hit by most beams, don't count more
-    /// than far ones.
+    /// The first point in each cell of a grid, so that near surfaces, which are hit by most beams, don't
+    /// count more than far ones.
     ///
     /// @param cell its side in meters
     public Cloud thinned(double cell) {

@@ -8,12 +8,13 @@ import org.jspecify.annotations.Nullable;
 import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 
-/// Finds the place within a window at which most points of a scan lie where a reference has points, and misses no
-/// better one: E. Olson, Real-Time Correlative Scan Matching (ICRA 2009), searched by branch and bound as in
-/// M. Hess et al., Real-Time Loop Closure in 2D LIDAR SLAM (ICRA 2016), algorithm 3.
+/// Finds the place within a window at which most points of a scan lie where a reference has points, and
+/// misses no better one: E. Olson, Real-Time Correlative Scan Matching (ICRA 2009), searched by branch and
+/// bound as in M. Hess et al., Real-Time Loop Closure in 2D LIDAR SLAM (ICRA 2016), algorithm 3.
 ///
-/// Differs from Olson in that the covariance is that of the places tried at the finest level around the best one, and
-/// from Hess in that headings are not bounded, too, but all tried. Immutable; may be shared between threads.
+/// Differs from Olson in that the covariance is that of the places tried at the finest level around the best
+/// one, and from Hess in that headings are not bounded, too, but all tried. Immutable; may be shared between
+/// threads.
 public final class CorrelativeMatcher {
     private static final int MOST_HEADINGS = 720;
     private static final double SHARP = 30; // how fast weights fall with the score; that of a beam is below 1
@@ -176,7 +177,8 @@ public final class CorrelativeMatcher {
         return best;
     }
 
-    /// With the covariance of the places around the best, weighed by how much worse they are (Olson, section III-D).
+    /// With the covariance of the places around the best, weighed by how much worse they are (Olson, section
+    /// III-D).
     private Match around(Candidate best, List<Turned> turns, Cloud scan, Pose2d guess, Window window) {
         int middle = turns.indexOf(best.turned);
         double scale = SHARP / (255.0 * scan.count());

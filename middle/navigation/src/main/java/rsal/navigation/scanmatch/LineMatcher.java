@@ -4,15 +4,15 @@ import java.util.Optional;
 import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 
-/// Lays a scan onto the lines on which the points of a reference lie: A. Censi, An ICP variant using a point-to-line
-/// metric (ICRA 2008).
+/// Lays a scan onto the lines on which the points of a reference lie: A. Censi, An ICP variant using a
+/// point-to-line metric (ICRA 2008).
 ///
-/// Differs in that each step is one of Gauss and Newton, small turns taken for straight, with weights that fall with
-/// the distance (Cauchy's), in that a line's direction is that of the neighbors within the same scan, and in that
-/// pairs whose surfaces face different ways are none. What is on no line counts as a point, a little. The covariance is
-/// the inverse of the normal equations, for a
-/// deviation of at least [#LEAST_DEVIATION], as if each [#ALIKE] pairs told the same, and for what they say nothing
-/// about that of [#VAGUE_METERS] and [#VAGUE_RADIANS].
+/// Differs in that each step is one of Gauss and Newton, small turns taken for straight, with weights that
+/// fall with the distance (Cauchy's), in that a line's direction is that of the neighbors within the same
+/// scan, and in that pairs whose surfaces face different ways are none. What is on no line counts as a point,
+/// a little. The covariance is the inverse of the normal equations, for a deviation of at least
+/// [#LEAST_DEVIATION], as if each [#ALIKE] pairs told the same, and for what they say nothing about that of
+/// [#VAGUE_METERS] and [#VAGUE_RADIANS].
 ///
 /// Immutable; may be shared between threads.
 public final class LineMatcher {

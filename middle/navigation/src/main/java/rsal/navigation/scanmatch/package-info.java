@@ -1,4 +1,5 @@
-/// How a scan lies to another or to a map: a search over a window that misses nothing, then lines fitted to points.
+/// How a scan lies to another or to a map: a search over a window that misses nothing, then lines fitted to
+/// points.
 @NullMarked
 package rsal.navigation.scanmatch;
 

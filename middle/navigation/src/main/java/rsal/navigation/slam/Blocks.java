@@ -4,12 +4,12 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 
-/// A symmetric system of equations in blocks of 3 × 3, most of them zero, solved after Cholesky: T. Davis, Direct
-/// Methods for Sparse Linear Systems (SIAM 2006), chapters 4 and 7. Unknowns are eliminated in the order of least
-/// degree, found once for a graph, as its numbers change while its shape stays.
+/// A symmetric system of equations in blocks of 3 × 3, most of them zero, solved after Cholesky: T. Davis,
+/// Direct Methods for Sparse Linear Systems (SIAM 2006), chapters 4 and 7. Unknowns are eliminated in the
+/// order of least degree, found once for a graph, as its numbers change while its shape stays.
 ///
-/// Own since a library for it would be larger than the rest of this package; the columns are pushed to the right
-/// instead of gathered from the left.
+/// Own since a library for it would be larger than the rest of this package; the columns are pushed to the
+/// right instead of gathered from the left.
 final class Blocks {
     private final int count;
     private final int[] place; // of an unknown in the order of elimination

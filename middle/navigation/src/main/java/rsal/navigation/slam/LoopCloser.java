@@ -13,10 +13,10 @@ import rsal.navigation.scanmatch.LineMatcher;
 import rsal.navigation.scanmatch.Match;
 
 /// Knows places again. Where a robot may be, by how sure the graph is of it ([Uncertainty]), its last scans are
-/// searched for in those taken there before. What is found counts when points lie on lines and few beams go through
-/// walls, and, where the search went far, only when several scans on end agree on it: E. Olson, Recognizing places
-/// using spectrally clustered local matches, Robotics and Autonomous Systems 57 (2009), of which this keeps the idea
-/// that wrong places don't agree.
+/// searched for in those taken there before. What is found counts when points lie on lines and few beams go
+/// through walls, and, where the search went far, only when several scans on end agree on it: E. Olson,
+/// Recognizing places using spectrally clustered local matches, Robotics and Autonomous Systems 57 (2009), of
+/// which this keeps the idea that wrong places don't agree.
 final class LoopCloser {
     private static final double DETOUR = 8; // m; less than this way is no loop
     private static final double VIEW = 6; // m; who is so near sees the same
@@ -136,8 +136,8 @@ final class LoopCloser {
                         new Relation(candidate, frame, m.aFromB(), Slam.honest(m.covariance()), Relation.Source.LOOP));
     }
 
-    /// Share of the points that lie where points are, less half of that of the beams, of either scan, which go through
-    /// what the others hit.
+    /// Share of the points that lie where points are, less half of that of the beams, of either scan, which
+    /// go through what the others hit.
     private double evidence(Match match, int frame, int candidate, Cloud there, Cloud here) {
         Pose2d hereFromThere = match.aFromB().inverse();
         double through = new Transparency(there).through(frames.get(frame), match.aFromB())

@@ -10,9 +10,9 @@ import rsal.navigation.scanmatch.CorrelativeMatcher.Window;
 import rsal.navigation.scanmatch.LineMatcher;
 
 /// Finds how the maps of two robots lie to each other when nobody knows: parts of one are searched for, by
-/// correlation, everywhere and in any heading in the other, and the place counts on which most of them agree. After
-/// S. Carpin, Fast and Accurate Map Merging for Multi-Robot Systems, Autonomous Robots 25 (2008), which searches
-/// spectra instead, and Olson's search of scans (see [CorrelativeMatcher]).
+/// correlation, everywhere and in any heading in the other, and the place counts on which most of them agree.
+/// After S. Carpin, Fast and Accurate Map Merging for Multi-Robot Systems, Autonomous Robots 25 (2008), which
+/// searches spectra instead, and Olson's search of scans (see [CorrelativeMatcher]).
 final class Merging {
     private static final int PARTS = 12; // of a map, searched for
     private static final int FRAMES = 6; // of a part, to either side
@@ -48,7 +48,10 @@ final class Merging {
                     .flatMap(coarse -> lines.match(here, coarse.aFromB()))
                     .filter(match -> match.score() >= LEAST_PAIRS)
                     .ifPresent(match -> found.add(new Found(
-                            aFromFirst.compose(match.aFromB()).compose(b.get(center).inverse()), match.score())));
+                            aFromFirst
+                                    .compose(match.aFromB())
+                                    .compose(b.get(center).inverse()),
+                            match.score())));
         }
         return agreed(found, middle(b));
     }

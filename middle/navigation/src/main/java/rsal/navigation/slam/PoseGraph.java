@@ -6,12 +6,14 @@ import rsal.data.Angles;
 import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 
-/// Finds the poses that fit best to what is known of how they lie to each other: F. Lu, E. Milios, Globally Consistent
-/// Range Scan Alignment for Environment Mapping, Autonomous Robots 4 (1997), section 3; G. Grisetti et al., A Tutorial
-/// on Graph-Based SLAM, IEEE ITS Magazine 2 (2010), algorithm 1, with the steps of Levenberg and Marquardt.
+/// Finds the poses that fit best to what is known of how they lie to each other: F. Lu, E. Milios, Globally
+/// Consistent Range Scan Alignment for Environment Mapping, Autonomous Robots 4 (1997), section 3; G.
+/// Grisetti et al., A Tutorial on Graph-Based SLAM, IEEE ITS Magazine 2 (2010), algorithm 1, with the steps
+/// of Levenberg and Marquardt.
 ///
-/// Relations that close loops count less the less they fit (P. Agarwal et al., Robust Map Optimization using Dynamic
-/// Covariance Scaling, ICRA 2013, equation 15), those of scans and wheels after Huber. The first pose stays.
+/// Relations that close loops count less the less they fit (P. Agarwal et al., Robust Map Optimization using
+/// Dynamic Covariance Scaling, ICRA 2013, equation 15), those of scans and wheels after Huber. The first pose
+/// stays.
 public final class PoseGraph {
     /// From which square of its error, in deviations, a loop is scaled down ("Φ" in the paper).
     public static final double LOOP_PHI = 5;
@@ -32,10 +34,10 @@ public final class PoseGraph {
         }
     }
 
-    /// Fits poses of which nothing is known but a guess: first as if loops could be trusted, then ever less, so that
-    /// those which are right have pulled the graph together before others are scaled down (after A. Blake,
-    /// A. Zisserman, Visual Reconstruction, MIT Press 1987, on graduated non-convexity). A wrong loop may bend the
-    /// graph and then fit: who calls this looks at the other relations.
+    /// Fits poses of which nothing is known but a guess: first as if loops could be trusted, then ever less,
+    /// so that those which are right have pulled the graph together before others are scaled down (after A.
+    /// Blake, A. Zisserman, Visual Reconstruction, MIT Press 1987, on graduated non-convexity). A wrong loop
+    /// may bend the graph and then fit: who calls this looks at the other relations.
     public static Fit fitFromAfar(List<Pose2d> guess, List<Relation> relations) {
         Fit fit = fit(guess, relations, AFAR_PHI);
         for (double phi = AFAR_PHI / 5; phi > LOOP_PHI; phi /= 5) {

@@ -3,9 +3,10 @@ package rsal.navigation.slam;
 import java.util.List;
 import rsal.data.Pose2d;
 
-/// How far relations between poses are off those that are right. Unlike errors of poses it does not punish a map for
-/// a single bend that turns all behind it: R. Kümmerle et al., On Measuring the Accuracy of SLAM Algorithms,
-/// Autonomous Robots 27 (2009), equations 6 and 7 with means of lengths and angles, not of squares.
+/// How far relations between poses are off those that are right. Unlike errors of poses it does not punish a
+/// map for a single bend that turns all behind it: R. Kümmerle et al., On Measuring the Accuracy of SLAM
+/// Algorithms, Autonomous Robots 27 (2009), equations 6 and 7 with means of lengths and angles, not of
+/// squares.
 ///
 /// @param count relations looked at
 /// @param meters mean length of the errors; NaN without any

@@ -16,13 +16,15 @@ import rsal.navigation.scanmatch.CorrelativeMatcher.Window;
 import rsal.navigation.scanmatch.LineMatcher;
 import rsal.navigation.scanmatch.Match;
 
-/// Maps a place and finds its way in it at once, from a laser and odometry: each scan is matched with those just
-/// before it, scans that lie some way apart are kept as the nodes of a graph, places that are seen again close loops
-/// ([LoopCloser]), and the graph is fitted to all of that ([PoseGraph]). After E. Olson, Robust and Efficient Robotic
-/// Mapping (PhD thesis, MIT 2008), and M. Hess et al., Real-Time Loop Closure in 2D LIDAR SLAM (ICRA 2016).
+/// Maps a place and finds its way in it at once, from a laser and odometry: each scan is matched with those
+/// just before it, scans that lie some way apart are kept as the nodes of a graph, places that are seen again
+/// close loops ([LoopCloser]), and the graph is fitted to all of that ([PoseGraph]). After E. Olson, Robust
+/// and Efficient Robotic Mapping (PhD thesis, MIT 2008), and M. Hess et al., Real-Time Loop Closure in 2D
+/// LIDAR SLAM (ICRA 2016).
 ///
-/// The first scan kept is where the odometry says; the map's frame begins there. The same input gives the same map.
-/// It keeps at most [Settings#mostFrames] scans, and after that only finds its way. Not safe for several threads.
+/// The first scan kept is where the odometry says; the map's frame begins there. The same input gives the
+/// same map. It keeps at most [Settings#mostFrames] scans, and after that only finds its way. Not safe for
+/// several threads.
 public final class Slam {
     private static final double LEAST_SCORE = 0.35; // of a search, to be worth refining
     private static final double LEAST_PAIRS = 0.35; // of a scan, to be believed
@@ -228,8 +230,8 @@ public final class Slam {
         fits++;
     }
 
-    /// Looks at all scans once more, now that it is known where they were taken: those that see the same are matched
-    /// with each other, relations that don't fit are dropped, and all is fitted again.
+    /// Looks at all scans once more, now that it is known where they were taken: those that see the same are
+    /// matched with each other, relations that don't fit are dropped, and all is fitted again.
     ///
     /// @param rounds how often; 2 do
     public void polish(int rounds) {
@@ -242,11 +244,11 @@ public final class Slam {
         }
     }
 
-    /// Adds the map of another robot to this one, wherever it began: finds how they lie to each other ([Merging]),
-    /// then fits both to what their scans have in common. The other stays as it is.
+    /// Adds the map of another robot to this one, wherever it began: finds how they lie to each other
+    /// ([Merging]), then fits both to what their scans have in common. The other stays as it is.
     ///
-    /// @return where the frame of the other's map came to be in this one's; empty, and nothing changes, when the two
-    /// have nothing in common that can be told apart
+    /// @return where the frame of the other's map came to be in this one's; empty, and nothing changes, when
+    /// the two have nothing in common that can be told apart
     /// @throws IllegalArgumentException when they hold too many scans together
     public Optional<Pose2d> merge(Slam other) {
         if (frames.size() + other.frames.size() > settings.mostFrames()) {
@@ -266,12 +268,11 @@ public final class Slam {
                 poses.add(mapFromOther.compose(other.poses.get(i)));
             }
             traveled += FAR + other.traveled;
-            other.relations.forEach(r -> relations.add(new Relation(
-                    r.from() + first, r.to() + first, r.fromFromTo(), r.covariance(), r.source())));
+            other.relations.forEach(r -> relations.add(
+                    new Relation(r.from() + first, r.to() + first, r.fromFromTo(), r.covariance(), r.source())));
             polish(2);
         });
-        return aligned.map(
-                _ -> poses.getLast().compose(other.poses.getLast().inverse()));
+        return aligned.map(_ -> poses.getLast().compose(other.poses.getLast().inverse()));
     }
 
     /// How many scans were kept.

@@ -8,8 +8,8 @@ import java.util.PriorityQueue;
 import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 
-/// How far off poses may be, seen from one of them: the least covariance along any way through a graph, which is above
-/// the true one. E. Olson, Robust and Efficient Robotic Mapping (PhD thesis, MIT 2008), section 5.3.
+/// How far off poses may be, seen from one of them: the least covariance along any way through a graph, which
+/// is above the true one. E. Olson, Robust and Efficient Robotic Mapping (PhD thesis, MIT 2008), section 5.3.
 final class Uncertainty {
     private static final double LEVER = 5; // m; what a heading that is off does to places
 
@@ -39,7 +39,8 @@ final class Uncertainty {
         return spread(by, covariance);
     }
 
-    /// @return by pose the deviation of its place [m] and heading [rad] as seen from `start`; +∞ where no way leads
+    /// @return by pose the deviation of its place [m] and heading [rad] as seen from `start`; +∞ where no way
+    /// leads
     double[][] from(int start, int count) {
         var deviations = new double[count][];
         Arrays.setAll(deviations, _ -> new double[] {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY});

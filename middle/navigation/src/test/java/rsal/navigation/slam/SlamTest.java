@@ -134,13 +134,16 @@ class SlamTest {
     void mapsOfTwoRobotsBecomeOne() {
         var random = new SplittableRandom(4);
         Drive drive = drive(random);
-        Slam first = run(Slam.Settings.DEFAULT, part(drive, 0, 90, Pose2d.ORIGIN), random).slam();
+        Slam first = run(Slam.Settings.DEFAULT, part(drive, 0, 90, Pose2d.ORIGIN), random)
+                .slam();
         var elsewhere = new Pose2d(-40, 12, 2.5);
         Run second = run(Slam.Settings.DEFAULT, part(drive, 50, 150, elsewhere), random);
 
         Pose2d firstFromSecond = first.merge(second.slam()).orElseThrow();
 
-        assertThat(firstFromSecond.compose(second.poses().get(20)).isNear(drive.truth().get(70), 0.5, 0.05))
+        assertThat(firstFromSecond
+                        .compose(second.poses().get(20))
+                        .isNear(drive.truth().get(70), 0.5, 0.05))
                 .isTrue();
         OccupancyGrid map = first.map(ScanMapper.Settings.of(0.1));
         assertThat(map.width() * map.resolution()).isBetween(26.0, 28.0);
@@ -151,7 +154,8 @@ class SlamTest {
     void mapsWithNothingInCommonStayTwo() {
         var random = new SplittableRandom(4);
         Drive drive = drive(random);
-        Slam first = run(Slam.Settings.DEFAULT, part(drive, 0, 40, Pose2d.ORIGIN), random).slam();
+        Slam first = run(Slam.Settings.DEFAULT, part(drive, 0, 40, Pose2d.ORIGIN), random)
+                .slam();
         var other = new Slam(Slam.Settings.DEFAULT);
         for (int i = 0; i < 5; i++) {
             other.add(new Pose2d(i, 0, 0), new Walls().chain(2, -1, 3, 0, 2, 1).scan(Pose2d.ORIGIN, 0.01, random));

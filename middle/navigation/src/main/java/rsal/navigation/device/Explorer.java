@@ -1,0 +1,104 @@
+package rsal.navigation.device;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Stamped;
+import rsal.device.DeviceInfo;
+import rsal.device.GoalHandle;
+import rsal.device.Health;
+import rsal.device.Navigator;
+import rsal.device.SensorCore;
+import rsal.navigation.grid.ScanMapper.PosedScan;
+import rsal.time.Scheduler;
+
+/// Sends a robot where its map ends, until it ends nowhere that the robot can get to. Its readings are the
+/// map. It gives its navigator the map, too, and takes the robot over from the start: who wants to drive it
+/// pauses the navigator.
+final class Explorer extends SensorCore<OccupancyGrid> {
+    private static final Duration LONGEST = Duration.ofSeconds(60); // for one frontier without getting there
+    private static final double NEARER = 0.3; // m that count as getting nearer
+    private static final Navigator.Tolerance THERE = Navigator.Tolerance.position(0.3);
+
+    private final SlamLocalizer localizer;
+    private final PathNavigator navigator;
+    private final Exploration team;
+    private final Scheduler scheduler;
+    private @Nullable GoalHandle<Navigator.Progress, Navigator.Result> drive;
+    private @Nullable Point2d frontier;
+    private double nearest;
+    private Instant since = Instant.MIN;
+
+    Explorer(DeviceInfo info, SlamLocalizer localizer, PathNavigator navigator, Exploration team, Scheduler scheduler) {
+        super(info);
+        this.localizer = localizer;
+        this.navigator = navigator;
+        this.team = team;
+        this.scheduler = scheduler;
+    }
+
+    boolean ready() {
+        return localizer.latest().isPresent() && !localizer.map().isEmpty();
+    }
+
+    List<PosedScan> seen() {
+        return localizer.map();
+    }
+
+    Point2d place() {
+        return localizer.latest().orElseThrow().value().mapFromBase().position();
+    }
+
+    /// Where it is on its way to.
+    Optional<Point2d> frontier() {
+        return Optional.ofNullable(frontier);
+    }
+
+    void take(Exploration.Order order) {
+        health(Health.ok());
+        deliver(new Stamped<>(scheduler.instant(), "map", order.map()));
+        Exploration.Goal goal = order.goal().orElse(null);
+        if (goal == null) {
+            frontier = null;
+            if (drive != null) {
+                drive.cancel();
+            }
+            return;
+        }
+        if (frontier == null || frontier.distanceTo(goal.frontier()) > NEARER) {
+            since = scheduler.instant();
+            nearest = Double.POSITIVE_INFINITY;
+        }
+        frontier = goal.frontier();
+        double left = place().distanceTo(goal.stand());
+        if (left < nearest - NEARER) {
+            nearest = left;
+            since = scheduler.instant();
+        } else if (since.plus(LONGEST).isBefore(scheduler.instant())) {
+            team.leaveAlone(goal.frontier());
+            frontier = null;
+            return;
+        }
+        navigator.on(order.ways(), order.toNotFree());
+        var next = navigator.goTo(new Pose2d(goal.stand().x(), goal.stand().y(), 0), THERE);
+        drive = next;
+        next.result().thenAccept(result -> ended(next, goal.frontier(), result));
+    }
+
+    private void ended(GoalHandle<Navigator.Progress, Navigator.Result> ended, Point2d goal, Navigator.Result result) {
+        if (ended.equals(drive) && !(result instanceof Navigator.Result.Cancelled)) {
+            drive = null;
+            frontier = null;
+            team.leaveAlone(goal);
+        }
+    }
+
+    void fail(Throwable error) {
+        health(new Health.Lost("Exploring failed: %s".formatted(error)));
+    }
+}

@@ -1,0 +1,96 @@
+package rsal.navigation.device;
+
+import java.util.List;
+import rsal.data.Footprint;
+import rsal.device.Device;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.device.LaserScanner;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.navigation.wavefront.CostMap.Clearance;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotModel;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.Scheduler;
+
+/// Makes explorers, of robots with `localizer: {type: slam}` and a navigator. Those of a run that know where
+/// they start explore together.
+public final class ExplorerDriver implements DeviceDriver {
+    private final Shared<Scheduler, Exploration> teams = new Shared<>();
+
+    @Override
+    public String key() {
+        return "explorer";
+    }
+
+    @Override
+    public String description() {
+        return "Drives the robot where its map ends, until all is mapped; several robots divide the work.";
+    }
+
+    @Override
+    public Class<? extends Device> makes() {
+        return Explorer.class;
+    }
+
+    @Override
+    public List<Class<? extends Device>> needs() {
+        return List.of(DriveBase.class, LaserScanner.class, Localizer.class, Navigator.class);
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(
+                Parameter.number("resolution", 0.1, 0.02, 1, "m", "side of a cell of the map"),
+                Parameter.number("shortest", 0.4, 0.1, 10, "m", "ends of the map that are shorter are left alone"),
+                Parameter.number("view", 4, 0.5, 50, "m", "how far the laser is believed to see"),
+                Ways.WALL_DISTANCE,
+                Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing"),
+                Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a way may be to keep off a wall"));
+    }
+
+    @Override
+    public Device create(Context context, Arguments arguments) {
+        if (!(context.robot().require(Localizer.class) instanceof SlamLocalizer localizer)
+                || !(context.robot().require(Navigator.class) instanceof PathNavigator navigator)) {
+            throw new IllegalArgumentException(
+                    "An explorer needs a localizer of type (slam) and a navigator of type (navigator), not (%s) and (%s)."
+                            .formatted(
+                                    context.robot()
+                                            .require(Localizer.class)
+                                            .info()
+                                            .driver(),
+                                    context.robot()
+                                            .require(Navigator.class)
+                                            .info()
+                                            .driver()));
+        }
+        Exploration team = context.mapFromBase().isPresent()
+                ? teams.of(context.scheduler(), _ -> team(context, arguments))
+                : team(context, arguments);
+        var explorer = new Explorer(
+                new DeviceInfo(context.robot().id(), context.name(), key()),
+                localizer,
+                navigator,
+                team,
+                context.scheduler());
+        team.join(explorer);
+        return explorer;
+    }
+
+    private static Exploration team(Context context, Arguments arguments) {
+        RobotModel model = context.robot().model();
+        Footprint footprint = model.footprint();
+        double least = footprint.inscribedRadius() + arguments.number(Ways.WALL_DISTANCE.name());
+        double comfort = footprint.inscribedRadius() + arguments.number("comfortDistance");
+        return new Exploration(
+                new Exploration.Settings(
+                        arguments.number("resolution"),
+                        arguments.number("shortest"),
+                        arguments.number("view"),
+                        new Clearance(least, Math.max(least, comfort), arguments.number("wallCost"))),
+                context.scheduler());
+    }
+}

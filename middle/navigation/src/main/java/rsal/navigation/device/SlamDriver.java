@@ -1,0 +1,64 @@
+package rsal.navigation.device;
+
+import java.util.List;
+import rsal.device.Device;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.device.LaserScanner;
+import rsal.device.Localizer;
+import rsal.navigation.slam.Slam;
+import rsal.robot.DeviceDriver;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Makes localizers that map while they go.
+public final class SlamDriver implements DeviceDriver {
+    @Override
+    public String key() {
+        return "slam";
+    }
+
+    @Override
+    public String description() {
+        return "Says where the robot is on a map that it makes itself, from laser and odometry (graph SLAM).";
+    }
+
+    @Override
+    public Class<? extends Device> makes() {
+        return Localizer.class;
+    }
+
+    @Override
+    public List<Class<? extends Device>> needs() {
+        return List.of(DriveBase.class, LaserScanner.class);
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(
+                Parameter.number("maxRange", 25, 0.5, 200, "m", "hits beyond this are not matched"),
+                Parameter.number("keepDistance", 0.5, 0.05, 5, "m", "how far apart scans are that are kept"),
+                Parameter.number("keepAngle", 20, 1, 180, "deg", "likewise of their headings"),
+                Parameter.integer("mostScans", 10_000, 2, 100_000, "", "scans kept; then it only finds its way"));
+    }
+
+    @Override
+    public Device create(Context context, Arguments arguments) {
+        Slam.Settings usual = Slam.Settings.DEFAULT;
+        var localizer = new SlamLocalizer(
+                new DeviceInfo(context.robot().id(), context.name(), key()),
+                new Slam.Settings(
+                        arguments.number("maxRange"),
+                        arguments.number("keepDistance"),
+                        arguments.radians("keepAngle"),
+                        usual.odometry(),
+                        usual.recent(),
+                        usual.closesLoops(),
+                        arguments.integer("mostScans")),
+                context.mapFromBase(),
+                context.scheduler());
+        localizer.follow(
+                context.robot().require(DriveBase.class), context.robot().require(LaserScanner.class));
+        return localizer;
+    }
+}

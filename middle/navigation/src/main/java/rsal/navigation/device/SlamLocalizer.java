@@ -1,0 +1,183 @@
+package rsal.navigation.device;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Covariance2d;
+import rsal.data.LaserScan;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.Stamped;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.device.Health;
+import rsal.device.LaserScanner;
+import rsal.device.Localizer;
+import rsal.device.SensorCore;
+import rsal.navigation.grid.ScanMapper.PosedScan;
+import rsal.navigation.slam.Slam;
+import rsal.time.Phase;
+import rsal.time.Scheduler;
+
+/// A localizer that needs no map, as it makes its own ([Slam]). Each odometry reading gives an estimate:
+/// where the newest scan was taken, moved as the wheels moved since. Scans are looked at beside the other
+/// robots' work ([Scheduler#compute]); those that come meanwhile are skipped. When a loop closes, estimates
+/// jump.
+///
+/// Its map's frame is that of the pose it was told to start from, else it starts at the origin. Told
+/// otherwise where it is, it begins a new map from there. Without scans or odometry it is stale and silent;
+/// when mapping fails it is lost and begins a new map from where it is.
+final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer {
+    private static final Logger LOG = System.getLogger(SlamLocalizer.class.getName());
+    private static final Duration PATIENCE = Duration.ofSeconds(2);
+    private static final Covariance2d USUAL = Covariance2d.ofDeviations(0.05, 0.05, 0.02);
+
+    private final Slam.Settings settings;
+    private final Scheduler scheduler;
+    private final List<CompletableFuture<Void>> followers = new ArrayList<>();
+    private Pose2d start;
+    private @Nullable Slam slam; // only the work under way touches it
+    private @Nullable Pose2d mapFromOdom; // as the newest scan has it
+    private Pose2d slamFromOdom = Pose2d.ORIGIN; // by which odometry is handed to it
+    private List<PosedScan> map = List.of();
+    private @Nullable Stamped<Odometry> newest;
+    private boolean busy;
+    private boolean failed;
+    private Instant lastScan;
+    private Instant lastOdometry;
+
+    private record Found(
+            Slam slam, Pose2d mapFromBase, @Nullable List<PosedScan> map) {}
+
+    SlamLocalizer(DeviceInfo info, Slam.Settings settings, Optional<Pose2d> mapFromBase, Scheduler scheduler) {
+        super(info);
+        this.settings = settings;
+        this.scheduler = scheduler;
+        this.start = mapFromBase.orElse(Pose2d.ORIGIN);
+        this.lastScan = scheduler.instant();
+        this.lastOdometry = lastScan;
+    }
+
+    void follow(DriveBase base, LaserScanner laser) {
+        base.subscribe(this::onOdometry);
+        laser.subscribe(this::onScan);
+        scheduler.every(PATIENCE, Phase.DEVICES, this::checkHealth);
+    }
+
+    /// The scans that were kept, where they were taken, as of the newest of them.
+    List<PosedScan> map() {
+        return map;
+    }
+
+    @Override
+    public CompletionStage<Void> relocalize(PoseEstimate belief) {
+        if (!belief.mapFromBase().isFinite()) {
+            throw new IllegalArgumentException("A robot can't be at (%s).".formatted(belief.mapFromBase()));
+        }
+        begin(belief.mapFromBase());
+        var follower = new CompletableFuture<Void>();
+        followers.add(follower);
+        return follower.minimalCompletionStage();
+    }
+
+    private void begin(Pose2d mapFromBase) {
+        start = mapFromBase;
+        slam = null;
+        mapFromOdom = null;
+        map = List.of();
+    }
+
+    private void onOdometry(Stamped<Odometry> odometry) {
+        lastOdometry = scheduler.instant();
+        newest = odometry;
+        if (mapFromOdom != null && !failed && !isSilent(lastScan)) {
+            Pose2d mapFromBase = mapFromOdom.compose(odometry.value().odomFromBase());
+            deliver(new Stamped<>(odometry.time(), "map", PoseEstimate.of(mapFromBase, USUAL)));
+            var answered = List.copyOf(followers);
+            followers.clear();
+            answered.forEach(f -> f.complete(null));
+        }
+    }
+
+    /// Waits until everything measured at this instant is here, odometry too.
+    private void onScan(Stamped<LaserScan> scan) {
+        lastScan = scheduler.instant();
+        if (!busy) {
+            busy = true;
+            scheduler.after(Duration.ZERO, Phase.DEVICES, () -> look(scan.value()));
+        }
+    }
+
+    private void look(LaserScan scan) {
+        Stamped<Odometry> odometry = newest;
+        if (odometry == null) {
+            busy = false;
+            return;
+        }
+        Pose2d odomFromBase = odometry.value().odomFromBase();
+        Slam known = slam;
+        if (known == null) {
+            slamFromOdom = start.compose(odomFromBase.inverse());
+        }
+        Slam mapper = known == null ? new Slam(settings) : known;
+        slam = mapper;
+        Pose2d told = slamFromOdom.compose(odomFromBase);
+        scheduler.compute(work(mapper, told, scan)).whenComplete((found, error) -> {
+            busy = false;
+            if (error != null) {
+                fail(error);
+            } else if (found.slam().equals(slam)) { // else someone knows better by now
+                failed = false;
+                mapFromOdom = found.mapFromBase().compose(odomFromBase.inverse());
+                if (found.map() != null) {
+                    map = found.map();
+                }
+            }
+        });
+    }
+
+    private static Supplier<Found> work(Slam slam, Pose2d odomFromBase, LaserScan scan) {
+        return () -> {
+            int frames = slam.frameCount();
+            Pose2d mapFromBase = slam.pose(slam.add(odomFromBase, scan));
+            return new Found(slam, mapFromBase, slam.frameCount() > frames ? slam.posedScans() : null);
+        };
+    }
+
+    private void fail(Throwable error) {
+        if (!failed) {
+            LOG.log(Level.ERROR, () -> "Mapping of (%s) failed.".formatted(info().id()), error);
+        }
+        failed = true;
+        health(new Health.Lost("Mapping failed: %s".formatted(error)));
+        if (mapFromOdom != null && newest != null) {
+            begin(mapFromOdom.compose(newest.value().odomFromBase()));
+        } else {
+            slam = null;
+        }
+    }
+
+    private void checkHealth() {
+        if (failed) {
+            return; // that is worse
+        }
+        if (isSilent(lastScan)) {
+            health(new Health.Stale("No scan for more than %d s.".formatted(PATIENCE.toSeconds())));
+        } else if (isSilent(lastOdometry)) {
+            health(new Health.Stale("No odometry for more than %d s.".formatted(PATIENCE.toSeconds())));
+        }
+    }
+
+    private boolean isSilent(Instant last) {
+        return last.plus(PATIENCE).isBefore(scheduler.instant());
+    }
+}
