@@ -30,6 +30,11 @@ public record Area(String name, List<Bench> benches) {
                 new Area("sim", List.of(new SwarmBench())),
                 new Area(
                         "navigation",
-                        List.of(new LocalizationBench(), new PlanningBench(), new BarnBench(), new OfficeBench())));
+                        List.of(
+                                new LocalizationBench(),
+                                new PlanningBench(),
+                                new BarnBench(),
+                                new OfficeBench(),
+                                new MappingBench())));
     }
 }

@@ -41,6 +41,7 @@ import rsal.settings.Suggestion;
             ValidateCommand.class,
             ConvertCommand.class,
             LocalizeCommand.class,
+            MapCommand.class,
             DoctorCommand.class,
             BenchCommand.class,
             TestCommand.class

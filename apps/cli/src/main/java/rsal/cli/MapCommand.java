@@ -1,0 +1,474 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.map.RosMap;
+import rsal.navigation.amcl.OdometryModel;
+import rsal.navigation.carmen.BrokenLog;
+import rsal.navigation.carmen.CarmenLog;
+import rsal.navigation.carmen.LogReader;
+import rsal.navigation.grid.ScanMapper;
+import rsal.navigation.replay.Course;
+import rsal.navigation.slam.Relation;
+import rsal.navigation.slam.RelationError;
+import rsal.navigation.slam.Slam;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.time.AllowedToReadWallClock;
+
+/// `rsal map`
+@Command(
+        name = "map",
+        description = "Draw a map from a robot's log, or one from those of several robots.",
+        footer = {
+            "",
+            "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip. Written are"
+                    + " map.yaml and map.pgm as ROS reads them, picture.png with ways (blue) and places that were"
+                    + " known again (red), trajectory.txt as TUM writes it (time x y z qx qy qz qw), and residuals.csv.",
+            "Errors are told against the poses in the log, or in that of --reference. In 'corrected' logs the"
+                    + " odometry is these poses, without any error: add some with --odometry-noise.",
+            "",
+            "  rsal map lab.log.gz --out lab",
+            "  rsal map lab-corrected.log.gz --odometry-noise 0.05,2,3 --seed 1 --out lab --json",
+            "  rsal map first-robot.log second-robot.log --out both",
+            ""
+        })
+@AllowedToReadWallClock("Tells how long it took.")
+final class MapCommand extends Subcommand {
+    private static final double NEAR = 2; // m; relations between poses that do not follow on each other
+
+    @Parameters(index = "0..*", arity = "1..*", paramLabel = "LOG", description = "The log's file; one for each robot.")
+    private List<String> files = List.of();
+
+    @Option(names = "--out", required = true, paramLabel = "DIR", description = "The folder to write to.")
+    private String out = "";
+
+    @Option(names = "--force", description = "Overwrite files that are there.")
+    private boolean force;
+
+    @Option(names = "--known-poses", description = "The log's poses are right: only draw.")
+    private boolean knownPoses;
+
+    @Option(
+            names = "--odometry-noise",
+            paramLabel = "WAY,HEADING,TURN",
+            description = "Makes the wheels err, by these standard deviations: of the way [m per square root of a"
+                    + " meter], of the heading by driving [deg likewise] and by turning [deg per square root of a"
+                    + " radian]. 0.05,2,3 is a usual robot. Left out: the log's odometry as it is.")
+    private @Nullable String odometryNoise;
+
+    @Option(names = "--seed", paramLabel = "N", description = "Of the noise (1). The same seed gives the same map.")
+    private long seed = 1;
+
+    @Option(
+            names = "--reference",
+            paramLabel = "LOG",
+            description = "Another log of the same scans, whose poses are right: the corrected one of a raw log.")
+    private @Nullable String reference;
+
+    @Option(names = "--resolution", paramLabel = "M", description = "Side of a cell of the map [m] (0.05).")
+    private double resolution = 0.05;
+
+    @Option(names = "--max-range", paramLabel = "M", description = "Ranges beyond this are not looked at [m] (25).")
+    private double maxRange = 25;
+
+    @Option(
+            names = "--field-of-view",
+            paramLabel = "DEG",
+            description = "Of the laser, where the log doesn't tell: FLASER (180).")
+    private double fieldOfView = 180;
+
+    /// Errors against poses that are right.
+    ///
+    /// @param relations looked at
+    /// @param meters mean
+    /// @param degrees mean
+    record Errors(int relations, double meters, double degrees) {
+        static Optional<Errors> of(RelationError error) {
+            return error.count() == 0
+                    ? Optional.empty()
+                    : Optional.of(new Errors(error.count(), error.meters(), Math.toDegrees(error.radians())));
+        }
+    }
+
+    /// What became of a log.
+    ///
+    /// @param kept scans in the graph
+    /// @param loops places known again
+    /// @param odometry error of the wheels from a scan to the next; null when nothing tells
+    /// @param next likewise of the map
+    /// @param near error between scans near each other that do not follow on each other
+    record Drawn(
+            String log,
+            int scans,
+            int untold,
+            Map<String, Integer> skipped,
+            int kept,
+            long loops,
+            @Nullable Errors odometry,
+            @Nullable Errors next,
+            @Nullable Errors near) {}
+
+    /// @param columns of the map
+    /// @param rows of the map
+    record Result(List<Drawn> logs, int columns, int rows, double resolution, double seconds, List<String> files) {}
+
+    /// One robot's scans and, while they are mapped, where they are in the graph.
+    private record Robot(String file, CarmenLog log, Course course, List<Slam.Located> located) {}
+
+    @Override
+    int run() throws IOException {
+        if (!(resolution >= 0.005 && resolution <= 10 && maxRange > 0 && fieldOfView > 0 && fieldOfView <= 360)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--resolution must be 0.005 to 10 m, --max-range more than 0, --field-of-view at most 360°.");
+        }
+        if (knownPoses && (files.size() > 1 || odometryNoise != null)) {
+            throw new ParameterException(
+                    spec.commandLine(), "--known-poses goes with one log and without --odometry-noise.");
+        }
+        if (reference != null && files.size() > 1) {
+            throw new ParameterException(spec.commandLine(), "--reference goes with one log.");
+        }
+        long start = System.nanoTime();
+        Path folder = folder();
+        checkFree(folder);
+        List<Robot> robots = robots();
+        Slam slam;
+        var contents = new LinkedHashMap<String, byte[]>();
+        OccupancyGrid grid;
+        List<Drawn> drawn;
+        if (knownPoses) {
+            Robot robot = robots.getFirst();
+            slam = new Slam(Slam.Settings.DEFAULT);
+            grid = grid(robot, robot.course().posed());
+            drawn = List.of(new Drawn(
+                    robot.file(),
+                    robot.course().stops().size(),
+                    robot.course().untold(),
+                    robot.log().skipped().counts(),
+                    robot.course().stops().size(),
+                    0,
+                    null,
+                    null,
+                    null));
+        } else {
+            var slams = new ArrayList<Slam>();
+            var all = new ArrayList<Drawn>();
+            for (Robot robot : robots) {
+                Slam own = mapped(robot);
+                slams.add(own);
+                all.add(drawn(robot, own));
+            }
+            drawn = all;
+            slam = slams.getFirst();
+            for (int i = 1; i < slams.size(); i++) {
+                merge(slam, slams.get(i), robots.get(i));
+            }
+            grid = grid(robots.getFirst(), slam.posedScans());
+            for (int i = 0; i < robots.size(); i++) {
+                String name = robots.size() == 1 ? "trajectory.txt" : "trajectory-%d.txt".formatted(i + 1);
+                contents.put(name, text(trajectory(robots.get(i), slams.get(i), slam, offset(slams, i))));
+            }
+            contents.put("residuals.csv", text(residuals(slam)));
+        }
+        contents.put("map.pgm", RosMap.pgm(grid));
+        contents.put("map.yaml", text(RosMap.yaml(grid, "map.pgm")));
+        contents.put("picture.png", MapPicture.png(grid, slam));
+        write(folder, contents);
+        double seconds = Duration.ofNanos(System.nanoTime() - start).toMillis() / 1e3;
+        var result = new Result(
+                drawn,
+                grid.width(),
+                grid.height(),
+                resolution,
+                seconds,
+                contents.keySet().stream()
+                        .map(f -> folder.resolve(f).toString())
+                        .toList());
+        if (json) {
+            printJson(result);
+        } else {
+            tell(result);
+        }
+        return Exit.SUCCESS;
+    }
+
+    private static int offset(List<Slam> slams, int robot) {
+        return robot == 0
+                ? 0
+                : slams.getFirst().frameCount()
+                        - slams.subList(robot, slams.size()).stream()
+                                .mapToInt(Slam::frameCount)
+                                .sum();
+    }
+
+    private Path folder() {
+        try {
+            return Path.of(out);
+        } catch (InvalidPathException e) {
+            throw new ParameterException(spec.commandLine(), "(%s) can't be a folder.".formatted(out), e);
+        }
+    }
+
+    private void checkFree(Path folder) {
+        if (Files.exists(folder) && !Files.isDirectory(folder)) {
+            throw new InvalidSettings(Location.of(out), "This is a file, not a folder to write to.", "");
+        }
+        for (String name : List.of("map.yaml", "map.pgm", "picture.png", "residuals.csv", "trajectory.txt")) {
+            if (!force && Files.exists(folder.resolve(name))) {
+                throw new InvalidSettings(
+                        Location.of(folder.resolve(name).toString()),
+                        "The file is there already.",
+                        "Name another folder, or overwrite it by '--force'.");
+            }
+        }
+    }
+
+    private List<Robot> robots() {
+        Optional<OdometryModel> noise = noise();
+        var random = new SplittableRandom(seed);
+        var robots = new ArrayList<Robot>();
+        for (String file : files) {
+            CarmenLog log = read(file);
+            Course course = Course.of(log);
+            if (reference != null) {
+                course = course.judgedBy(read(reference));
+                if (course.posed().isEmpty()) {
+                    throw new InvalidSettings(
+                            Location.of(reference),
+                            "It has none of the scans of (%s).".formatted(file),
+                            "Maybe it is of another run, or its readings were rounded.");
+                }
+            }
+            if (course.stops().isEmpty() || (knownPoses && course.posed().isEmpty())) {
+                throw new InvalidSettings(
+                        Location.of(file),
+                        "There is no scan in it whose %s is known; skipped: %s."
+                                .formatted(
+                                        knownPoses ? "pose" : "odometry",
+                                        log.skipped().counts()),
+                        "FLASER and ROBOTLASER1 tell it; RAWLASER1 needs ODOM before it.");
+            }
+            robots.add(new Robot(
+                    file,
+                    log,
+                    noise.isPresent() ? course.drifting(noise.get(), random.split()) : course,
+                    new ArrayList<>()));
+        }
+        return robots;
+    }
+
+    private CarmenLog read(String name) {
+        try {
+            return CarmenLog.read(
+                    Path.of(name),
+                    new LogReader.Options(Math.toRadians(fieldOfView), LogReader.Options.DEFAULT.rangeMax()));
+        } catch (BrokenLog e) {
+            throw new InvalidSettings(new Location(name, e.line(), 1), e.reason(), "");
+        } catch (NoSuchFileException | InvalidPathException _) {
+            throw new InvalidSettings(Location.of(name), "There is no such file.", "");
+        } catch (IOException e) {
+            throw new InvalidSettings(Location.of(name), "It can't be read: %s.".formatted(e.getMessage()), "");
+        }
+    }
+
+    private Optional<OdometryModel> noise() {
+        if (odometryNoise == null) {
+            return Optional.empty();
+        }
+        String[] words = odometryNoise.split(",", -1);
+        try {
+            if (words.length == 3) {
+                return Optional.of(new OdometryModel(
+                        Double.parseDouble(words[0]),
+                        Math.toRadians(Double.parseDouble(words[1])),
+                        Math.toRadians(Double.parseDouble(words[2]))));
+            }
+        } catch (IllegalArgumentException _) {
+            // told below
+        }
+        throw new ParameterException(
+                spec.commandLine(),
+                "--odometry-noise takes three numbers, none below 0, as 0.05,2,3; not (%s).".formatted(odometryNoise));
+    }
+
+    private Slam mapped(Robot robot) {
+        Slam.Settings usual = Slam.Settings.DEFAULT;
+        var slam = new Slam(new Slam.Settings(
+                maxRange,
+                usual.everyMeters(),
+                usual.everyRadians(),
+                usual.odometry(),
+                usual.recent(),
+                true,
+                usual.mostFrames()));
+        List<Course.Stop> stops = robot.course().stops();
+        long told = System.nanoTime();
+        for (Course.Stop stop : stops) {
+            robot.located().add(slam.add(stop.odomFromBase(), stop.scan()));
+            if (System.nanoTime() - told > 2_000_000_000L) {
+                told = System.nanoTime();
+                err().println("%s: %d of %d scans, %d kept, %d loops"
+                        .formatted(robot.file(), robot.located().size(), stops.size(), slam.frameCount(), loops(slam)));
+            }
+        }
+        slam.polish(2);
+        return slam;
+    }
+
+    private static long loops(Slam slam) {
+        return slam.relations().stream()
+                .filter(r -> r.source() == Relation.Source.LOOP)
+                .count();
+    }
+
+    private void merge(Slam slam, Slam other, Robot robot) {
+        if (slam.merge(other).isEmpty()) {
+            throw new InvalidSettings(
+                    Location.of(robot.file()),
+                    "Its map has nothing in common with (%s) that can be told apart.".formatted(files.getFirst()),
+                    "Maybe the robots saw different places, or too little of the same.");
+        }
+    }
+
+    private static Drawn drawn(Robot robot, Slam slam) {
+        var right = new ArrayList<Pose2d>();
+        var wheels = new ArrayList<Pose2d>();
+        var judged = new ArrayList<Pose2d>();
+        List<Course.Stop> stops = robot.course().stops();
+        for (int i = 0; i < stops.size(); i++) {
+            Course.Stop stop = stops.get(i);
+            Slam.Located located = robot.located().get(i);
+            stop.mapFromBase().ifPresent(pose -> {
+                right.add(pose);
+                wheels.add(stop.odomFromBase());
+                judged.add(slam.pose(located));
+            });
+        }
+        return new Drawn(
+                robot.file(),
+                stops.size(),
+                robot.course().untold(),
+                robot.log().skipped().counts(),
+                slam.frameCount(),
+                loops(slam),
+                Errors.of(RelationError.ofNext(right, wheels)).orElse(null),
+                Errors.of(RelationError.ofNext(right, judged)).orElse(null),
+                Errors.of(RelationError.ofNear(right, judged, NEAR)).orElse(null));
+    }
+
+    private OccupancyGrid grid(Robot robot, List<ScanMapper.PosedScan> scans) {
+        try {
+            return ScanMapper.draw(scans, ScanMapper.Settings.of(resolution));
+        } catch (IllegalArgumentException e) {
+            throw new InvalidSettings(
+                    Location.of(robot.file()), String.valueOf(e.getMessage()), "Try a larger --resolution.");
+        }
+    }
+
+    /// @param offset number of the robot's first frame in the whole graph
+    private static String trajectory(Robot robot, Slam own, Slam whole, int offset) {
+        var text = new StringBuilder("# time x y z qx qy qz qw\n");
+        List<Course.Stop> stops = robot.course().stops();
+        for (int i = 0; i < stops.size(); i++) {
+            Slam.Located at = robot.located().get(i);
+            Pose2d pose =
+                    whole == own ? own.pose(at) : whole.pose(new Slam.Located(at.frame() + offset, at.frameFromBase()));
+            Instant time = stops.get(i).time();
+            text.append("%d.%06d %.6f %.6f 0 0 0 %.9f %.9f%n"
+                    .formatted(
+                            time.getEpochSecond(),
+                            time.getNano() / 1000,
+                            pose.x(),
+                            pose.y(),
+                            Math.sin(pose.theta() / 2),
+                            Math.cos(pose.theta() / 2)));
+        }
+        return text.toString();
+    }
+
+    private static String residuals(Slam slam) {
+        var text = new StringBuilder("from,to,source,x,y,degrees,meters_off,degrees_off,deviations_off\n");
+        for (Relation relation : slam.relations()) {
+            Pose2d told = relation.fromFromTo();
+            Pose2d off = told.inverse()
+                    .compose(slam.poses()
+                            .get(relation.from())
+                            .inverse()
+                            .compose(slam.poses().get(relation.to())));
+            text.append("%d,%d,%s,%.4f,%.4f,%.3f,%.4f,%.3f,%.2f%n"
+                    .formatted(
+                            relation.from(),
+                            relation.to(),
+                            relation.source().name().toLowerCase(Locale.ROOT),
+                            told.x(),
+                            told.y(),
+                            Math.toDegrees(told.theta()),
+                            Math.hypot(off.x(), off.y()),
+                            Math.toDegrees(off.theta()),
+                            slam.residual(relation)));
+        }
+        return text.toString();
+    }
+
+    private static byte[] text(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static void write(Path folder, Map<String, byte[]> contents) {
+        try {
+            Files.createDirectories(folder);
+            for (var file : contents.entrySet()) {
+                Files.write(folder.resolve(file.getKey()), file.getValue());
+            }
+        } catch (IOException e) {
+            throw new InvalidSettings(
+                    Location.of(folder.toString()), "It can't be written: %s.".formatted(e.getMessage()), "");
+        }
+    }
+
+    private void tell(Result result) {
+        for (Drawn log : result.logs()) {
+            out().println("%s: %d scans, %d kept, %d places known again"
+                    .formatted(log.log(), log.scans(), log.kept(), log.loops()));
+            if (!log.skipped().isEmpty()) {
+                err().println("Skipped of (%s): %s".formatted(log.log(), log.skipped()));
+            }
+            tell("wheels, scan to scan", log.odometry());
+            tell("map, scan to scan", log.next());
+            tell("map, scans within %.0f m".formatted(NEAR), log.near());
+        }
+        out().println("%d × %d cells of %s m, %.1f s"
+                .formatted(result.columns(), result.rows(), result.resolution(), result.seconds()));
+        result.files().forEach(out()::println);
+        out().flush();
+    }
+
+    private void tell(String what, @Nullable Errors errors) {
+        if (errors != null) {
+            out().println("  %-24s off %.3f m, %.2f° (%d relations)"
+                    .formatted(what, errors.meters(), errors.degrees(), errors.relations()));
+        }
+    }
+}

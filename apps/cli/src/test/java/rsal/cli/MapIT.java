@@ -1,0 +1,139 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
+import rsal.map.Maps;
+import rsal.settings.FileSource;
+import rsal.settings.Location;
+import rsal.testkit.DrawnMap;
+import rsal.testkit.Rays;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/// `rsal map` as a process of its own, on the log of a robot that drives through a room and back.
+class MapIT {
+    private static final DrawnMap ROOM = DrawnMap.grid(0.5, """
+            #####################
+            #...................#
+            #.a.............b...#
+            #.......##..........#
+            #.......##..........#
+            #...............#####
+            #...............#
+            #.....#.........#
+            #################
+            """);
+
+    @TempDir
+    Path folder;
+
+    private Rsal rsal;
+
+    @BeforeEach
+    void writeLog() throws IOException {
+        rsal = new Rsal(folder);
+        Files.writeString(folder.resolve("room.log"), log(0, 40, Pose2d.ORIGIN));
+    }
+
+    @Test
+    void mapsARoomThoughTheWheelsErr() throws Exception {
+        Ended ended = rsal.run("map", "room.log", "--odometry-noise", "0.05,2,3", "--out", "room", "--json");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        JsonNode told = new JsonMapper().readTree(ended.out());
+        JsonNode log = told.path("logs").path(0);
+        assertThat(log.path("scans").asInt()).isEqualTo(41);
+        assertThat(log.path("next").path("meters").asDouble()).isLessThan(0.02);
+        assertThat(log.path("next").path("degrees").asDouble()).isLessThan(0.5);
+        assertThat(log.path("odometry").path("degrees").asDouble()).isGreaterThan(0.5);
+        OccupancyGrid map =
+                new Maps(FileSource.disk()).read(folder.resolve("room/map.yaml").toString(), Location.of("test"));
+        Pose2d start = ROOM.pose('a', 0);
+        assertThat(map.isFree(start.x(), start.y())).isTrue();
+        assertThat(Files.readAllLines(folder.resolve("room/trajectory.txt"))).hasSize(42);
+        List<String> residuals = Files.readAllLines(folder.resolve("room/residuals.csv"));
+        assertThat(residuals.getFirst()).startsWith("from,to,source,");
+        assertThat(residuals).anyMatch(line -> line.contains(",scans,"));
+        assertThat(folder.resolve("room/picture.png")).isNotEmptyFile();
+    }
+
+    @Test
+    void drawsFromKnownPosesAndOverwritesNothingUnasked() throws Exception {
+        Ended ended = rsal.run("map", "room.log", "--known-poses", "--out", "known");
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out()).contains("41 scans", "map.yaml");
+
+        Ended again = rsal.run("map", "room.log", "--known-poses", "--out", "known");
+        assertThat(again.code()).isEqualTo(Exit.INVALID);
+        assertThat(again.err()).contains("map.yaml", "--force");
+        assertThat(rsal.run("map", "room.log", "--known-poses", "--out", "known", "--force")
+                        .code())
+                .isEqualTo(Exit.SUCCESS);
+    }
+
+    @Test
+    void joinsTheMapsOfTwoRobotsThatBeganElsewhere() throws Exception {
+        Files.writeString(folder.resolve("other.log"), log(10, 40, new Pose2d(30, -7, 2)));
+
+        Ended ended = rsal.run("map", "room.log", "other.log", "--out", "both", "--json");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        JsonNode told = new JsonMapper().readTree(ended.out());
+        assertThat(told.path("logs").size()).isEqualTo(2);
+        assertThat(told.path("columns").asInt() * 0.05).isBetween(9.0, 11.0);
+        assertThat(folder.resolve("both/trajectory-2.txt")).isNotEmptyFile();
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            map room.log                                          | --out              | 2
+            map --out x                                           | LOG                | 2
+            map room.log --out x --odometry-noise 1               | (1)                | 2
+            map room.log --out x --resolution 0                   | --resolution       | 2
+            map room.log room.log --out x --known-poses           | --known-poses      | 2
+            map room.log room.log --out x --reference room.log    | --reference        | 2
+            map none.log --out x                                  | none.log           | 3
+            map room.log --out room.log                           | not a folder       | 3
+            map room.log --out x --reference none.log             | none.log           | 3
+            """)
+    void refusesWhatItCannotDo(String line, String expected, int code) throws Exception {
+        Ended ended = rsal.run(line.split(" "));
+        assertThat(ended.code()).as(ended.err()).isEqualTo(code);
+        assertThat(ended.err()).contains(expected).doesNotContain("\tat ");
+        assertThat(ended.out()).isEmpty();
+    }
+
+    /// @param shift where the frame of the log's poses sees that of the room
+    private static String log(int first, int last, Pose2d shift) {
+        var rays = new Rays(ROOM.grid());
+        var log = new StringBuilder("# a robot in a room\n");
+        Pose2d from = ROOM.pose('a', 0);
+        Pose2d to = ROOM.pose('b', 0);
+        for (int i = first; i <= last; i++) {
+            double share = i <= 20 ? i / 20.0 : (40 - i) / 20.0;
+            var pose = new Pose2d(
+                    from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.15 * i);
+            log.append("FLASER 181");
+            for (int beam = 0; beam < 181; beam++) {
+                double range = rays.range(pose.compose(new Pose2d(0, 0, Math.toRadians(beam - 90))));
+                log.append(String.format(Locale.ROOT, " %.3f", Math.min(range, 81.91)));
+            }
+            Pose2d told = shift.compose(pose);
+            String at = String.format(Locale.ROOT, " %.5f %.5f %.5f", told.x(), told.y(), told.theta());
+            log.append(at).append(at).append(" %d h %d\n".formatted(i + 1, i + 1));
+        }
+        return log.toString();
+    }
+}
