@@ -1,6 +1,8 @@
 package rsal.navigation.avoid;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.DoublePredicate;
 import rsal.data.Angles;
 import rsal.data.LaserScan;
@@ -22,7 +24,9 @@ public final class Obstacles {
     private float[] x = new float[512];
     private float[] y = new float[512];
     private float[] room = new float[512];
+    private final List<LaserScan> scans = new ArrayList<>();
     private final float[] sight = new float[SIGHTS];
+    private boolean sighted; // sight is that of the scans
     private int count;
 
     /// @param reach points farther than this from the base are of no interest [m]
@@ -56,32 +60,50 @@ public final class Obstacles {
         return new Point2d(x[i], y[i]);
     }
 
-    /// How far from the base nothing is in a direction, by laser scans [m]; 0 where none looks.
+    /// How far from the base nothing is in a direction, by laser scans [m]; 0 where none looks. Worked out when it
+    /// is first asked for, since most planners never do.
     ///
     /// @param direction 0 to [#SIGHTS] − 1
     public double sight(int direction) {
+        if (!sighted) {
+            sighted = true;
+            Arrays.fill(sight, 0);
+            scans.forEach(this::see);
+        }
         return sight[direction];
     }
 
     public void clear() {
         count = 0;
-        Arrays.fill(sight, 0);
+        scans.clear();
+        sighted = false;
     }
 
     /// A range under the scanner's least counts as that least one.
     public void add(LaserScan scan) {
         Pose2d mount = scan.baseFromLaser();
-        float[] ranges = scan.ranges();
-        for (int i = 0; i < ranges.length; i++) {
-            double range = ranges[i];
-            if (range == Double.NEGATIVE_INFINITY || range < scan.rangeMin()) {
-                range = scan.rangeMin();
-            }
-            if (range <= reach + mount.position().distanceTo(ORIGIN) && range <= scan.rangeMax()) {
+        double farthest = Math.min(reach + mount.position().distanceTo(ORIGIN), scan.rangeMax());
+        for (int i = 0; i < scan.count(); i++) {
+            double range = range(scan, i);
+            if (range <= farthest) {
                 add(mount, scan.angle(i), range);
             }
+        }
+        scans.add(scan);
+        sighted = false;
+    }
+
+    private static double range(LaserScan scan, int beam) {
+        double range = scan.ranges()[beam];
+        return range < scan.rangeMin() ? scan.rangeMin() : range; // −∞ too
+    }
+
+    private void see(LaserScan scan) {
+        double farthest = Math.min(reach, scan.rangeMax());
+        for (int i = 0; i < scan.count(); i++) {
+            double range = range(scan, i);
             if (range > 0) {
-                see(mount, scan.angle(i), Math.min(range, Math.min(reach, scan.rangeMax())));
+                see(scan.baseFromLaser(), scan.angle(i), Math.min(range, farthest));
             }
         }
     }
