@@ -28,17 +28,17 @@ public record OccupancyGrid(int width, int height, double resolution, double ori
 
     /// Column of a place in the map frame; outside `0 … width-1` when the place is outside.
     public int column(double x) {
-        return cell(x - originX);
+        return index(x - originX);
     }
 
     /// Row of a place in the map frame; outside `0 … height-1` when the place is outside.
     public int row(double y) {
-        return cell(y - originY);
+        return index(y - originY);
     }
 
-    private int cell(double fromEdge) {
-        double cell = Math.floor(fromEdge / resolution);
-        return Double.isNaN(cell) ? -1 : (int) cell; // a cast alone would take NaN for the first cell
+    private int index(double fromEdge) {
+        double index = Math.floor(fromEdge / resolution);
+        return Double.isNaN(index) ? -1 : (int) index; // a cast alone would take NaN for the first cell
     }
 
     /// x of the middle of a column [m].
@@ -49,6 +49,18 @@ public record OccupancyGrid(int width, int height, double resolution, double ori
     /// y of the middle of a row [m].
     public double y(int row) {
         return originY + (row + 0.5) * resolution;
+    }
+
+    /// Number of the cell at a place on the map, as in [#cells].
+    public int cell(Point2d place) {
+        return row(place.y()) * width + column(place.x());
+    }
+
+    /// The middle of a cell in the map frame [m].
+    ///
+    /// @param cell its number
+    public Point2d middle(int cell) {
+        return new Point2d(x(cell % width), y(cell / width));
     }
 
     public boolean contains(int column, int row) {

@@ -77,7 +77,7 @@ public final class Frontiers {
         Point2d nearest = middle;
         double least = Double.POSITIVE_INFINITY;
         for (int cell : cells) {
-            var place = new Point2d(map.x(cell % map.width()), map.y(cell / map.width()));
+            Point2d place = map.middle(cell);
             if (place.distanceTo(middle) < least) {
                 least = place.distanceTo(middle);
                 nearest = place;

@@ -51,10 +51,7 @@ public final class JumpPoints {
     public JumpPoints(CostMap map) {
         this.map = map;
         this.grid = map.grid();
-        this.cells = new OpenCells(
-                grid.width(),
-                grid.height(),
-                cell -> map.isPassable(new Point2d(grid.x(cell % grid.width()), grid.y(cell / grid.width()))));
+        this.cells = new OpenCells(grid.width(), grid.height(), map::isOpen);
         this.reached = new int[grid.width() * grid.height()];
         this.from = new int[reached.length];
         this.taken = new byte[reached.length];
@@ -66,8 +63,8 @@ public final class JumpPoints {
         if (!map.isPassable(start) || !map.isPassable(goal)) {
             return Optional.empty();
         }
-        int startCell = cell(start);
-        int goalCell = cell(goal);
+        int startCell = grid.cell(start);
+        int goalCell = grid.cell(goal);
         boolean found = search(startCell, goalCell) >= 0;
         return found ? Optional.of(straight(points(startCell, goalCell), start, goal)) : Optional.empty();
     }
@@ -184,9 +181,9 @@ public final class JumpPoints {
     private List<Point2d> points(int startCell, int goalCell) {
         var points = new ArrayList<Point2d>();
         for (int cell = goalCell; cell != startCell; cell = from[cell]) {
-            points.add(middle(cell));
+            points.add(grid.middle(cell));
         }
-        points.add(middle(startCell));
+        points.add(grid.middle(startCell));
         Collections.reverse(points);
         return points;
     }
@@ -210,13 +207,5 @@ public final class JumpPoints {
             }
         }
         return new Path2d(points);
-    }
-
-    private int cell(Point2d place) {
-        return grid.row(place.y()) * cells.width + grid.column(place.x());
-    }
-
-    private Point2d middle(int cell) {
-        return new Point2d(grid.x(cell % cells.width), grid.y(cell / cells.width));
     }
 }

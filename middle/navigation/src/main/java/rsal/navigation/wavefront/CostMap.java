@@ -92,7 +92,8 @@ public final class CostMap {
         return costs;
     }
 
-    boolean isOpen(int cell) {
+    /// Whether the robot may be in the middle of a cell.
+    public boolean isOpen(int cell) {
         return costs[cell] != BLOCKED;
     }
 

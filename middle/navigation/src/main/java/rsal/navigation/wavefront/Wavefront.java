@@ -169,7 +169,9 @@ public final class Wavefront {
             default -> "too near to an obstacle for this robot";
         };
         int instead = nearest(goal, LOOK_AROUND, isOpen);
-        return instead < 0 ? why + "." : "%s; the nearest place for it is %s.".formatted(why, text(middle(instead)));
+        return instead < 0
+                ? why + "."
+                : "%s; the nearest place for it is %s.".formatted(why, text(grid.middle(instead)));
     }
 
     /// The octile distance, as if nothing were in the way.
@@ -200,12 +202,12 @@ public final class Wavefront {
     private Plan.Found way(Wave wave, int[] cells, int cost, Point2d start, Point2d goal) {
         var points = new ArrayList<Point2d>();
         points.add(start);
-        Point2d first = middle(cells[0]);
-        if (cell(start) != cells[0]) {
+        Point2d first = grid.middle(cells[0]);
+        if (grid.cell(start) != cells[0]) {
             points.add(first); // out of the obstacle's reach first
         }
         pullStraight(cells, wave, points);
-        if (cell(goal) == cells[cells.length - 1]) {
+        if (grid.cell(goal) == cells[cells.length - 1]) {
             points.set(points.size() - 1, goal);
         }
         return new Plan.Found(
@@ -226,24 +228,16 @@ public final class Wavefront {
                 next = Math.min(next + STRIDE, last);
             }
             anchor = reached;
-            points.add(middle(cells[anchor]));
+            points.add(grid.middle(cells[anchor]));
         }
         if (last == 0) {
-            points.add(middle(cells[0]));
+            points.add(grid.middle(cells[0]));
         }
     }
 
     private boolean isStraight(Wave wave, int from, int to) {
         double along = Math.abs(wave.at(from) - wave.at(to)) * grid.resolution() / CostMap.SIDE;
-        return map.straightCost(middle(from), middle(to), wave::isOpen) <= along * NO_DEARER;
-    }
-
-    private int cell(Point2d place) {
-        return grid.row(place.y()) * width + grid.column(place.x());
-    }
-
-    private Point2d middle(int cell) {
-        return new Point2d(grid.x(cell % width), grid.y(cell / width));
+        return map.straightCost(grid.middle(from), grid.middle(to), wave::isOpen) <= along * NO_DEARER;
     }
 
     private static Plan.None none(String why, Point2d place) {

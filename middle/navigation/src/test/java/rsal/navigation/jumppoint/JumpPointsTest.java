@@ -40,13 +40,13 @@ class JumpPointsTest {
             var jumps = new JumpPoints(map);
             for (int start = 0; start < 4; start++) {
                 int from = random.nextInt(cells(map));
-                if (!isOpen(map, from)) {
+                if (!map.isOpen(from)) {
                     continue;
                 }
                 int[] slow = slowly(map, from);
                 for (int goal = 0; goal < 10; goal++) {
                     int to = random.nextInt(cells(map));
-                    if (isOpen(map, to)) {
+                    if (map.isOpen(to)) {
                         assertThat(jumps.search(from, to))
                                 .as("map %d, %d to %d", i, from, to)
                                 .isEqualTo(slow[to]);
@@ -68,11 +68,11 @@ class JumpPointsTest {
         for (int i = 0; i < 40; i++) {
             int from = random.nextInt(cells(map));
             int to = random.nextInt(cells(map));
-            if (!isOpen(map, from) || !isOpen(map, to)) {
+            if (!map.isOpen(from) || !map.isOpen(to)) {
                 continue;
             }
             int length = jumps.search(from, to);
-            var path = jumps.plan(middle(map, from), middle(map, to));
+            var path = jumps.plan(map.grid().middle(from), map.grid().middle(to));
             assertThat(path.isPresent()).isEqualTo(length >= 0);
             if (path.isPresent()) {
                 found++;
@@ -116,21 +116,12 @@ class JumpPointsTest {
         return map.grid().width() * map.grid().height();
     }
 
-    private static boolean isOpen(CostMap map, int cell) {
-        return map.isPassable(middle(map, cell));
-    }
-
-    private static Point2d middle(CostMap map, int cell) {
-        int width = map.grid().width();
-        return new Point2d(map.grid().x(cell % width), map.grid().y(cell / width));
-    }
-
     /// Bellman and Ford: all steps again and again, until nothing changes; −1 where no way leads.
     private static int[] slowly(CostMap map, int start) {
         int width = map.grid().width();
         boolean[] open = new boolean[cells(map)];
         for (int cell = 0; cell < open.length; cell++) {
-            open[cell] = isOpen(map, cell);
+            open[cell] = map.isOpen(cell);
         }
         int[] lengths = new int[open.length];
         Arrays.fill(lengths, -1);

@@ -105,7 +105,7 @@ class WavefrontTest {
                 continue;
             }
             int slow = slowly(map, goal, blocked)[start];
-            Plan plan = wavefront.plan(middle(map, start), middle(map, goal), 0, obstacles);
+            Plan plan = wavefront.plan(map.grid().middle(start), map.grid().middle(goal), 0, obstacles);
             assertThat(plan instanceof Plan.Found).isEqualTo(slow != Wave.UNREACHED);
             if (plan instanceof Plan.Found(Path2d path, double cost, double offGoal)) {
                 assertThat(cost).as("seed %d", seed).isCloseTo(slow * 0.05 / CostMap.SIDE, within(1e-9));
@@ -255,12 +255,7 @@ class WavefrontTest {
     }
 
     private static Point2d place(CostMap map, SplittableRandom random) {
-        return middle(map, passable(map, random));
-    }
-
-    private static Point2d middle(CostMap map, int cell) {
-        int width = map.grid().width();
-        return new Point2d(map.grid().x(cell % width), map.grid().y(cell / width));
+        return map.grid().middle(passable(map, random));
     }
 
     private static CostMap costs(OccupancyGrid map, Clearance clearance) {
