@@ -2,6 +2,8 @@ package rsal.navigation.avoid;
 
 import rsal.data.Footprint;
 import rsal.data.Twist2d;
+import rsal.navigation.avoid.LocalPlanner.Motion;
+import rsal.navigation.avoid.LocalPlanner.Target;
 
 /// The last word of a local planner: a [ContactGuard], turning in place, and what to do where the robot is too long
 /// to turn. Each robot needs its own.
@@ -50,6 +52,21 @@ public final class Caution {
             creeping = -creeping;
         }
         return safe;
+    }
+
+    /// Drives towards a direction, the slower the more it has to turn for that, not at all beyond a right angle.
+    ///
+    /// @param direction in the base frame [rad]
+    /// @param share of the highest speed to drive at where it need not turn, 0–1
+    public Twist2d towards(double direction, double share, Target target, Motion motion, Obstacles obstacles) {
+        double turn = Math.clamp(direction, -Math.PI / 2, Math.PI / 2);
+        double omega = limits.turnRate() * turn / (Math.PI / 2);
+        double straight = 1 - Math.abs(turn) / (Math.PI / 2);
+        double speed = limits.speed() * share * straight;
+        if (target.arriving()) {
+            speed = Math.min(speed, limits.arriving(target.distance()));
+        }
+        return guarded(Twist2d.drive(speed, omega), direction, motion.velocity(), obstacles);
     }
 
     /// Turns in place by an angle [rad].

@@ -14,4 +14,9 @@ public record DriveLimits(double speed, double turnRate, double acceleration, do
                             .formatted(speed, turnRate, acceleration, turnAcceleration));
         }
     }
+
+    /// How fast to be at most to come to rest within a distance [m], by half of what braking can do [m/s].
+    public double arriving(double distance) {
+        return Math.sqrt(acceleration * distance);
+    }
 }

@@ -56,7 +56,7 @@ public final class Dwa implements LocalPlanner {
     public Twist2d drive(Obstacles obstacles, Target target, Motion motion) {
         double most = limits.speed();
         if (target.arriving()) {
-            most = Math.min(most, Math.sqrt(limits.acceleration() * target.distance()));
+            most = Math.min(most, limits.arriving(target.distance()));
         }
         double gain = limits.acceleration() * settings.interval();
         double turnGain = limits.turnAcceleration() * settings.interval();

@@ -34,7 +34,6 @@ public final class Nd implements LocalPlanner {
         public static final Settings DEFAULT = new Settings(0.5, 0);
     }
 
-    private final DriveLimits limits;
     private final Settings settings;
     private final double radius;
     private final NearnessDiagram diagram;
@@ -46,7 +45,6 @@ public final class Nd implements LocalPlanner {
 
     /// @param reaction how long a command lasts before the next one can take effect [s]
     public Nd(Footprint footprint, DriveLimits limits, Settings settings, double reaction) {
-        this.limits = limits;
         this.settings = settings;
         this.radius = Outline.radius(footprint) + settings.safetyDist();
         this.diagram = new NearnessDiagram(radius, 2 * radius);
@@ -68,14 +66,7 @@ public final class Nd implements LocalPlanner {
         direction =
                 Angles.wrap(direction + away(directionLeft, direction, left) + away(directionRight, direction, right));
         double near = Math.max(left, right);
-        double turn = Math.clamp(direction, -Math.PI / 2, Math.PI / 2);
-        double omega = limits.turnRate() * turn / (Math.PI / 2);
-        double straight = 1 - Math.abs(turn) / (Math.PI / 2);
-        double speed = limits.speed() * Math.max(SLOWEST, 1 - near) * straight;
-        if (target.arriving()) {
-            speed = Math.min(speed, Math.sqrt(limits.acceleration() * target.distance()));
-        }
-        return caution.guarded(Twist2d.drive(speed, omega), direction, motion.velocity(), obstacles);
+        return caution.towards(direction, Math.max(SLOWEST, 1 - near), target, motion, obstacles);
     }
 
     /// Where to go when nothing is near.

@@ -39,7 +39,6 @@ public final class Snd implements LocalPlanner {
         }
     }
 
-    private final DriveLimits limits;
     private final Settings settings;
     private final NearnessDiagram diagram;
     private final Caution caution;
@@ -50,7 +49,6 @@ public final class Snd implements LocalPlanner {
 
     /// @param reaction how long a command lasts before the next one can take effect [s]
     public Snd(Footprint footprint, DriveLimits limits, Settings settings, double reaction) {
-        this.limits = limits;
         this.settings = settings;
         this.diagram = new NearnessDiagram(settings.robotRadius(), settings.minGapWidth());
         this.caution = new Caution(footprint, limits, reaction);
@@ -70,14 +68,7 @@ public final class Snd implements LocalPlanner {
         safetyDistance = Math.clamp(SHRINKING * room, 0.01, settings.obstacleAvoidDist());
         double wanted = wanted(found.get(), goal);
         double direction = Angles.wrap(wanted + deflection(wanted));
-        double turn = Math.clamp(direction, -Math.PI / 2, Math.PI / 2);
-        double omega = limits.turnRate() * turn / (Math.PI / 2);
-        double straight = 1 - Math.abs(turn) / (Math.PI / 2);
-        double speed = limits.speed() * (1 - threat(nearest)) * straight;
-        if (target.arriving()) {
-            speed = Math.min(speed, Math.sqrt(limits.acceleration() * target.distance()));
-        }
-        return caution.guarded(Twist2d.drive(speed, omega), direction, motion.velocity(), obstacles);
+        return caution.towards(direction, 1 - threat(nearest), target, motion, obstacles);
     }
 
     /// The direction to take if nothing were near (θ_d in the paper).

@@ -84,7 +84,7 @@ public final class Vfh implements LocalPlanner {
         double straightness = Math.max(0, 1 - Math.abs(turn) / TURN_FIRST);
         double speed = Math.min(limits.speed(), speedBeside(obstacles, turn)) * straightness;
         if (target.arriving()) {
-            speed = Math.min(speed, Math.sqrt(limits.acceleration() * distance)); // half of what braking can do
+            speed = Math.min(speed, limits.arriving(distance));
         }
         return caution.guarded(Twist2d.drive(speed, omega), turn, motion.velocity(), obstacles);
     }
