@@ -2,8 +2,6 @@ package rsal.cli;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +14,7 @@ import java.util.stream.DoubleStream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -29,9 +28,7 @@ import rsal.navigation.amcl.Amcl;
 import rsal.navigation.amcl.LocalizationMap;
 import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.amcl.SensorModel;
-import rsal.navigation.carmen.BrokenLog;
 import rsal.navigation.carmen.CarmenLog;
-import rsal.navigation.carmen.LogReader;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.replay.Course;
 import rsal.navigation.replay.Replay;
@@ -73,13 +70,9 @@ final class LocalizeCommand extends Subcommand {
     @ArgGroup
     private @Nullable Start start;
 
-    @Option(
-            names = "--odometry-noise",
-            paramLabel = "WAY,HEADING,TURN",
-            description = "Makes the wheels err, by these standard deviations: of the way [m per square root of a"
-                    + " meter], of the heading by driving [deg likewise] and by turning [deg per square root of a"
-                    + " radian]. 0.05,2,3 is a usual robot. Left out: the log's odometry as it is.")
-    private @Nullable String odometryNoise;
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    private LogOptions recorded;
 
     @Option(
             names = "--seeds",
@@ -94,12 +87,6 @@ final class LocalizeCommand extends Subcommand {
 
     @Option(names = "--scans", paramLabel = "N", description = "Looks at so many scans at most, in each run.")
     private int scans = Integer.MAX_VALUE;
-
-    @Option(
-            names = "--reference",
-            paramLabel = "LOG",
-            description = "Another log of the same scans, whose poses are right: the corrected one of a raw log.")
-    private @Nullable String reference;
 
     @Option(names = "--no-reference", description = "The log's poses are not right: tell no errors.")
     private boolean noReference;
@@ -122,12 +109,6 @@ final class LocalizeCommand extends Subcommand {
             description = "How beams are judged: field, by how near they end to walls (the default); beam, by how far"
                     + " they should reach.")
     private SensorModel.Kind model = SensorModel.Kind.FIELD;
-
-    @Option(
-            names = "--field-of-view",
-            paramLabel = "DEG",
-            description = "Of the laser, where the log doesn't tell: FLASER (180).")
-    private double fieldOfView = 180;
 
     static final class MapChoice {
         @Option(
@@ -305,18 +286,14 @@ final class LocalizeCommand extends Subcommand {
                     "--seeds and --scans must be at least 1, --beams 5, --min-particles 20, --max-particles as many;"
                             + " --max-range more than 0.");
         }
-        if (!(fieldOfView > 0 && fieldOfView <= 360)) {
+        if (!recorded.isFieldOfViewPossible()) {
             throw new ParameterException(spec.commandLine(), "--field-of-view must be above 0° and at most 360°.");
         }
-        Optional<OdometryModel> noise = noise();
-        CarmenLog log = read(file);
+        Optional<OdometryModel> noise = recorded.noise();
+        CarmenLog log = recorded.read(file);
         Course course = course(log);
         if (course.stops().isEmpty()) {
-            throw new InvalidSettings(
-                    Location.of(file),
-                    "There is no scan in it whose odometry is known; skipped: %s."
-                            .formatted(log.skipped().counts()),
-                    "FLASER and ROBOTLASER1 tell it; RAWLASER1 needs ODOM before it.");
+            throw LogOptions.nothingKnown(file, "odometry", log);
         }
         var localizationMap = new LocalizationMap(grid(course), 0.1, 0.05);
         if (map.fromHalf) {
@@ -371,40 +348,9 @@ final class LocalizeCommand extends Subcommand {
         });
     }
 
-    private Optional<OdometryModel> noise() {
-        if (odometryNoise == null) {
-            return Optional.empty();
-        }
-        String[] words = odometryNoise.split(",", -1);
-        try {
-            if (words.length == 3) {
-                var model = new OdometryModel(
-                        Double.parseDouble(words[0]),
-                        Math.toRadians(Double.parseDouble(words[1])),
-                        Math.toRadians(Double.parseDouble(words[2])));
-                return Optional.of(model);
-            }
-        } catch (IllegalArgumentException _) {
-            // told below
-        }
-        throw new ParameterException(
-                spec.commandLine(),
-                "--odometry-noise takes three numbers, none below 0, as 0.05,2,3; not (%s).".formatted(odometryNoise));
-    }
-
     private Course course(CarmenLog log) {
-        Course course = Course.of(log);
-        if (reference != null) {
-            Course judged = course.judgedBy(read(reference));
-            if (judged.posed().isEmpty()) {
-                throw new InvalidSettings(
-                        Location.of(reference),
-                        "It has none of the scans of (%s).".formatted(file),
-                        "Maybe it is of another run, or its readings were rounded.");
-            }
-            return judged;
-        }
-        return noReference ? course.unjudged() : course;
+        Course course = recorded.course(log, file);
+        return noReference && !recorded.hasReference() ? course.unjudged() : course;
     }
 
     private OccupancyGrid grid(Course course) throws IOException {
@@ -436,20 +382,6 @@ final class LocalizeCommand extends Subcommand {
         String image = String.valueOf(target.getFileName()).replaceFirst("\\.yaml$", ".pgm");
         Files.write(target.resolveSibling(image), RosMap.pgm(drawn));
         Files.writeString(target, RosMap.yaml(drawn, image));
-    }
-
-    private CarmenLog read(String name) {
-        try {
-            return CarmenLog.read(
-                    Path.of(name),
-                    new LogReader.Options(Math.toRadians(fieldOfView), LogReader.Options.DEFAULT.rangeMax()));
-        } catch (BrokenLog e) {
-            throw new InvalidSettings(new Location(name, e.line(), 1), e.reason(), "");
-        } catch (NoSuchFileException | InvalidPathException e) {
-            throw new InvalidSettings(Location.of(name), "There is no such file.", "");
-        } catch (IOException e) {
-            throw new InvalidSettings(Location.of(name), "It can't be read: %s.".formatted(e.getMessage()), "");
-        }
     }
 
     private static @Nullable Double known(double value) {

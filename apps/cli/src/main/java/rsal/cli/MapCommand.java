@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -17,6 +16,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -24,9 +24,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.map.RosMap;
 import rsal.navigation.amcl.OdometryModel;
-import rsal.navigation.carmen.BrokenLog;
 import rsal.navigation.carmen.CarmenLog;
-import rsal.navigation.carmen.LogReader;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.replay.Course;
 import rsal.navigation.slam.Relation;
@@ -69,34 +67,18 @@ final class MapCommand extends Subcommand {
     @Option(names = "--known-poses", description = "The log's poses are right: only draw.")
     private boolean knownPoses;
 
-    @Option(
-            names = "--odometry-noise",
-            paramLabel = "WAY,HEADING,TURN",
-            description = "Makes the wheels err, by these standard deviations: of the way [m per square root of a"
-                    + " meter], of the heading by driving [deg likewise] and by turning [deg per square root of a"
-                    + " radian]. 0.05,2,3 is a usual robot. Left out: the log's odometry as it is.")
-    private @Nullable String odometryNoise;
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli fills it in
+    private LogOptions recorded;
 
     @Option(names = "--seed", paramLabel = "N", description = "Of the noise (1). The same seed gives the same map.")
     private long seed = 1;
-
-    @Option(
-            names = "--reference",
-            paramLabel = "LOG",
-            description = "Another log of the same scans, whose poses are right: the corrected one of a raw log.")
-    private @Nullable String reference;
 
     @Option(names = "--resolution", paramLabel = "M", description = "Side of a cell of the map [m] (0.05).")
     private double resolution = 0.05;
 
     @Option(names = "--max-range", paramLabel = "M", description = "Ranges beyond this are not looked at [m] (25).")
     private double maxRange = 25;
-
-    @Option(
-            names = "--field-of-view",
-            paramLabel = "DEG",
-            description = "Of the laser, where the log doesn't tell: FLASER (180).")
-    private double fieldOfView = 180;
 
     /// Errors against poses that are right.
     ///
@@ -138,16 +120,16 @@ final class MapCommand extends Subcommand {
 
     @Override
     int run() throws IOException {
-        if (!(resolution >= 0.005 && resolution <= 10 && maxRange > 0 && fieldOfView > 0 && fieldOfView <= 360)) {
+        if (!(resolution >= 0.005 && resolution <= 10 && maxRange > 0 && recorded.isFieldOfViewPossible())) {
             throw new ParameterException(
                     spec.commandLine(),
                     "--resolution must be 0.005 to 10 m, --max-range more than 0, --field-of-view at most 360°.");
         }
-        if (knownPoses && (files.size() > 1 || odometryNoise != null)) {
+        if (knownPoses && (files.size() > 1 || recorded.hasNoise())) {
             throw new ParameterException(
                     spec.commandLine(), "--known-poses goes with one log and without --odometry-noise.");
         }
-        if (reference != null && files.size() > 1) {
+        if (recorded.hasReference() && files.size() > 1) {
             throw new ParameterException(spec.commandLine(), "--reference goes with one log.");
         }
         long start = System.nanoTime();
@@ -246,29 +228,14 @@ final class MapCommand extends Subcommand {
     }
 
     private List<Robot> robots() {
-        Optional<OdometryModel> noise = noise();
+        Optional<OdometryModel> noise = recorded.noise();
         var random = new SplittableRandom(seed);
         var robots = new ArrayList<Robot>();
         for (String file : files) {
-            CarmenLog log = read(file);
-            Course course = Course.of(log);
-            if (reference != null) {
-                course = course.judgedBy(read(reference));
-                if (course.posed().isEmpty()) {
-                    throw new InvalidSettings(
-                            Location.of(reference),
-                            "It has none of the scans of (%s).".formatted(file),
-                            "Maybe it is of another run, or its readings were rounded.");
-                }
-            }
+            CarmenLog log = recorded.read(file);
+            Course course = recorded.course(log, file);
             if (course.stops().isEmpty() || (knownPoses && course.posed().isEmpty())) {
-                throw new InvalidSettings(
-                        Location.of(file),
-                        "There is no scan in it whose %s is known; skipped: %s."
-                                .formatted(
-                                        knownPoses ? "pose" : "odometry",
-                                        log.skipped().counts()),
-                        "FLASER and ROBOTLASER1 tell it; RAWLASER1 needs ODOM before it.");
+                throw LogOptions.nothingKnown(file, knownPoses ? "pose" : "odometry", log);
             }
             robots.add(new Robot(
                     file,
@@ -277,40 +244,6 @@ final class MapCommand extends Subcommand {
                     new ArrayList<>()));
         }
         return robots;
-    }
-
-    private CarmenLog read(String name) {
-        try {
-            return CarmenLog.read(
-                    Path.of(name),
-                    new LogReader.Options(Math.toRadians(fieldOfView), LogReader.Options.DEFAULT.rangeMax()));
-        } catch (BrokenLog e) {
-            throw new InvalidSettings(new Location(name, e.line(), 1), e.reason(), "");
-        } catch (NoSuchFileException | InvalidPathException _) {
-            throw new InvalidSettings(Location.of(name), "There is no such file.", "");
-        } catch (IOException e) {
-            throw new InvalidSettings(Location.of(name), "It can't be read: %s.".formatted(e.getMessage()), "");
-        }
-    }
-
-    private Optional<OdometryModel> noise() {
-        if (odometryNoise == null) {
-            return Optional.empty();
-        }
-        String[] words = odometryNoise.split(",", -1);
-        try {
-            if (words.length == 3) {
-                return Optional.of(new OdometryModel(
-                        Double.parseDouble(words[0]),
-                        Math.toRadians(Double.parseDouble(words[1])),
-                        Math.toRadians(Double.parseDouble(words[2]))));
-            }
-        } catch (IllegalArgumentException _) {
-            // told below
-        }
-        throw new ParameterException(
-                spec.commandLine(),
-                "--odometry-noise takes three numbers, none below 0, as 0.05,2,3; not (%s).".formatted(odometryNoise));
     }
 
     private Slam mapped(Robot robot) {
