@@ -5,33 +5,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rsal.data.Pose2d;
-import rsal.testkit.DrawnMap;
-import rsal.testkit.Rays;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /// `rsal localize` as a process of its own, on the log of a robot that drives through a room and back.
 class LocalizeIT {
-    private static final DrawnMap ROOM = DrawnMap.grid(0.5, """
-            #####################
-            #...................#
-            #.a.............b...#
-            #.......##..........#
-            #.......##..........#
-            #...............#####
-            #...............#
-            #.....#.........#
-            #################
-            """);
-
     @TempDir
     Path folder;
 
@@ -40,7 +24,7 @@ class LocalizeIT {
     @BeforeEach
     void writeLog() throws IOException {
         rsal = new Rsal(folder);
-        Files.writeString(folder.resolve("room.log"), log());
+        Files.writeString(folder.resolve("room.log"), RoomLog.whole());
     }
 
     @Test
@@ -76,7 +60,8 @@ class LocalizeIT {
     @Test
     void aReferenceTellsWhereScansOfARawLogWereTaken() throws Exception {
         Files.writeString(
-                folder.resolve("raw.log"), log().replaceAll("(?m) \\S+ \\S+ \\S+ (\\S+ h \\S+)$", " 0 0 0 $1"));
+                folder.resolve("raw.log"),
+                RoomLog.whole().replaceAll("(?m) \\S+ \\S+ \\S+ (\\S+ h \\S+)$", " 0 0 0 $1"));
 
         Ended ended = rsal.run("localize", "raw.log", "--reference", "room.log", "--map-from-half", "--json");
 
@@ -104,7 +89,7 @@ class LocalizeIT {
 
     @Test
     void tellsWhatItSkipped() throws Exception {
-        Files.writeString(folder.resolve("bad.log"), "FLASER 3 1 2\n" + log());
+        Files.writeString(folder.resolve("bad.log"), "FLASER 3 1 2\n" + RoomLog.whole());
 
         Ended ended = rsal.run("localize", "bad.log", "--map-from-half", "--scans", "2");
 
@@ -129,25 +114,5 @@ class LocalizeIT {
         assertThat(ended.code()).as(ended.err()).isEqualTo(code);
         assertThat(ended.err()).contains(expected).doesNotContain("\tat ");
         assertThat(ended.out()).isEmpty();
-    }
-
-    private static String log() {
-        var rays = new Rays(ROOM.grid());
-        var log = new StringBuilder("# a robot in a room\n");
-        Pose2d from = ROOM.pose('a', 0);
-        Pose2d to = ROOM.pose('b', 0);
-        for (int i = 0; i <= 40; i++) {
-            double share = i <= 20 ? i / 20.0 : (40 - i) / 20.0;
-            var pose = new Pose2d(
-                    from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.15 * i);
-            log.append("FLASER 181");
-            for (int beam = 0; beam < 181; beam++) {
-                double range = rays.range(pose.compose(new Pose2d(0, 0, Math.toRadians(beam - 90))));
-                log.append(String.format(Locale.ROOT, " %.3f", Math.min(range, 81.91)));
-            }
-            String at = String.format(Locale.ROOT, " %.5f %.5f %.5f", pose.x(), pose.y(), pose.theta());
-            log.append(at).append(at).append(" %d h %d\n".formatted(i + 1, i + 1));
-        }
-        return log.toString();
     }
 }

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,25 +16,11 @@ import rsal.data.Pose2d;
 import rsal.map.Maps;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
-import rsal.testkit.DrawnMap;
-import rsal.testkit.Rays;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /// `rsal map` as a process of its own, on the log of a robot that drives through a room and back.
 class MapIT {
-    private static final DrawnMap ROOM = DrawnMap.grid(0.5, """
-            #####################
-            #...................#
-            #.a.............b...#
-            #.......##..........#
-            #.......##..........#
-            #...............#####
-            #...............#
-            #.....#.........#
-            #################
-            """);
-
     @TempDir
     Path folder;
 
@@ -44,7 +29,7 @@ class MapIT {
     @BeforeEach
     void writeLog() throws IOException {
         rsal = new Rsal(folder);
-        Files.writeString(folder.resolve("room.log"), log(0, 40, Pose2d.ORIGIN));
+        Files.writeString(folder.resolve("room.log"), RoomLog.whole());
     }
 
     @Test
@@ -60,7 +45,7 @@ class MapIT {
         assertThat(log.path("odometry").path("degrees").asDouble()).isGreaterThan(0.5);
         OccupancyGrid map =
                 new Maps(FileSource.disk()).read(folder.resolve("room/map.yaml").toString(), Location.of("test"));
-        Pose2d start = ROOM.pose('a', 0);
+        Pose2d start = RoomLog.START;
         assertThat(map.isFree(start.x(), start.y())).isTrue();
         assertThat(Files.readAllLines(folder.resolve("room/trajectory.txt"))).hasSize(42);
         List<String> residuals = Files.readAllLines(folder.resolve("room/residuals.csv"));
@@ -85,7 +70,7 @@ class MapIT {
 
     @Test
     void joinsTheMapsOfTwoRobotsThatBeganElsewhere() throws Exception {
-        Files.writeString(folder.resolve("other.log"), log(10, 40, new Pose2d(30, -7, 2)));
+        Files.writeString(folder.resolve("other.log"), RoomLog.part(10, 40, new Pose2d(30, -7, 2)));
 
         Ended ended = rsal.run("map", "room.log", "other.log", "--out", "both", "--json");
 
@@ -113,27 +98,5 @@ class MapIT {
         assertThat(ended.code()).as(ended.err()).isEqualTo(code);
         assertThat(ended.err()).contains(expected).doesNotContain("\tat ");
         assertThat(ended.out()).isEmpty();
-    }
-
-    /// @param shift where the frame of the log's poses sees that of the room
-    private static String log(int first, int last, Pose2d shift) {
-        var rays = new Rays(ROOM.grid());
-        var log = new StringBuilder("# a robot in a room\n");
-        Pose2d from = ROOM.pose('a', 0);
-        Pose2d to = ROOM.pose('b', 0);
-        for (int i = first; i <= last; i++) {
-            double share = i <= 20 ? i / 20.0 : (40 - i) / 20.0;
-            var pose = new Pose2d(
-                    from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.15 * i);
-            log.append("FLASER 181");
-            for (int beam = 0; beam < 181; beam++) {
-                double range = rays.range(pose.compose(new Pose2d(0, 0, Math.toRadians(beam - 90))));
-                log.append(String.format(Locale.ROOT, " %.3f", Math.min(range, 81.91)));
-            }
-            Pose2d told = shift.compose(pose);
-            String at = String.format(Locale.ROOT, " %.5f %.5f %.5f", told.x(), told.y(), told.theta());
-            log.append(at).append(at).append(" %d h %d\n".formatted(i + 1, i + 1));
-        }
-        return log.toString();
     }
 }

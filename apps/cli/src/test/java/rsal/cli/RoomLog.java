@@ -1,0 +1,52 @@
+package rsal.cli;
+
+import java.util.Locale;
+import rsal.data.Pose2d;
+import rsal.testkit.DrawnMap;
+import rsal.testkit.Rays;
+
+/// The log of a robot that drives through a room and back in 40 steps, turning all the while.
+final class RoomLog {
+    private static final DrawnMap ROOM = DrawnMap.grid(0.5, """
+            #####################
+            #...................#
+            #.a.............b...#
+            #.......##..........#
+            #.......##..........#
+            #...............#####
+            #...............#
+            #.....#.........#
+            #################
+            """);
+
+    static final Pose2d START = ROOM.pose('a', 0);
+
+    private RoomLog() {}
+
+    static String whole() {
+        return part(0, 40, Pose2d.ORIGIN);
+    }
+
+    /// @param first step
+    /// @param last step
+    /// @param shift of the poses that it tells
+    static String part(int first, int last, Pose2d shift) {
+        var rays = new Rays(ROOM.grid());
+        var log = new StringBuilder("# a robot in a room\n");
+        Pose2d to = ROOM.pose('b', 0);
+        for (int i = first; i <= last; i++) {
+            double share = i <= 20 ? i / 20.0 : (40 - i) / 20.0;
+            var pose = new Pose2d(
+                    START.x() + share * (to.x() - START.x()), START.y() + share * (to.y() - START.y()), 0.15 * i);
+            log.append("FLASER 181");
+            for (int beam = 0; beam < 181; beam++) {
+                double range = rays.range(pose.compose(new Pose2d(0, 0, Math.toRadians(beam - 90))));
+                log.append(String.format(Locale.ROOT, " %.3f", Math.min(range, 81.91)));
+            }
+            Pose2d told = shift.compose(pose);
+            String at = String.format(Locale.ROOT, " %.5f %.5f %.5f", told.x(), told.y(), told.theta());
+            log.append(at).append(at).append(" %d h %d\n".formatted(i + 1, i + 1));
+        }
+        return log.toString();
+    }
+}
