@@ -10,7 +10,7 @@ import rsal.bench.OfficeRun.Errand;
 
 class OfficeRunIT {
     @ParameterizedTest
-    @ValueSource(strings = "vfh")
+    @ValueSource(strings = {"vfh", "nd", "snd"})
     void threeRobotsReachTheirGoalsInTimeWithoutTouchingAnything(String planner) {
         try (var run = new OfficeRun(Map.of("local", planner), 1, Runnable::run)) {
             List<Errand> errands = run.run(15);

@@ -67,7 +67,7 @@ public final class NavigatorDriver implements DeviceDriver {
                 Parameter.number("safetyDistanceAtSpeed", 0.4, 0, 2, "m", "room to keep from obstacles at 1 m/s"));
         parameters.add(Parameter.number(
                 "avoidDist", 0.5, 0.05, 3, "m", "from what is nearer to its edge nd turns away and slows down"));
-        parameters.add(Parameter.number("obstacleAvoidDist", 1, 0.05, 5, "m", "the same for snd"));
+        parameters.add(Parameter.number("obstacleAvoidDist", 0.6, 0.05, 5, "m", "the same for snd"));
         parameters.add(Parameter.number(
                 "minGapWidth", 0.5, 0.05, 3, "m", "by how much ranges must jump where snd sees a gap"));
         parameters.add(Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way"));

@@ -11,20 +11,22 @@ import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.Outline;
 import rsal.navigation.nd.NearnessDiagram.Region;
 
-/// Tells situations apart by a [NearnessDiagram] and has a rule for each: J. Minguez, J. Osuna, L. Montano, A Divide
-/// and Conquer Strategy Based on Situations to Achieve Reactive Collision Avoidance in Troubled Scenarios (ICRA
-/// 2004), known as ND+. With nothing near: towards the goal (HSGR), along the corner of a wide region (HSWR), or
-/// through the middle of a narrow one (HSNR). With something nearer than the security distance on one side (LS1),
-/// on both (LS2) or beside a goal that is in the region (LSGR): the same, turned away from what is nearest on each
-/// side, and slower.
+/// Tells situations apart by a [NearnessDiagram] and has a rule for each: J. Minguez, L. Montano, Nearness Diagram
+/// (ND) Navigation: Collision Avoidance in Troubled Scenarios (IEEE Transactions on Robotics and Automation 20, 2004),
+/// with the sixth situation and the laws of J. Minguez, J. Osuna, L. Montano, A Divide and Conquer Strategy Based on
+/// Situations to Achieve Reactive Collision Avoidance in Troubled Scenarios (ICRA 2004), known as ND+. With nothing
+/// near: towards the goal (HSGR), past the corner of a wide region at the security distance (HSWR), or through the
+/// middle of a narrow one (HSNR). With something nearer than the security distance on one side: the same, turned
+/// away from it, the nearer the more (LS1, or LSGR to the goal); on both sides: between them, as near to the one as
+/// to the other (LS2). The nearest obstacle slows it down.
 ///
-/// Differs from the paper in these points:
+/// Differs from the papers in these points:
 /// * The robot is a circle for the rules. Its true outline counts for [Caution], which has the last word.
-/// * LS2 weighs the nearest obstacles of both sides by how near they are, as LS1 does with one.
+/// * It is never slowed down below a fifth of its speed by the laws, as the authors' own program for Player does.
 /// * With no region it turns towards the goal.
 public final class Nd implements LocalPlanner {
     private static final double WIDE = Math.PI / 2;
-    private static final double SLOWEST = 0.1; // of the highest speed
+    private static final double SLOWEST = 0.2; // of the highest speed
 
     /// Named as the options of Player's `nd`.
     ///
@@ -55,27 +57,39 @@ public final class Nd implements LocalPlanner {
     public Twist2d drive(Obstacles obstacles, Target target, Motion motion) {
         double goal = target.bearing();
         diagram.fill(obstacles);
-        Optional<Region> found = diagram.region(goal);
+        Optional<Region> found = diagram.region(goal, target.distance());
         if (found.isEmpty()) {
             return caution.turn(goal, motion.velocity(), obstacles);
         }
-        double direction = highSafety(found.get(), goal);
-        findNearest(direction);
-        double left = threat(nearestLeft);
-        double right = threat(nearestRight);
-        direction =
-                Angles.wrap(direction + away(directionLeft, direction, left) + away(directionRight, direction, right));
-        double near = Math.max(left, right);
-        return caution.towards(direction, Math.max(SLOWEST, 1 - near), target, motion, obstacles);
+        Region region = found.get();
+        findNearest(region.direction());
+        double left = room(nearestLeft);
+        double right = room(nearestRight);
+        double direction = left < 1 && right < 1
+                ? between(region.direction(), left, right)
+                : awayFrom(left < 1 ? directionLeft : directionRight, highSafety(region), Math.min(left, right));
+        return caution.towards(direction, Math.max(SLOWEST, Math.min(left, right)), target, motion, obstacles);
     }
 
-    /// Where to go when nothing is near.
-    private static double highSafety(Region region, double goal) {
-        if (region.contains(goal)) {
-            return goal;
+    /// Where to go when nothing is near: HSGR, HSWR, HSNR.
+    private double highSafety(Region region) {
+        if (region.goal()) {
+            return region.direction();
         }
-        double into = region.width() > WIDE ? WIDE / 2 : region.width() / 2;
-        return Angles.wrap(region.corner() + region.side() * into);
+        double into = Math.atan2(radius + settings.avoidDist(), region.cornerDistance());
+        return region.width() > WIDE ? Angles.wrap(region.corner() + region.side() * into) : region.middle();
+    }
+
+    /// Where to go with something near on one side: LS1, LSGR.
+    private static double awayFrom(double obstacle, double direction, double room) {
+        return Angles.wrap(direction + (1 - room) * Angles.difference(direction, obstacle + Math.PI));
+    }
+
+    /// Where to go with something near on both sides, the farther from the nearer one: LS2.
+    private static double between(double direction, double left, double right) {
+        double ahead = Math.clamp(direction, -Math.PI / 2, Math.PI / 2);
+        double share = left + right > 0 ? (left - right) / (left + right) : 0;
+        return ahead + share * (share < 0 ? ahead + Math.PI / 2 : Math.PI / 2 - ahead);
     }
 
     private void findNearest(double direction) {
@@ -94,14 +108,9 @@ public final class Nd implements LocalPlanner {
         });
     }
 
-    /// How near something is: 0 at the security distance and beyond, 1 at the edge.
-    private double threat(double distance) {
-        return Math.clamp(1 - (distance - radius) / settings.avoidDist(), 0, 1);
-    }
-
-    /// What a direction is turned by because of an obstacle: at most to where it is behind.
-    private static double away(double obstacle, double direction, double threat) {
-        return threat == 0 ? 0 : threat * Angles.difference(direction, obstacle + Math.PI) / 2;
+    /// How much room there is up to something: 0 at the edge, 1 at the security distance and beyond.
+    private double room(double distance) {
+        return Math.clamp((distance - radius) / settings.avoidDist(), 0, 1);
     }
 
     @Override

@@ -7,10 +7,12 @@ import rsal.navigation.avoid.Obstacles;
 
 /// How near obstacles are in each direction, where that jumps by more than the robot's width (gaps), and the regions
 /// between gaps that one could drive into: J. Minguez, L. Montano, Nearness Diagram (ND) Navigation: Collision
-/// Avoidance in Troubled Scenarios (IEEE Transactions on Robotics and Automation 20, 2004), sections III–IV.
+/// Avoidance in Troubled Scenarios (IEEE Transactions on Robotics and Automation 20, 2004), sections III–IV. A goal
+/// that is seen and can be reached counts as a region of its own, even with no gap beside it: one before a wall.
 ///
-/// Differs from the paper in that a region counts as passable when the corner that it begins at is wide enough from
-/// all that bounds the region, not when a way through it is found. Filled anew for each step.
+/// Differs from the paper in that a place counts as reachable when no two obstacles to the left and to the right of
+/// the straight way to it are nearer to each other than the robot is wide; the paper follows corridors in the
+/// configuration space. Filled anew for each step.
 public final class NearnessDiagram {
     private static final int SECTORS = 240;
     private static final double SECTOR = 2 * Math.PI / SECTORS;
@@ -19,18 +21,27 @@ public final class NearnessDiagram {
     private final double radius;
     private final double minGapWidth;
     private final double[] depth = new double[SECTORS]; // to the nearest obstacle; +∞ when there is none
+    private final double[] leftX = new double[SECTORS]; // of what is beside a way, on its left
+    private final double[] leftY = new double[SECTORS];
+    private final double[] rightX = new double[SECTORS];
+    private final double[] rightY = new double[SECTORS];
 
-    /// A region.
+    /// A region to drive into.
     ///
-    /// @param corner direction of the nearer side of its rising gap, the one nearer to the goal [rad]
+    /// @param direction of the goal, if that is in it and can be reached, else of the gap that it begins at [rad]
+    /// @param goal whether it is the goal's
+    /// @param corner direction of the nearer side of its gap [rad]; that of the goal when it is the goal's
     /// @param cornerDistance [m]
     /// @param side where the region lies from there: 1 to the left, −1 to the right
     /// @param width of the region [rad]
-    public record Region(double corner, double cornerDistance, int side, double width) {
-        /// Whether a direction leads into it [rad].
-        public boolean contains(double direction) {
-            double into = side * Angles.difference(corner, direction);
-            return (into < 0 ? into + 2 * Math.PI : into) <= width;
+    public record Region(double direction, boolean goal, double corner, double cornerDistance, int side, double width) {
+        static Region ofGoal(double direction) {
+            return new Region(direction, true, direction, Double.POSITIVE_INFINITY, 1, 0);
+        }
+
+        /// [rad]
+        public double middle() {
+            return Angles.wrap(corner + side * width / 2);
         }
     }
 
@@ -67,32 +78,36 @@ public final class NearnessDiagram {
         return (Double.isInfinite(here) != Double.isInfinite(next)) || Math.abs(here - next) > minGapWidth;
     }
 
-    /// The passable region whose rising gap is nearest to a direction [rad]; empty when there is none.
-    public Optional<Region> region(double goal) {
+    /// The goal's region, or else that whose gap is nearest to it; empty when there is none to drive into.
+    ///
+    /// @param goal its direction [rad]
+    /// @param distance to it [m]
+    public Optional<Region> region(double goal, double distance) {
+        boolean seen = depth((int) Math.round(goal / SECTOR)) >= distance;
+        if (seen && isReachable(goal, distance)) {
+            return Optional.of(Region.ofGoal(goal));
+        }
         int start = 0;
         while (start < SECTORS && !gapAfter(start - 1)) {
             start++;
         }
-        if (start == SECTORS) {
-            boolean open = Double.isInfinite(depth[0]);
-            return open
-                    ? Optional.of(new Region(goal - Math.PI, Double.POSITIVE_INFINITY, 1, 2 * Math.PI))
-                    : Optional.empty();
-        }
         Optional<Region> best = Optional.empty();
         double least = Double.POSITIVE_INFINITY;
         int first = start;
-        while (first < start + SECTORS) {
+        while (first < start + SECTORS && start < SECTORS) {
             int last = first;
             while (!gapAfter(last)) {
                 last++;
             }
-            for (Region region : sides(first, last)) {
-                double off = region.contains(goal) ? 0 : Math.abs(Angles.difference(goal, region.corner()));
-                off += 1e-3 * Math.abs(Angles.difference(goal, region.corner())); // the nearer side of the same region
-                if (off < least && isPassable(first, last, region)) {
+            double width = (last - first + 1) * SECTOR;
+            for (int side = 1; side >= -1; side -= 2) {
+                int inner = side > 0 ? first : last;
+                double corner = Angles.wrap((inner - side * 0.5) * SECTOR);
+                double off = Math.abs(Angles.difference(goal, corner));
+                boolean rising = depth(inner - side) < depth(inner);
+                if (rising && off < least && isReachable(corner, beyond(inner, inner - side))) {
                     least = off;
-                    best = Optional.of(region);
+                    best = Optional.of(new Region(corner, false, corner, depth(inner - side), side, width));
                 }
             }
             first = last + 1;
@@ -100,29 +115,46 @@ public final class NearnessDiagram {
         return best;
     }
 
-    /// The region seen from its right side and from its left, as far as those are rising gaps.
-    private Region[] sides(int first, int last) {
-        double width = (last - first + 1) * SECTOR;
-        boolean fromRight = depth(first - 1) < depth(first);
-        boolean fromLeft = depth(last + 1) < depth(last);
-        var right = new Region(Angles.wrap((first - 0.5) * SECTOR), depth(first - 1), 1, width);
-        var left = new Region(Angles.wrap((last + 0.5) * SECTOR), depth(last + 1), -1, width);
-        return fromRight && fromLeft
-                ? new Region[] {right, left}
-                : fromRight ? new Region[] {right} : fromLeft ? new Region[] {left} : new Region[0];
+    /// Where one has come through a gap: between what is on its two sides [m].
+    private double beyond(int inner, int outer) {
+        double far = Math.min(depth(inner), depth(outer) + 4 * radius);
+        return (depth(outer) + far) / 2;
     }
 
-    /// Whether nothing is so near to the region's corner that the robot could not pass between.
-    private boolean isPassable(int first, int last, Region region) {
-        double x = region.cornerDistance() * Math.cos(region.corner());
-        double y = region.cornerDistance() * Math.sin(region.corner());
-        int from = region.side() > 0 ? first : last;
-        for (int i = 0; i < SECTORS / 4; i++) {
-            int sector = from + region.side() * i;
-            double far = depth(sector);
-            double direction = sector * SECTOR;
-            if (Math.hypot(far * Math.cos(direction) - x, far * Math.sin(direction) - y) < 2 * radius) {
+    /// Whether the robot fits through all that is beside the straight way to a place, at which it must have room.
+    private boolean isReachable(double direction, double distance) {
+        int left = 0;
+        int right = 0;
+        for (int s = 0; s < SECTORS; s++) {
+            if (depth[s] > distance + 2 * radius) {
+                continue;
+            }
+            double off = s * SECTOR - direction;
+            double along = depth[s] * Math.cos(off);
+            double beside = depth[s] * Math.sin(off);
+            if (along < 0 || along >= distance || Math.abs(beside) > 2 * radius) {
+                continue;
+            }
+            if (Math.hypot(along - distance, beside) < radius) {
                 return false;
+            }
+            if (beside > 0) {
+                leftX[left] = along;
+                leftY[left] = beside;
+                left++;
+            } else {
+                rightX[right] = along;
+                rightY[right] = beside;
+                right++;
+            }
+        }
+        for (int i = 0; i < left; i++) {
+            for (int j = 0; j < right; j++) {
+                double dx = leftX[i] - rightX[j];
+                double dy = leftY[i] - rightY[j];
+                if (dx * dx + dy * dy < 4 * radius * radius) {
+                    return false;
+                }
             }
         }
         return true;

@@ -58,7 +58,7 @@ public final class Snd implements LocalPlanner {
     public Twist2d drive(Obstacles obstacles, Target target, Motion motion) {
         double goal = target.bearing();
         diagram.fill(obstacles);
-        Optional<Region> found = diagram.region(goal);
+        Optional<Region> found = diagram.region(goal, target.distance());
         if (found.isEmpty()) {
             return caution.turn(goal, motion.velocity(), obstacles);
         }
@@ -66,18 +66,18 @@ public final class Snd implements LocalPlanner {
         diagram.forEach((_, distance) -> nearest = Math.min(nearest, distance));
         double room = nearest - settings.robotRadius();
         safetyDistance = Math.clamp(SHRINKING * room, 0.01, settings.obstacleAvoidDist());
-        double wanted = wanted(found.get(), goal);
+        double wanted = wanted(found.get());
         double direction = Angles.wrap(wanted + deflection(wanted));
         return caution.towards(direction, 1 - threat(nearest), target, motion, obstacles);
     }
 
     /// The direction to take if nothing were near (θ_d in the paper).
-    private double wanted(Region region, double goal) {
+    private double wanted(Region region) {
+        if (region.goal()) {
+            return region.direction();
+        }
         double clear = Math.asin(Math.min(1, (settings.robotRadius() + safetyDistance) / region.cornerDistance()));
-        double into = Math.min(clear, region.width() / 2);
-        double goalInto = region.side() * Angles.difference(region.corner(), goal);
-        boolean towardsGoal = region.contains(goal) && (goalInto >= into || region.width() > Math.PI);
-        return towardsGoal ? goal : Angles.wrap(region.corner() + region.side() * into);
+        return Angles.wrap(region.corner() + region.side() * Math.min(clear, region.width() / 2));
     }
 
     /// How near something is: 0 at the safety distance and beyond, 1 at the edge (s_i in the paper).

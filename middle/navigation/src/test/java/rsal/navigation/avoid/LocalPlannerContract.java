@@ -63,6 +63,18 @@ public abstract class LocalPlannerContract {
     }
 
     @Test
+    void goesToAPlaceBeforeAWall() {
+        var room = new ArrayList<Point2d>();
+        for (double along = -2; along <= 2; along += 0.05) {
+            room.addAll(List.of(
+                    new Point2d(along, 2), new Point2d(along, -2), new Point2d(2, along), new Point2d(-2, along)));
+        }
+        Drive drive = new Drive(BOX, room);
+        drive.goTo(new Point2d(1, -1.3), 30);
+        assertThat(drive.pose.position().distanceTo(new Point2d(1, -1.3))).isLessThan(0.35);
+    }
+
+    @Test
     void turnsInPlace() {
         Drive drive = new Drive(WEDGE, List.of());
         for (int beat = 0; beat < 50; beat++) {
