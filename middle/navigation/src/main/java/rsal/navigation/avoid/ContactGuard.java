@@ -9,11 +9,14 @@ import rsal.data.Twist2d;
 /// Burgard, S. Thrun, The Dynamic Window Approach to Collision Avoidance (1997), whose admissible velocities
 /// these are.
 ///
-/// What is already nearer than the margin may not come any nearer.
+/// What is already nearer than the margin may not come any nearer. Backward, where robots see little, it goes only when
+/// nothing that may move is beside or behind: of another robot it may see no more than a corner.
 public final class ContactGuard {
     private static final double LONGEST_STEP = 0.05; // s
     private static final double LONGEST_WAY = 0.04; // m per step
     private static final double[] SHARES = {1, 0.75, 0.5, 0.3, 0.15};
+    private static final double HIDDEN = 0.4; // m; of what may move, so much may not be seen
+    private static final double AHEAD = Math.cos(Math.toRadians(45)); // what is seen there lies behind nobody
     private static final double ROUNDING = 1e-3; // m; so much nearer is not "nearer"
 
     private final Outline outline;
@@ -41,6 +44,9 @@ public final class ContactGuard {
     /// The wanted command or what of it is safe.
     public Twist2d limit(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
         gather(wanted, velocity, obstacles);
+        if (wanted.vx() < 0 && mayHitWhatItDoesNotSee(obstacles)) {
+            return isSafe(0, wanted.omega(), velocity) ? Twist2d.drive(0, wanted.omega()) : Twist2d.STOP;
+        }
         for (double share : SHARES) {
             double forward = share * wanted.vx();
             double omega = share * wanted.omega();
@@ -49,6 +55,16 @@ public final class ContactGuard {
             }
         }
         return isSafe(0, wanted.omega(), velocity) ? Twist2d.drive(0, wanted.omega()) : Twist2d.STOP;
+    }
+
+    private boolean mayHitWhatItDoesNotSee(Obstacles obstacles) {
+        for (int i = 0; i < obstacles.count(); i++) {
+            double distance = Math.hypot(obstacles.x(i), obstacles.y(i));
+            if (obstacles.room(i) > 0 && distance < radius + HIDDEN && obstacles.x(i) < AHEAD * distance) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /// The points that the robot could come to at all, each with the margin that it must keep.

@@ -60,4 +60,18 @@ class ContactGuardTest {
         assertThat(guard.limit(Twist2d.drive(0.1, 0), Twist2d.STOP, obstacles).vx())
                 .isZero();
     }
+
+    @Test
+    void doesNotGoBackwardPastWhatMayMove() {
+        obstacles.add(0.1, 0.4); // beside it, clear of the way back
+        assertThat(guard.limit(Twist2d.drive(-0.1, 0), Twist2d.STOP, obstacles).vx())
+                .isEqualTo(-0.1);
+        obstacles.keepRoom(0, 0.05);
+        assertThat(guard.limit(Twist2d.drive(-0.1, 0), Twist2d.STOP, obstacles)).isEqualTo(Twist2d.STOP);
+        obstacles.clear();
+        obstacles.add(0.4, 0.1);
+        obstacles.keepRoom(0, 0.05);
+        assertThat(guard.limit(Twist2d.drive(-0.1, 0), Twist2d.STOP, obstacles).vx())
+                .isEqualTo(-0.1);
+    }
 }

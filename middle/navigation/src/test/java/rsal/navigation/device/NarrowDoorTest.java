@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
@@ -38,8 +38,8 @@ class NarrowDoorTest {
             #########################################""");
 
     @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
-    void bothGetThrough(long seed) {
+    @CsvSource({"vfh, 1", "vfh, 2", "vfh, 3", "nd, 1", "nd, 2", "snd, 1", "snd, 2", "dwa, 1", "mpc, 1"})
+    void bothGetThrough(String planner, long seed) {
         Pose2d left = ROOMS.pose('a', 0);
         Pose2d right = ROOMS.pose('b', Math.PI);
         var model = NavigationRun.pioneer("urg04lx");
@@ -49,7 +49,7 @@ class NarrowDoorTest {
                         Runnable::run,
                         List.of(NavigationRun.robot("r0", model, left), NavigationRun.robot("r1", model, right)))
                 .with(new AmclDriver(), Map.of())
-                .with(new NavigatorDriver(), Map.of());
+                .with(new NavigatorDriver(), Map.of("local", planner));
         run.advance(1);
         var results = new ArrayList<Result>();
         run.navigator("r0").goTo(right, Tolerance.position(0.4)).result().thenAccept(results::add);
