@@ -46,6 +46,10 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private static final double STRANGER_ROOM_PER_SPEED = 0.4; // m per m/s; a stranger as fast needs it to stop, too
     private static final Duration STRANGERS_FADE = Duration.ofSeconds(5);
 
+    private static final double BEHIND = Math.toRadians(60); // to each side
+    private static final int BEHIND_RAYS = 6; // to each side; a chair's leg fits between, a cabinet doesn't
+    private static final double MOST_UNSURE = 0.1; // m
+
     /// What it is made of.
     ///
     /// @param toNotFree how far the next wall of the map is
@@ -208,7 +212,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         scan.ifPresent(s -> {
             blindSpot.recall(s.value(), odomFromBase, scheduler.instant(), room, obstacles);
             blindSpot.note(s.value(), obstacles, odomFromBase, scheduler.instant());
-            addWallsBehind(estimate.get().value().mapFromBase());
+            addWallsBehind(estimate.get().value());
         });
         return Optional.of(new Situation(
                 scheduler.instant(),
@@ -218,14 +222,19 @@ final class PathNavigator extends DeviceCore implements Navigator {
                 obstacles));
     }
 
-    /// The laser doesn't see behind the robot, but the map knows of walls there.
-    private void addWallsBehind(Pose2d mapFromBase) {
+    /// The laser doesn't see behind the robot, but the map knows of walls there, as exactly as the robot knows where
+    /// it is.
+    private void addWallsBehind(PoseEstimate estimate) {
+        Pose2d mapFromBase = estimate.mapFromBase();
         double reach = 2 * settings.bodyRadius();
-        for (double direction = Math.PI - 0.5; direction < Math.PI + 0.6; direction += 0.5) {
+        double unsure = Math.min(MOST_UNSURE, estimate.covariance().positionDeviation());
+        for (int ray = -BEHIND_RAYS; ray <= BEHIND_RAYS; ray++) {
+            double direction = Math.PI + ray * BEHIND / BEHIND_RAYS;
             double range =
                     parts.toNotFree().castRay(mapFromBase.x(), mapFromBase.y(), mapFromBase.theta() + direction, reach);
             if (range < reach) {
-                obstacles.add(range * Math.cos(direction), range * Math.sin(direction));
+                double nearest = Math.max(0, range - unsure);
+                obstacles.add(nearest * Math.cos(direction), nearest * Math.sin(direction));
             }
         }
     }
