@@ -180,6 +180,6 @@ public final class FakeRobot {
     }
 
     static Navigator.Result stuck() {
-        return new Navigator.Result.Stuck(Pose2d.ORIGIN, Duration.ofSeconds(20));
+        return new Navigator.Result.Stuck(Pose2d.ORIGIN, Duration.ofSeconds(20), "A box stands in its way.");
     }
 }

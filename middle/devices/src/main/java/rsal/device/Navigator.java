@@ -48,6 +48,7 @@ public interface Navigator extends Device {
     /// @param driving since when, in run time, it works on this goal
     record Progress(Pose2d mapFromBase, double remaining, Point2d waypoint, Duration driving) {}
 
+    /// The one way in which a goal ended.
     sealed interface Result {
         record Reached(Pose2d mapFromBase) implements Result {}
 
@@ -55,6 +56,11 @@ public interface Navigator extends Device {
 
         record NoPath(String why) implements Result {}
 
-        record Stuck(Pose2d mapFromBase, Duration tried) implements Result {}
+        /// It got no nearer for too long.
+        ///
+        /// @param mapFromBase where
+        /// @param tried since when it worked on this goal
+        /// @param why what it tried, what is left, what is near: for people
+        record Stuck(Pose2d mapFromBase, Duration tried, String why) implements Result {}
     }
 }

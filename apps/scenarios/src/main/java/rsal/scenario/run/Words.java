@@ -67,7 +67,7 @@ final class Words {
             case Navigator.Result.Reached _ -> "reached";
             case Navigator.Result.Cancelled _ -> "cancelled";
             case Navigator.Result.NoPath(String why) -> "no path. " + why;
-            case Navigator.Result.Stuck _ -> "stuck";
+            case Navigator.Result.Stuck(var _, var _, String why) -> "stuck. " + why;
         };
     }
 

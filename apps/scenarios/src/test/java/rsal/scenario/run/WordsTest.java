@@ -2,8 +2,10 @@ package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rsal.agent.Message;
@@ -17,6 +19,7 @@ import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
 import rsal.agent.message.Text;
 import rsal.data.Pose2d;
+import rsal.device.Navigator.Result;
 
 class WordsTest {
     private static final Pose2d PLACE = Pose2d.ofDegrees(1, -2.5, 90);
@@ -38,5 +41,12 @@ class WordsTest {
     void ourOwnMessagesReadAsSentences(Record content) {
         var message = new Message<>(new Topic<>("any", Record.class), "follow-1", Instant.EPOCH, content);
         assertThat(Words.of(message)).doesNotContain("[", "=").isNotBlank();
+    }
+
+    @Test
+    void goalsThatAreNotReachedSayWhy() {
+        assertThat(Words.of(new Result.Stuck(PLACE, Duration.ofMinutes(2), "A box is ahead.")))
+                .isEqualTo("stuck. A box is ahead.");
+        assertThat(Words.of(new Result.NoPath("It is in a wall."))).isEqualTo("no path. It is in a wall.");
     }
 }

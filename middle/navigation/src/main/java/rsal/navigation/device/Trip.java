@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Angles;
@@ -63,6 +64,7 @@ final class Trip {
     private double best = Double.POSITIVE_INFINITY; // least that was ever left
     private Instant giveUp;
     private int detours;
+    private int backedOff;
     private Manoeuvre manoeuvre = Manoeuvre.NONE;
     private Instant manoeuvreEnds;
 
@@ -217,7 +219,12 @@ final class Trip {
     private Twist2d lookAround(Situation now) {
         route = null;
         if (now.now().isAfter(giveUp)) {
-            end(new Result.Stuck(mapFromBase, Duration.between(started, now.now())));
+            giveUp(
+                    now,
+                    "It drove about for %d s and still is unsure where it is, by %.1f m."
+                            .formatted(
+                                    settings.patience().toSeconds(),
+                                    now.estimate().covariance().positionDeviation()));
             return Twist2d.STOP;
         }
         Target onward = Target.at(new Point2d(settings.lookahead(), 0), false);
@@ -244,15 +251,26 @@ final class Trip {
             giveUp = now.now().plus(settings.patience());
         }
         if (now.now().isAfter(giveUp)) {
-            end(new Result.Stuck(mapFromBase, Duration.between(started, now.now())));
+            var blockage = new Blockage(settings.patience(), backedOff, detours);
+            Predicate<Point2d> onMap = place -> !isStrange(place);
+            giveUp(
+                    now,
+                    arrived
+                            ? blockage.turning(left, now.obstacles(), onMap)
+                            : blockage.onTheWay(left - Math.PI, now.obstacles(), onMap));
             return;
         }
         boolean hitsBehind = manoeuvre == Manoeuvre.BACK_OFF && now.stalled();
         if (hitsBehind || (manoeuvre != Manoeuvre.NONE && now.now().isAfter(manoeuvreEnds))) {
             endManoeuvre(now);
         } else if (manoeuvre == Manoeuvre.NONE && (now.stalled() || heldUp(now).compareTo(HELD_UP) > 0)) {
+            backedOff++;
             begin(Manoeuvre.BACK_OFF, settings.escapeTime(), now);
         }
+    }
+
+    private void giveUp(Situation now, String why) {
+        end(new Result.Stuck(mapFromBase, Duration.between(started, now.now()), why));
     }
 
     private Duration heldUp(Situation now) {
@@ -366,10 +384,14 @@ final class Trip {
     private void remember(Situation now) {
         Obstacles around = now.obstacles();
         for (int i = 0; i < around.count(); i++) {
-            Point2d place = mapFromBase.transform(around.at(i));
-            if (parts.toNotFree().at(place.x(), place.y()) > NOT_ON_MAP) {
-                seen.add(new Seen(place, now.now()));
+            if (isStrange(around.at(i))) {
+                seen.add(new Seen(mapFromBase.transform(around.at(i)), now.now()));
             }
         }
+    }
+
+    private boolean isStrange(Point2d baseFromPoint) {
+        Point2d place = mapFromBase.transform(baseFromPoint);
+        return parts.toNotFree().at(place.x(), place.y()) > NOT_ON_MAP;
     }
 }

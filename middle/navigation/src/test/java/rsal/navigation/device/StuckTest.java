@@ -1,0 +1,73 @@
+package rsal.navigation.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Prism;
+import rsal.data.Rgb;
+import rsal.data.Shape;
+import rsal.data.Solid;
+import rsal.device.Navigator.Result;
+import rsal.device.SimulationControl.Thing;
+import rsal.testkit.DrawnMap;
+
+/// A robot before something across its way that the map does not know. Behind it is a pillar, which its laser does
+/// not see.
+class StuckTest {
+    private static final DrawnMap CORRIDOR = DrawnMap.grid(0.1, """
+            ##################################################
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #.......#........................................#
+            #...........r.................................g..#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            ##################################################""");
+
+    @ParameterizedTest
+    @ValueSource(strings = {"vfh", "nd", "snd", "dwa", "mpc"})
+    void saysWhatKeptItAndTouchesNothing(String planner) {
+        var model = NavigationRun.pioneer("urg04lx");
+        NavigationRun run = new NavigationRun(
+                        CORRIDOR.grid(),
+                        1,
+                        Runnable::run,
+                        List.of(NavigationRun.robot("r", model, CORRIDOR.pose('r', 0))))
+                .with(new AmclDriver(), Map.of())
+                .with(new NavigatorDriver(), Map.of("local", planner));
+        var board = Prism.standing(
+                new Shape.Polygon(List.of(
+                        new Point2d(0, -0.62), new Point2d(0.1, -0.62), new Point2d(0.1, 0.62), new Point2d(0, 0.62))),
+                1);
+        Point2d middle =
+                new Point2d(CORRIDOR.pose('r', 0).x() + 0.55, CORRIDOR.grid().originY() + 0.75);
+        run.simulation.add(
+                Thing.of("board", new Pose2d(middle.x(), middle.y(), 0), new Solid(List.of(board)), new Rgb(90, 60, 30))
+                        .asObstacle());
+        var results = new ArrayList<Result>();
+        run.navigator("r").goTo(CORRIDOR.pose('g', 0)).result().thenAccept(results::add);
+        for (int second = 0; second < 400 && results.isEmpty(); second++) {
+            run.advance(1);
+        }
+        assertThat(run.simulation.contacts()).isEmpty();
+        assertThat(results)
+                .singleElement()
+                .isInstanceOfSatisfying(
+                        Result.Stuck.class,
+                        stuck -> assertThat(stuck.why())
+                                .contains("45 s", "m of way", "backed off", "Nearest is something that is"));
+    }
+}
