@@ -23,6 +23,7 @@ public final class CostMap {
     private final OccupancyGrid grid;
     private final double radius;
     private final byte[] costs;
+    private final boolean[] plains;
 
     /// What distances from walls cost.
     ///
@@ -49,6 +50,7 @@ public final class CostMap {
         this.grid = grid;
         this.radius = radius;
         this.costs = costs;
+        this.plains = plains(costs, grid.width());
     }
 
     /// The outermost cells of the map are blocked: nobody knows what lies beyond.
@@ -66,6 +68,18 @@ public final class CostMap {
             }
         }
         return new CostMap(grid, clearance.radius(), costs);
+    }
+
+    private static boolean[] plains(byte[] costs, int width) {
+        var plains = new boolean[costs.length];
+        int cheap = 0; // columns in a row whose three cells cost least
+        for (int cell = width; cell < costs.length - width; cell++) {
+            boolean isCheap =
+                    costs[cell - width] == STRAIGHT && costs[cell] == STRAIGHT && costs[cell + width] == STRAIGHT;
+            cheap = isCheap ? cheap + 1 : 0;
+            plains[cell - 1] = cheap >= 3; // never across the ends of rows: those are blocked
+        }
+        return plains;
     }
 
     /// Does something with each cell that the robot can't be in because of an obstacle that is not on the map [m].
@@ -90,6 +104,11 @@ public final class CostMap {
     /// Costs of the cells, row by row, [#STRAIGHT] to [#DEAREST] or [#BLOCKED]. Not to be written to.
     byte[] costs() {
         return costs;
+    }
+
+    /// Which cells cost no more than [#STRAIGHT], like all eight around them. Not to be written to.
+    boolean[] plains() {
+        return plains;
     }
 
     /// Whether the robot may be in the middle of a cell.

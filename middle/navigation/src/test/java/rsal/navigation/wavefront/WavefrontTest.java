@@ -50,22 +50,39 @@ class WavefrontTest {
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void reachesEverythingForWhatASlowSearchFinds(long seed) {
         var random = new SplittableRandom(seed);
-        CostMap map = costs(RandomMaps.of(random, 40, 30, 0.2), new Clearance(0, 0.2, 3));
+        reachesEverything(costs(RandomMaps.of(random, 40, 30, 0.2), new Clearance(0, 0.2, 3)), random, seed);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void overPlainsItCostsWhatASlowSearchFinds(long seed) {
+        var random = new SplittableRandom(seed);
+        double comfort = random.nextInt(3) * 0.1;
+        reachesEverything(
+                costs(RandomMaps.of(random, 200, 40, 0.002 * (1 + seed)), new Clearance(0.06, 0.06 + comfort, 3)),
+                random,
+                seed);
+    }
+
+    private static void reachesEverything(CostMap map, SplittableRandom random, long seed) {
         var wave = new Wave(map);
         for (int i = 0; i < 10; i++) {
             int source = passable(map, random);
             int[] slow = slowly(map, source, Set.of());
-            wave.clear();
+            wave.clear(); // however far it had spread
+            assertThat(field(wave, map)).containsOnly(Wave.UNREACHED);
             wave.start(source);
-            for (int j = 0; j < 10; j++) { // it may be asked to go on
-                int target = j < 9 ? passable(map, random) : -1;
+            int targets = random.nextInt(10); // it may be asked to go on
+            for (int j = 0; j < targets; j++) {
+                int target = passable(map, random);
                 boolean reached = wave.spread(target);
-                if (target >= 0) {
-                    assertThat(wave.at(target)).as("seed %d", seed).isEqualTo(slow[target]);
-                    assertThat(reached).isEqualTo(slow[target] != Wave.UNREACHED);
-                }
+                assertThat(wave.at(target)).as("seed %d", seed).isEqualTo(slow[target]);
+                assertThat(reached).isEqualTo(slow[target] != Wave.UNREACHED);
             }
-            assertThat(field(wave, map)).as("seed %d", seed).isEqualTo(slow);
+            if (random.nextBoolean()) {
+                wave.spread(-1);
+                assertThat(field(wave, map)).as("seed %d", seed).isEqualTo(slow);
+            }
         }
     }
 
