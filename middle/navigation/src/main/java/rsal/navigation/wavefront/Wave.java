@@ -15,9 +15,9 @@ import org.jspecify.annotations.Nullable;
 /// Canonical Orderings on Grids, IJCAI 2016; unlike theirs, runs write into the cells that they cross and end where
 /// these were reached as cheaply before).
 ///
-/// A [Guide] hurries it towards a cell (P. Hart, N. Nilsson, B. Raphael, 1968); then nothing runs ahead. What it
-/// leaves in the cells of cheapest ways to that cell depends neither on the guide nor on the order in which it gets
-/// there, for it goes on until all of them are found.
+/// A [Guide] hurries it towards a cell (P. Hart, N. Nilsson, B. Raphael, 1968). What it leaves in the cells of
+/// cheapest ways to that cell depends neither on the guide nor on the order in which it gets there, for it goes on
+/// until all of them are found.
 ///
 /// Starts anew without allocating. Not safe for several threads at once.
 final class Wave {
@@ -25,9 +25,9 @@ final class Wave {
     static final int UNREACHED = Integer.MAX_VALUE;
 
     private static final int BLOCKED = -1; // in the field, so that one look tells whether a cell is open
-    private static final int BUCKETS = 2048; // a power of 2, more than runs and two steps cost together
+    private static final int BUCKETS = 2048; // a power of 2, more than twice what a run and two steps cost
     private static final int ROOM = 32; // of a bucket at first
-    private static final int RUN = 1600; // so much dearer than the front a straight run may get
+    private static final int RUN = 800; // what a straight run may cost
     private static final int DIAGONAL_RUN = 100; // the same of a diagonal one: it may well be overtaken
     private static final int SIDE = CostMap.SIDE;
     private static final int DIAGONAL = CostMap.diagonal(CostMap.SIDE);
@@ -165,10 +165,11 @@ final class Wave {
         byte[] costs = this.costs;
         int up = width;
         int now = front;
-        boolean runs = guide == null && !blocked;
+        int run = blocked ? 0 : RUN;
         for (int i = from; i < to; i++) {
             int cell = cells[i];
             int reached = field[cell];
+            int most = reached + run;
             if (reached + least(cell) != now) {
                 continue; // was reached for less since
             }
@@ -178,51 +179,50 @@ final class Wave {
             int below = field[cell - up];
             int above = field[cell + up];
             if (left > reached) {
-                straight(field, cell - 1, -1, reached + cost + costs[cell - 1], runs);
+                straight(field, cell - 1, -1, reached + cost + costs[cell - 1], most);
             }
             if (right > reached) {
-                straight(field, cell + 1, 1, reached + cost + costs[cell + 1], runs);
+                straight(field, cell + 1, 1, reached + cost + costs[cell + 1], most);
             }
             if (below > reached) {
-                straight(field, cell - up, -up, reached + cost + costs[cell - up], runs);
+                straight(field, cell - up, -up, reached + cost + costs[cell - up], most);
             }
             if (above > reached) {
-                straight(field, cell + up, up, reached + cost + costs[cell + up], runs);
+                straight(field, cell + up, up, reached + cost + costs[cell + up], most);
             }
             if ((left | below) >= 0) {
-                across(field, cell, -1, -up, runs);
+                across(field, cell, -1, -up, most);
             }
             if ((right | below) >= 0) {
-                across(field, cell, 1, -up, runs);
+                across(field, cell, 1, -up, most);
             }
             if ((left | above) >= 0) {
-                across(field, cell, -1, up, runs);
+                across(field, cell, -1, up, most);
             }
             if ((right | above) >= 0) {
-                across(field, cell, 1, up, runs);
+                across(field, cell, 1, up, most);
             }
             touched(cell - up - 1);
             touched(cell + up + 1);
         }
     }
 
-    private void across(int[] field, int from, int dx, int dy, boolean runs) {
+    private void across(int[] field, int from, int dx, int dy, int most) {
         int cell = from + dx + dy;
         int reached = field[from];
         if (field[cell] > reached) {
-            diagonal(field, cell, dx, dy, reached + CostMap.diagonal(costs[from] + costs[cell]), runs);
+            diagonal(field, cell, dx, dy, reached + CostMap.diagonal(costs[from] + costs[cell]), most);
         }
     }
 
-    /// Reaches a cell along a side and, over plains, those behind it.
-    private void straight(int[] field, int first, int step, int cost, boolean runs) {
+    /// Reaches a cell along a side and, over plains, those behind it that cost no more than `most`.
+    private void straight(int[] field, int first, int step, int cost, int most) {
         boolean[] plains = this.plains;
-        int most = front + RUN;
         int cell = first;
         int now = cost;
         while (now < field[cell]) {
             field[cell] = now;
-            if (!plains[cell] || !runs || now > most) {
+            if (!plains[cell] || now > most) {
                 push(cell, now + least(cell));
                 break;
             }
@@ -233,18 +233,18 @@ final class Wave {
     }
 
     /// Reaches a cell across a corner and, over plains, those behind it and beside these.
-    private void diagonal(int[] field, int first, int dx, int dy, int cost, boolean runs) {
-        int most = front + DIAGONAL_RUN;
+    private void diagonal(int[] field, int first, int dx, int dy, int cost, int most) {
+        int far = most - RUN + DIAGONAL_RUN;
         int cell = first;
         int now = cost;
         while (now < field[cell]) {
             field[cell] = now;
-            if (!plains[cell] || !runs || now > most) {
+            if (!plains[cell] || now > far) {
                 push(cell, now + least(cell));
                 break;
             }
-            straight(field, cell + dx, dx, now + SIDE, true);
-            straight(field, cell + dy, dy, now + SIDE, true);
+            straight(field, cell + dx, dx, now + SIDE, most);
+            straight(field, cell + dy, dy, now + SIDE, most);
             cell += dx + dy;
             now += DIAGONAL;
         }

@@ -66,6 +66,7 @@ class WavefrontTest {
 
     private static void reachesEverything(CostMap map, SplittableRandom random, long seed) {
         var wave = new Wave(map);
+        var guided = new Wave(map);
         for (int i = 0; i < 10; i++) {
             int source = passable(map, random);
             int[] slow = slowly(map, source, Set.of());
@@ -79,6 +80,11 @@ class WavefrontTest {
                 assertThat(wave.at(target)).as("seed %d", seed).isEqualTo(slow[target]);
                 assertThat(reached).isEqualTo(slow[target] != Wave.UNREACHED);
             }
+            int hurried = passable(map, random);
+            guided.clear();
+            guided.start(source, octile(hurried, map.grid().width()));
+            guided.spread(hurried);
+            assertThat(guided.at(hurried)).as("seed %d", seed).isEqualTo(slow[hurried]);
             if (random.nextBoolean()) {
                 wave.spread(-1);
                 assertThat(field(wave, map)).as("seed %d", seed).isEqualTo(slow);
@@ -263,6 +269,14 @@ class WavefrontTest {
             left -= length;
         }
         return path.points().getLast();
+    }
+
+    private static Wave.Guide octile(int target, int width) {
+        return cell -> {
+            int dx = Math.abs(cell % width - target % width);
+            int dy = Math.abs(cell / width - target / width);
+            return 20 * Math.max(dx, dy) + 8 * Math.min(dx, dy);
+        };
     }
 
     private static int[] field(Wave wave, CostMap map) {
