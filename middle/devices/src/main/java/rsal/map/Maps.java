@@ -1,6 +1,9 @@
 package rsal.map;
 
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -16,6 +19,11 @@ import rsal.settings.Value;
 /// is [OccupancyGrid#OCCUPIED], lighter than `free_thresh` is [OccupancyGrid#FREE], what lies between is
 /// [OccupancyGrid#UNKNOWN]; in the mode `scale`, so is what is transparent. Colors count by their mean. Maps that
 /// are turned (`origin` with a third value other than 0) are refused.
+///
+/// The mode `mapfile` reads images as Player's driver of that name does: its thresholds are 0.95 and 0.1, opacity
+/// counts as one more color, and the image's middle lies at the origin unless the file says where it lies.
+///
+/// Instead of an image there can be a [Drawing].
 public final class Maps {
     private static final int MAX_IMAGE_BYTES = 1 << 28;
     private static final FileSource BUILT_IN = FileSource.resources(Maps.class, "/rsal/maps/");
@@ -57,7 +65,6 @@ public final class Maps {
         Value.Mapping file = source.yaml(path, askedAt);
         var problems = new Problems();
         var section = new Section("", file, problems);
-        String image = section.text("image");
         double resolution = section.number("resolution");
         if (!(resolution >= 0.001 && resolution <= 100)) {
             section.problem(
@@ -65,46 +72,89 @@ public final class Maps {
                     "(resolution) must be a number from 0.001 to 100 [m], not (%s).".formatted(resolution),
                     "");
         }
-        if (!section.has("origin")) {
-            section.problem(section.location(), "(origin) is missing: [x, y, 0] of the lower left corner.", "");
-        }
-        double[] origin = section.numbers("origin", 3).orElse(new double[3]);
-        if (Math.abs(origin[0]) > 1e6 || Math.abs(origin[1]) > 1e6) {
-            section.problem("origin", "(origin) must be within 1000000 m.", "");
-        }
-        if (origin[2] != 0) {
-            section.problem(
-                    "origin",
-                    "(origin) turns the map by (%s); only maps that are not turned can be read.".formatted(origin[2]),
-                    "Turn the image instead and set the third value to 0.");
-        }
-        var shading = shading(section);
+        boolean drawn = section.has("drawing");
+        String from = section.text(drawn ? "drawing" : "image");
+        Location fromAt = section.locationOf(drawn ? "drawing" : "image");
+        var mode = drawn ? Mode.TRINARY : mode(section);
+        Optional<double[]> origin = origin(section, drawn || mode == Mode.MAPFILE);
+        Optional<Shading> shading = drawn ? Optional.empty() : Optional.of(shading(section, mode));
         section.done();
         problems.throwIfAny();
-        Location imageAt = section.locationOf("image");
-        int slash = path.lastIndexOf('/');
-        byte[] bytes = source.read(path.substring(0, slash + 1) + image, MAX_IMAGE_BYTES, imageAt);
-        MapImage pixels = MapImage.read(image, bytes, shading);
-        return new OccupancyGrid(pixels.width(), pixels.height(), resolution, origin[0], origin[1], pixels.cells());
+        MapImage cells =
+                shading.map(how -> image(source, path, from, fromAt, how)).orElseGet(() -> Drawing.read(from, fromAt));
+        double[] corner = origin.orElseGet(() -> drawn
+                ? new double[2]
+                : new double[] {-resolution * cells.width() / 2, -resolution * cells.height() / 2});
+        return new OccupancyGrid(cells.width(), cells.height(), resolution, corner[0], corner[1], cells.cells());
     }
 
-    private static Shading shading(Section section) {
-        double occupied = share(section, "occupied_thresh", 0.65);
-        double free = share(section, "free_thresh", 0.196);
+    private static MapImage image(FileSource source, String path, String image, Location askedAt, Shading shading) {
+        int slash = path.lastIndexOf('/');
+        byte[] bytes = source.read(path.substring(0, slash + 1) + image, MAX_IMAGE_BYTES, askedAt);
+        return MapImage.read(image, bytes, shading);
+    }
+
+    /// How an image is read.
+    private enum Mode {
+        TRINARY,
+        SCALE,
+        MAPFILE;
+
+        private static List<String> names() {
+            return Stream.of(values())
+                    .map(mode -> mode.name().toLowerCase(Locale.ROOT))
+                    .toList();
+        }
+    }
+
+    private static Mode mode(Section section) {
+        String mode = section.text("mode", "trinary");
+        int found = Mode.names().indexOf(mode);
+        if (found < 0) {
+            section.problem(
+                    "mode", "There is no mode (%s) here.".formatted(mode), Suggestion.among(mode, Mode.names()));
+        }
+        return Mode.values()[Math.max(0, found)];
+    }
+
+    private static Optional<double[]> origin(Section section, boolean mayBeMissing) {
+        if (!section.has("origin")) {
+            if (!mayBeMissing) {
+                section.problem(section.location(), "(origin) is missing: [x, y, 0] of the lower left corner.", "");
+            }
+            return Optional.empty();
+        }
+        Optional<double[]> origin = section.numbers("origin", 3);
+        origin.ifPresent(corner -> {
+            if (Math.abs(corner[0]) > 1e6 || Math.abs(corner[1]) > 1e6) {
+                section.problem("origin", "(origin) must be within 1000000 m.", "");
+            }
+            if (corner[2] != 0) {
+                section.problem(
+                        "origin",
+                        "(origin) turns the map by (%s); only maps that are not turned can be read."
+                                .formatted(corner[2]),
+                        "Turn the image instead and set the third value to 0.");
+            }
+        });
+        return origin;
+    }
+
+    private static Shading shading(Section section, Mode mode) {
+        double occupied = share(section, "occupied_thresh", mode == Mode.MAPFILE ? 0.95 : 0.65);
+        double free = share(section, "free_thresh", mode == Mode.MAPFILE ? 0.1 : 0.196);
         if (free > occupied) {
             section.problem(
                     "free_thresh",
                     "(free_thresh) is (%s), above (occupied_thresh) (%s).".formatted(free, occupied),
                     "Maybe the two were mixed up.");
         }
-        String mode = section.text("mode", "trinary");
-        if (!List.of("trinary", "scale").contains(mode)) {
-            section.problem(
-                    "mode",
-                    "There is no mode (%s) here.".formatted(mode),
-                    Suggestion.among(mode, List.of("trinary", "scale")));
-        }
-        return new Shading(negate(section), occupied, free, mode.equals("scale"));
+        var opacity = switch (mode) {
+            case TRINARY -> Shading.Opacity.IGNORED;
+            case SCALE -> Shading.Opacity.NEEDED;
+            case MAPFILE -> Shading.Opacity.COLOR;
+        };
+        return new Shading(negate(section), occupied, free, opacity);
     }
 
     private static double share(Section section, String key, double fallback) {

@@ -34,7 +34,7 @@ final class Pgm {
                 if (value > white) {
                     throw MapImage.broken(name, "a pixel (%d) is brighter than white (%d)".formatted(value, white));
                 }
-                cells[row * width + column] = shading.cell((double) value / white, true);
+                cells[row * width + column] = shading.cell((double) value / white);
             }
         }
         return new MapImage(width, height, cells);

@@ -94,6 +94,66 @@ class MapsTest {
                 .containsExactly(OCCUPIED, OCCUPIED, FREE, FREE, UNKNOWN, OCCUPIED);
     }
 
+    /// By Player's mapfile: the mean of all channels, opacity among them, darker than 0.95 or lighter than 0.1.
+    @Test
+    void theModeMapfileReadsAsPlayerDoes() throws IOException {
+        write("lab.yaml", "image: lab.pgm\nresolution: 0.5\nmode: mapfile\n");
+        write("lab.pgm", "P2 4 1 100 4 6 89 91");
+
+        OccupancyGrid grid = maps.read("lab.yaml", HERE);
+
+        assertThat(grid.cells()).containsExactly(OCCUPIED, UNKNOWN, UNKNOWN, FREE);
+        assertThat(grid.originX()).isEqualTo(-1);
+        assertThat(grid.originY()).isEqualTo(-0.25);
+
+        write("lab.yaml", "image: lab.png\nresolution: 0.5\nmode: mapfile\norigin: [3, 4, 0]\n");
+        Files.write(
+                folder.resolve("lab.png"), png(0xff000000, 0x00000000, 0xffffffff, 0x80ffffff, 0xffff0000, 0xfffefefe));
+        grid = maps.read("lab.yaml", HERE);
+        assertThat(grid.cells()).containsExactly(UNKNOWN, UNKNOWN, FREE, UNKNOWN, OCCUPIED, FREE);
+        assertThat(grid.originX()).isEqualTo(3);
+
+        write("lab.yaml", "image: lab.pgm\nresolution: 0.5\nmode: mapfile\nnegate: 1\n");
+        assertThat(maps.read("lab.yaml", HERE).cells()).containsExactly(FREE, FREE, UNKNOWN, UNKNOWN);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"bmp", "gif", "jpg"})
+    void readsOtherImages(String format) throws IOException {
+        var image = new BufferedImage(16, 8, BufferedImage.TYPE_INT_RGB);
+        image.createGraphics().fillRect(0, 0, 8, 8);
+        var bytes = new ByteArrayOutputStream();
+        assertThat(ImageIO.write(image, format, bytes)).isTrue();
+        Files.write(folder.resolve("lab.pgm"), bytes.toByteArray());
+
+        OccupancyGrid grid = maps.read("lab.yaml", HERE);
+
+        assertThat(grid.at(2, 4)).isEqualTo(FREE);
+        assertThat(grid.at(13, 4)).isEqualTo(OCCUPIED);
+    }
+
+    @Test
+    void aMapMayBeDrawnWithLetters() throws IOException {
+        write("lab.yaml", "resolution: 0.5\ndrawing: |\n  ####\n  #.?#\n  # \n");
+
+        OccupancyGrid grid = maps.read("lab.yaml", HERE);
+
+        assertThat(grid.width()).isEqualTo(4);
+        assertThat(grid.originX()).isZero();
+        assertThat(grid.cells())
+                .containsExactly(
+                        OCCUPIED, UNKNOWN, UNKNOWN, UNKNOWN, OCCUPIED, FREE, UNKNOWN, OCCUPIED, OCCUPIED, OCCUPIED,
+                        OCCUPIED, OCCUPIED);
+    }
+
+    @Test
+    void aDrawingWithAnotherLetterIsRefused() throws IOException {
+        write("lab.yaml", "resolution: 0.5\ndrawing: |\n  ##\n  #x\n");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> maps.read("lab.yaml", HERE))
+                .withMessageContaining("lab.yaml:2:10: (drawing) has a (x) in its line 2, column 2.");
+    }
+
     @Test
     void theImageIsLookedForBesideTheYaml() throws IOException {
         Files.createDirectory(folder.resolve("maps"));
@@ -136,6 +196,8 @@ class MapsTest {
                 "origin: [-1, -2, 0]|negate2: 0",
                 "negate: 0|negate: 2",
                 "negate: 0|mode: raw",
+                "negate: 0|drawing: '#'",
+                "image: lab.pgm|drawing: ''",
                 "0.65|0.1",
                 "0.65|1.5",
                 "lab.pgm|../lab.pgm",
