@@ -11,10 +11,12 @@ import rsal.data.BatteryState;
 import rsal.data.Blobs;
 import rsal.data.Blobs.Blob;
 import rsal.data.BumperState;
+import rsal.data.Covariance2d;
 import rsal.data.Fiducials;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.GripperState;
 import rsal.data.Point2d;
+import rsal.data.PoseEstimate;
 import rsal.scenario.run.Reading;
 import rsal.server.Messages.Fact;
 import rsal.server.Messages.ReadingInfo;
@@ -49,6 +51,7 @@ final class ReadingWords {
                 Optional.of(seen.fiducials().stream().map(ReadingWords::marker).toList());
             case BumperState bumpers -> Optional.of(bumpers(bumpers));
             case ActuatorState actuator -> Optional.of(List.of(actuator(actuator)));
+            case PoseEstimate estimate -> Optional.of(estimate(estimate));
             default -> Optional.empty();
         };
     }
@@ -137,6 +140,26 @@ final class ReadingWords {
             case ROTATIONAL -> String.format(Locale.ROOT, "%.0f°", Math.toDegrees(state.position()));
         };
         return fact("position", "%s, %s".formatted(position, word(state.motion())));
+    }
+
+    private static List<Fact> estimate(PoseEstimate estimate) {
+        Covariance2d covariance = estimate.covariance();
+        var facts = new ArrayList<Fact>();
+        facts.add(fact(
+                "state",
+                String.format(Locale.ROOT, "%s, %.0f %% sure", word(estimate.quality()), 100 * estimate.confidence())));
+        facts.add(fact(
+                "deviation",
+                String.format(
+                        Locale.ROOT,
+                        "%.2f m, %.1f°",
+                        covariance.positionDeviation(),
+                        Math.toDegrees(Math.sqrt(Math.max(0, covariance.thetaTheta()))))));
+        if (estimate.hypotheses().size() > 1) {
+            facts.add(fact(
+                    "places it may be at", String.valueOf(estimate.hypotheses().size())));
+        }
+        return facts;
     }
 
     /// Where something is as seen from the robot: `1.20 m, 15° left`.

@@ -12,12 +12,14 @@ import rsal.data.BatteryState;
 import rsal.data.Blobs;
 import rsal.data.Blobs.Blob;
 import rsal.data.BumperState;
+import rsal.data.Covariance2d;
 import rsal.data.Fiducials;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.GripperState;
 import rsal.data.Interval;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.scenario.run.Reading;
@@ -35,6 +37,21 @@ class ReadingWordsTest {
         return told(value).getFirst().facts().stream()
                 .map(fact -> fact.name() + ": " + fact.value())
                 .toList();
+    }
+
+    @Test
+    void aLocalizerSaysHowSureItIs() {
+        var here = new Pose2d(1, 2, 0);
+        var covariance = Covariance2d.ofDeviations(0.2, 0.1, Math.toRadians(3));
+        assertThat(words(new PoseEstimate(
+                        here,
+                        covariance,
+                        List.of(
+                                new PoseEstimate.Hypothesis(0.6, here, covariance),
+                                new PoseEstimate.Hypothesis(0.4, AHEAD, covariance)),
+                        0.584,
+                        PoseEstimate.Quality.AMBIGUOUS)))
+                .containsExactly("state: ambiguous, 58 % sure", "deviation: 0.20 m, 3.0°", "places it may be at: 2");
     }
 
     @Test
