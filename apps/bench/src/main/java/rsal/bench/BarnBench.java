@@ -42,7 +42,7 @@ final class BarnBench implements Bench {
             var limits = BarnRun.LIMITS;
             double reaction = BarnRun.REACTION;
             return switch (this) {
-                case VFH -> new Vfh(footprint, limits, new Vfh.Settings(WINDOW, 0.1, 0.3), reaction);
+                case VFH -> new Vfh(footprint, limits, Vfh.Settings.of(WINDOW, 0.1, 0.3), reaction);
                 case ND -> new Nd(footprint, limits, Nd.Settings.DEFAULT, reaction);
                 case SND -> new Snd(footprint, limits, Snd.Settings.of(footprint), reaction);
                 case DWA -> new Dwa(footprint, limits, Dwa.Settings.of(0.25, LOOKAHEAD), reaction);

@@ -90,6 +90,11 @@ record Kind(
                 .toList();
     }
 
+    /// Whether it is a driver that can be told to use something, as `vfh`.
+    boolean offers(String choice) {
+        return kind.equals("driver") && settings.stream().anyMatch(setting -> setting.options.contains(choice));
+    }
+
     /// For people.
     String text() {
         var text = new StringBuilder("%s: %s%n".formatted(name, title()));

@@ -24,7 +24,7 @@ import rsal.settings.Suggestion;
         name = "show",
         description =
                 "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
-                        + " and measures), what is in a world, with a picture of it, or what can be set of an agent, a device driver or a back end.")
+                        + " and measures), what is in a world, with a picture of it, or what can be set of an agent, a device driver (also by what it may use, as 'vfh') or a back end.")
 final class ShowCommand extends Subcommand {
     @Parameters(
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|NAME",
@@ -50,7 +50,9 @@ final class ShowCommand extends Subcommand {
                     spec.commandLine(), "Only worlds (FILE.world.yaml, FILE.world, FILE.cfg) are drawn.");
         }
         List<Kind> all = Kind.all();
-        List<Kind> found = all.stream().filter(kind -> kind.name().equals(name)).toList();
+        List<Kind> named = all.stream().filter(kind -> kind.name().equals(name)).toList();
+        List<Kind> found =
+                named.isEmpty() ? all.stream().filter(kind -> kind.offers(name)).toList() : named;
         if (found.isEmpty()) {
             show(ScenarioReference.parse(name), all);
         } else if (json) {

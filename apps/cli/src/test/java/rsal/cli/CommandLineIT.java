@@ -451,6 +451,41 @@ class CommandLineIT {
     }
 
     @Test
+    void optionsAreThoseOfPlayerByTheirNamesHere() throws Exception {
+        assertThat(rsal.run("show", "vfh").out())
+                .contains("navigator: a device driver", "safetyDist0ms", "sectorAngle");
+        Files.writeString(folder.resolve("player.yaml"), """
+                rsal: 1
+                scenario: player
+                world: {map: office}
+                robots:
+                  r:
+                    model: pioneer2dx
+                    pose: [0, -1, 0]
+                    devices:
+                      laser: urg04lx
+                      localizer: {type: amcl}
+                      navigator:
+                        local: snd
+                        min_gap_width: 0.5
+                        goal_position_tol: 0.2
+                agents: {}
+                mas: {use: plain}
+                mrs: {use: sim}
+                run: {stop: [{when: time > 1, outcome: success}]}
+                """);
+        Ended ended = rsal.run("validate", "player.yaml");
+        assertThat(ended.code()).isEqualTo(Exit.INVALID);
+        assertThat(ended.err() + ended.out())
+                .contains(
+                        "player.yaml:13:",
+                        "(min_gap_width) is not known in (robots.r.devices.navigator)",
+                        "It is written 'minGapWidth' here.",
+                        "player.yaml:14:",
+                        "comes with each goal");
+    }
+
+    @Test
     void configurationsOfPlayerShowRunAndValidate() throws Exception {
         Files.writeString(folder.resolve("lab.world"), """
                 define cart position ( size [0.4 0.4 0.3] ranger ( sensor ( range [0 4] fov 180 samples 90 ) ) )

@@ -14,6 +14,7 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotModels;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
@@ -99,6 +100,15 @@ final class DeviceReader {
                 ? devices.section(name)
                 : new Section(devices.path(name), Value.Mapping.empty(devices.locationOf(name)), problems);
         options.has("type");
+        for (String option : options.names()) {
+            boolean known = driver.parameters().stream()
+                    .anyMatch(parameter -> parameter.name().equals(option));
+            driver.advice(option).filter(_ -> !known).ifPresent(advice -> {
+                options.has(option);
+                Location place = options.mapping().keys().getOrDefault(option, options.location());
+                options.problem(place, "(%s) is not known in (%s).".formatted(option, devices.path(name)), advice);
+            });
+        }
         return PlanReader.settings(options, driver.parameters());
     }
 

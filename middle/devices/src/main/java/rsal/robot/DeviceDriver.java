@@ -32,6 +32,12 @@ public interface DeviceDriver {
 
     List<Parameter> parameters();
 
+    /// What to say to somebody who sets something that is no parameter here but is one of a program that people come
+    /// from: what is instead, or why there is nothing. In a sentence; empty when it is not known.
+    default Optional<String> advice(String option) {
+        return Optional.empty();
+    }
+
     /// Makes the device and starts its work on the scheduler.
     Device create(Context context, Arguments arguments);
 

@@ -61,21 +61,27 @@ public final class NavigatorDriver implements DeviceDriver {
         parameters.add(Parameter.choice("local", "vfh", List.of("vfh", "nd", "snd", "dwa", "mpc"), "drives along it"));
         parameters.add(Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster"));
         parameters.add(Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster"));
-        parameters.add(
-                Parameter.number("safetyDistance", 0.1, 0, 1, "m", "room to keep from obstacles while standing"));
-        parameters.add(
-                Parameter.number("safetyDistanceAtSpeed", 0.4, 0, 2, "m", "room to keep from obstacles at 1 m/s"));
+        parameters.add(Parameter.number("maxAcceleration", 10, 0.05, 10, "m/s²", "never speeds up or brakes harder"));
+        parameters.addAll(VfhOptions.parameters());
         parameters.add(Parameter.number(
                 "avoidDist", 0.5, 0.05, 3, "m", "from what is nearer to its edge nd turns away and slows down"));
-        parameters.add(Parameter.number("obstacleAvoidDist", 0.6, 0.05, 5, "m", "the same for snd"));
+        parameters.add(Parameter.number("safetyDist", 0, 0, 1, "m", "room around it that nd counts as part of it"));
+        parameters.add(Parameter.number("obstacleAvoidDist", 0.6, 0.05, 5, "m", "what avoidDist is, for snd"));
         parameters.add(Parameter.number(
                 "minGapWidth", 0.5, 0.05, 3, "m", "by how much ranges must jump where snd sees a gap"));
+        parameters.add(Parameter.number(
+                "robotRadius", 0, 0, 3, "m", "of the circle that snd takes it for; 0: one as large as it is"));
         parameters.add(Parameter.number("replanPeriod", 4, 0.2, 60, "s", "how often it looks for a better way"));
         parameters.add(Parameter.number("escapeSpeed", 0.1, 0.02, 0.5, "m/s", "how fast it backs off when blocked"));
         parameters.add(Parameter.number("escapeTime", 5, 0.5, 30, "s", "how long it does so at most"));
         parameters.add(Parameter.number("patience", 45, 5, 600, "s", "without getting nearer, until it is stuck"));
         parameters.addAll(Ways.parameters());
         return parameters;
+    }
+
+    @Override
+    public Optional<String> advice(String option) {
+        return PlayerOptions.advice(option, parameters());
     }
 
     @Override
@@ -96,7 +102,7 @@ public final class NavigatorDriver implements DeviceDriver {
         var limits = new DriveLimits(
                 speed,
                 Math.min(arguments.radians("maxTurnRate"), model.drive().maxTurnRate()),
-                model.drive().maxAcceleration(),
+                Math.min(arguments.number("maxAcceleration"), model.drive().maxAcceleration()),
                 model.drive().maxTurnAcceleration());
         double lookahead = LEAST_LOOKAHEAD + LOOKAHEAD_TIME * speed;
         var navigator = new PathNavigator(
@@ -126,7 +132,9 @@ public final class NavigatorDriver implements DeviceDriver {
 
     /// Planners that look for gaps or ahead see farther than the next step.
     private static double view(Arguments arguments, double atLeast) {
-        return arguments.text("local").equals("vfh") ? atLeast : Math.max(atLeast, VIEW);
+        return arguments.text("local").equals("vfh")
+                ? Math.max(atLeast, VfhOptions.window(arguments, atLeast) + atLeast)
+                : Math.max(atLeast, VIEW);
     }
 
     private static LocalPlanner avoidance(
@@ -134,22 +142,25 @@ public final class NavigatorDriver implements DeviceDriver {
         double reaction = 2 * PathNavigator.BEAT_SECONDS;
         return switch (arguments.text("local")) {
             case "dwa" -> new Dwa(footprint, limits, Dwa.Settings.of(0.25, lookahead), reaction);
-            case "nd" -> new Nd(footprint, limits, new Nd.Settings(arguments.number("avoidDist"), 0), reaction);
+            case "nd" ->
+                new Nd(
+                        footprint,
+                        limits,
+                        new Nd.Settings(arguments.number("avoidDist"), arguments.number("safetyDist")),
+                        reaction);
             case "snd" ->
                 new Snd(
                         footprint,
                         limits,
                         new Snd.Settings(
-                                Outline.radius(footprint),
+                                arguments.number("robotRadius") > 0
+                                        ? arguments.number("robotRadius")
+                                        : Outline.radius(footprint),
                                 arguments.number("minGapWidth"),
                                 arguments.number("obstacleAvoidDist")),
                         reaction);
             case "mpc" -> new Mpc(footprint, limits, Mpc.Settings.DEFAULT, reaction, PathNavigator.BEAT_SECONDS);
-            default -> {
-                double safety = arguments.number("safetyDistance");
-                double atSpeed = Math.max(0.01, arguments.number("safetyDistanceAtSpeed") - safety);
-                yield new Vfh(footprint, limits, new Vfh.Settings(lookahead, safety, atSpeed), reaction);
-            }
+            default -> new Vfh(footprint, limits, VfhOptions.settings(arguments, lookahead), reaction);
         };
     }
 }

@@ -10,25 +10,26 @@ import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 
 /// Chooses a direction by a polar histogram of obstacles: I. Ulrich, J. Borenstein, VFH+: Reliable Obstacle
-/// Avoidance for Fast Mobile Robots (ICRA 1998), equations 1–19.
+/// Avoidance for Fast Mobile Robots (ICRA 1998): obstacles grown by the robot's radius and a safety distance, a binary
+/// histogram by two thresholds (hysteresis), a masked one by the circles that the robot can turn on, candidates in
+/// narrow and wide openings, and a cost of three weighted angles, of which that to the target must weigh more than the
+/// other two together. The weights are those that its implementations have as defaults.
 ///
 /// Differs from the paper in these points:
 /// * The histogram is made of what the sensors see now, not of a certainty grid, and holds the nearest obstacle
 ///   per direction, not a sum, so that it does not depend on how many beams a scan has. The thresholds with
 ///   hysteresis are distances.
 /// * Obstacles behind the target do not count.
+/// * The target is a candidate wherever it lies in an opening, in a narrow one and at the edges of a wide one, too:
+///   openings are those of grown obstacles already.
+/// * Circles have the radius that the measured speed and the highest turn rate make; only what is ahead bars turns.
 /// * The safety distance grows with speed the other way round: directions are open as at standstill, and the room
 ///   beside the chosen one says how fast it may be taken.
 /// * The last word has [Caution].
 ///
 /// Keeps the last histogram and direction, so each robot needs its own.
 public final class Vfh implements LocalPlanner {
-    private static final int SECTORS = 72;
-    private static final double SECTOR = 2 * Math.PI / SECTORS;
-    private static final int WIDE = 16; // sectors; s_max in the paper
-    private static final double TO_TARGET = 5; // μ₁
-    private static final double TO_HEADING = 2; // μ₂
-    private static final double TO_PREVIOUS = 2; // μ₃
+    private static final double WIDE = Math.toRadians(80); // s_max in the paper
     private static final double OPENS = 1.15; // hysteresis: a closed direction opens at so many times the distance
     private static final double STEERING = 2.0; // 1/s; turn rate per angle that is missing
     private static final double TURN_FIRST = Math.toRadians(60); // no driving while so much is missing
@@ -39,15 +40,61 @@ public final class Vfh implements LocalPlanner {
     /// @param lookahead obstacles beyond this distance do not close a direction [m]
     /// @param safetyDistance room to keep beside the outline at standstill [m]
     /// @param safetyDistancePerSpeed more room per speed [m per m/s]
-    public record Settings(double lookahead, double safetyDistance, double safetyDistancePerSpeed) {}
+    /// @param sector between directions that it tells apart [rad]; the next that divides a turn
+    public record Settings(
+            double lookahead,
+            double safetyDistance,
+            double safetyDistancePerSpeed,
+            double sector,
+            Openings openings,
+            Turning turning,
+            Weights weights) {
+        public static Settings of(double lookahead, double safetyDistance, double safetyDistancePerSpeed) {
+            return new Settings(
+                    lookahead,
+                    safetyDistance,
+                    safetyDistancePerSpeed,
+                    Math.toRadians(5),
+                    Openings.ANY_SPEED,
+                    Turning.ANY_RATE,
+                    Weights.DEFAULT);
+        }
+    }
+
+    /// How fast to be at most in openings between obstacles [m/s].
+    public record Openings(double narrow, double wide) {
+        static final Openings ANY_SPEED = new Openings(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+    }
+
+    /// How fast to turn at most, linear in between.
+    ///
+    /// @param standing at 0 m/s [rad/s]
+    /// @param atSpeed at 1 m/s [rad/s]
+    /// @param safety how many times wider curves are to be reckoned with
+    public record Turning(double standing, double atSpeed, double safety) {
+        static final Turning ANY_RATE = new Turning(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1);
+
+        double most(double speed) {
+            double share = Math.min(1, Math.abs(speed));
+            return share == 0 || standing == atSpeed ? standing : standing + share * (atSpeed - standing);
+        }
+    }
+
+    /// What it costs to go elsewhere than to the target ("μ₁"), straight on ("μ₂") or as chosen before ("μ₃").
+    public record Weights(double target, double heading, double previous) {
+        static final Weights DEFAULT = new Weights(5, 2, 2);
+    }
 
     private final Settings settings;
     private final DriveLimits limits;
     private final Caution caution;
     private final double radius;
-    private final double[] nearest = new double[SECTORS];
-    private final boolean[] closed = new boolean[SECTORS]; // by direction in the odometry frame, for hysteresis
-    private final boolean[] masked = new boolean[SECTORS];
+    private final int sectors;
+    private final double sector;
+    private final double[] nearest;
+    private final boolean[] closed; // by direction in the odometry frame, for hysteresis
+    private final boolean[] masked;
+    private double openingSpeed; // m/s
     private double previous = Double.NaN;
     private double bestCost;
     private double bestDirection;
@@ -58,6 +105,11 @@ public final class Vfh implements LocalPlanner {
         this.limits = limits;
         this.radius = footprint.inscribedRadius();
         this.caution = new Caution(footprint, limits, reaction);
+        this.sectors = (int) Math.round(2 * Math.PI / settings.sector());
+        this.sector = 2 * Math.PI / sectors;
+        this.nearest = new double[sectors];
+        this.closed = new boolean[sectors];
+        this.masked = new boolean[sectors];
     }
 
     @Override
@@ -80,9 +132,10 @@ public final class Vfh implements LocalPlanner {
         }
         previous = bestDirection;
         double turn = Angles.difference(heading, bestDirection);
-        double omega = Math.clamp(STEERING * turn, -limits.turnRate(), limits.turnRate());
+        double turnRate = turnRate(motion.velocity().vx());
+        double omega = Math.clamp(STEERING * turn, -turnRate, turnRate);
         double straightness = Math.max(0, 1 - Math.abs(turn) / TURN_FIRST);
-        double speed = Math.min(limits.speed(), speedBeside(obstacles, turn)) * straightness;
+        double speed = Math.min(openingSpeed, speedBeside(obstacles, turn)) * straightness;
         if (target.arriving()) {
             speed = Math.min(speed, limits.arriving(distance));
         }
@@ -111,24 +164,29 @@ public final class Vfh implements LocalPlanner {
             double distance = Math.hypot(x, y);
             double half = distance > grown ? Math.min(CLOSE_BY, Math.asin(grown / distance)) : CLOSE_BY;
             double direction = heading + Math.atan2(y, x);
-            int first = (int) Math.ceil((direction - half) / SECTOR);
-            int last = (int) Math.floor((direction + half) / SECTOR);
+            int first = (int) Math.ceil((direction - half) / sector);
+            int last = (int) Math.floor((direction + half) / sector);
             for (int s = first; s <= last; s++) {
-                int sector = Math.floorMod(s, SECTORS);
-                nearest[sector] = Math.min(nearest[sector], distance);
+                int at = Math.floorMod(s, sectors);
+                nearest[at] = Math.min(nearest[at], distance);
             }
         }
         // What the robot would only touch beyond the target does not matter, nor does it need hysteresis.
         boolean whole = reach == settings.lookahead();
-        for (int s = 0; s < SECTORS; s++) {
+        for (int s = 0; s < sectors; s++) {
             closed[s] = nearest[s] < radius + (closed[s] && whole ? reach * OPENS : reach);
         }
     }
 
+    private double turnRate(double speed) {
+        return Math.min(limits.turnRate(), settings.turning().most(speed));
+    }
+
     /// Closes also the directions that the robot, at its speed, can only turn to through an obstacle.
     private void mask(Obstacles obstacles, double heading, Twist2d velocity) {
-        System.arraycopy(closed, 0, masked, 0, SECTORS);
-        double turning = Math.abs(velocity.vx()) / limits.turnRate();
+        System.arraycopy(closed, 0, masked, 0, sectors);
+        double speed = Math.abs(velocity.vx());
+        double turning = settings.turning().safety() * speed / turnRate(speed);
         double left = Math.PI; // how far it can turn to the left
         double right = Math.PI;
         for (int i = 0; i < obstacles.count() && turning > SLOWEST; i++) {
@@ -143,8 +201,8 @@ public final class Vfh implements LocalPlanner {
                 right = Math.min(right, -angle);
             }
         }
-        for (int s = 0; s < SECTORS; s++) {
-            double turn = Angles.difference(heading, s * SECTOR);
+        for (int s = 0; s < sectors; s++) {
+            double turn = Angles.difference(heading, s * sector);
             masked[s] |= turn > left || -turn > right;
         }
     }
@@ -153,49 +211,53 @@ public final class Vfh implements LocalPlanner {
     private boolean choose(double target, double heading) {
         bestCost = COSTLY;
         int start = 0;
-        while (start < SECTORS && !masked[start]) {
+        while (start < sectors && !masked[start]) {
             start++;
         }
-        if (start == SECTORS) {
-            consider(target, target, heading);
+        if (start == sectors) {
+            consider(target, target, heading, settings.openings().wide());
             return true;
         }
         int s = start;
-        while (s < start + SECTORS) {
-            if (masked[s % SECTORS]) {
+        while (s < start + sectors) {
+            if (masked[s % sectors]) {
                 s++;
                 continue;
             }
             int first = s;
-            while (!masked[s % SECTORS]) {
+            while (!masked[s % sectors]) {
                 s++;
             }
             int last = s - 1;
             int size = last - first + 1;
-            if (size <= WIDE) {
-                consider((first + last) / 2.0 * SECTOR, target, heading);
+            boolean wide = size * sector > WIDE;
+            double most =
+                    wide ? settings.openings().wide() : settings.openings().narrow();
+            if (wide) {
+                consider(first * sector + WIDE / 2, target, heading, most);
+                consider(last * sector - WIDE / 2, target, heading, most);
             } else {
-                consider((first + WIDE / 2) * SECTOR, target, heading);
-                consider((last - WIDE / 2) * SECTOR, target, heading);
+                consider((first + last) / 2.0 * sector, target, heading, most);
             }
-            double fromFirst = Angles.wrap(target - first * SECTOR);
+            double fromFirst = Angles.wrap(target - first * sector);
             double into = fromFirst < 0 ? fromFirst + 2 * Math.PI : fromFirst;
-            if (into <= (size - 1) * SECTOR) {
-                consider(target, target, heading);
+            if (into <= (size - 1) * sector) {
+                consider(target, target, heading, most);
             }
         }
         return bestCost < COSTLY;
     }
 
-    private void consider(double direction, double target, double heading) {
-        double cost = TO_TARGET * Math.abs(Angles.difference(direction, target))
-                + TO_HEADING * Math.abs(Angles.difference(direction, heading));
+    private void consider(double direction, double target, double heading, double most) {
+        double cost = settings.weights().target() * Math.abs(Angles.difference(direction, target))
+                + settings.weights().heading() * Math.abs(Angles.difference(direction, heading));
         if (!Double.isNaN(previous)) {
-            cost += TO_PREVIOUS * Math.abs(Angles.difference(direction, previous));
+            cost += settings.weights().previous() * Math.abs(Angles.difference(direction, previous));
         }
         if (cost < bestCost) {
             bestCost = cost;
             bestDirection = Angles.wrap(direction);
+            openingSpeed = most;
         }
     }
 

@@ -7,6 +7,6 @@ import rsal.navigation.avoid.LocalPlannerContract;
 class VfhContractTest extends LocalPlannerContract {
     @Override
     protected LocalPlanner planner(Footprint footprint, double reaction, double beat) {
-        return new Vfh(footprint, LIMITS, new Vfh.Settings(1.4, 0.1, 0.3), reaction);
+        return new Vfh(footprint, LIMITS, Vfh.Settings.of(1.4, 0.1, 0.3), reaction);
     }
 }

@@ -17,7 +17,7 @@ class VfhTest {
     private static final Footprint BOX = Footprint.box(0.44, 0.38, new Point2d(-0.04, 0));
     private static final DriveLimits LIMITS = new DriveLimits(0.4, 1.2, 0.8, 3);
 
-    private final Vfh vfh = new Vfh(BOX, LIMITS, new Vfh.Settings(1.4, 0.1, 0.3), 0.2);
+    private final Vfh vfh = new Vfh(BOX, LIMITS, Vfh.Settings.of(1.4, 0.1, 0.3), 0.2);
     private final Obstacles obstacles = new Obstacles(3);
 
     @Test
@@ -72,6 +72,37 @@ class VfhTest {
             obstacles.add(0.6 * Math.cos(Math.toRadians(i)), 0.6 * Math.sin(Math.toRadians(i)));
         }
         assertThat(drive(obstacles, 0, 3, false, 0)).isEqualTo(Twist2d.STOP);
+    }
+
+    @Test
+    void keepsToTheSpeedsOfOpeningsAndTurns() {
+        var slow = new Vfh(
+                BOX,
+                LIMITS,
+                new Vfh.Settings(
+                        1.4,
+                        0.1,
+                        0.3,
+                        Math.toRadians(10),
+                        new Vfh.Openings(0.1, 0.3),
+                        new Vfh.Turning(0.5, 0.2, 1),
+                        new Vfh.Weights(5, 2, 2)),
+                0.2);
+        var ahead = Target.at(new Point2d(2, 0), false);
+        assertThat(slow.drive(obstacles, ahead, new Motion(Pose2d.ORIGIN, Twist2d.STOP)))
+                .isEqualTo(Twist2d.drive(0.3, 0));
+        var left = Target.at(new Point2d(0, 2), false);
+        assertThat(slow.drive(obstacles, left, new Motion(Pose2d.ORIGIN, Twist2d.STOP))
+                        .omega())
+                .isCloseTo(0.5, within(1e-9));
+        assertThat(slow.drive(obstacles, left, new Motion(Pose2d.ORIGIN, Twist2d.drive(1, 0)))
+                        .omega())
+                .isCloseTo(0.2, within(1e-9));
+        wall(1.2, 0.6, 2);
+        wall(1.2, -2, -0.6);
+        assertThat(slow.drive(obstacles, ahead, new Motion(Pose2d.ORIGIN, Twist2d.STOP))
+                        .vx())
+                .isBetween(0.05, 0.1);
     }
 
     @Test

@@ -1,0 +1,85 @@
+package rsal.navigation.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+class PlayerOptionsTest {
+    private final NavigatorDriver driver = new NavigatorDriver();
+
+    /// All of Player's vfh, nd and snd.
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "cell_size",
+                "window_diameter",
+                "sector_angle",
+                "safety_dist_0ms",
+                "safety_dist_1ms",
+                "max_speed",
+                "max_speed_narrow_opening",
+                "max_speed_wide_opening",
+                "max_acceleration",
+                "min_turnrate",
+                "max_turnrate_0ms",
+                "max_turnrate_1ms",
+                "min_turn_radius_safety_factor",
+                "free_space_cutoff_0ms",
+                "free_space_cutoff_1ms",
+                "obs_cutoff_0ms",
+                "obs_cutoff_1ms",
+                "weight_desired_dir",
+                "weight_current_dir",
+                "distance_epsilon",
+                "angle_epsilon",
+                "escape_speed",
+                "escape_time",
+                "escape_max_turnrate",
+                "synchronous",
+                "goal_tol",
+                "min_speed",
+                "avoid_dist",
+                "safety_dist",
+                "rotate_stuck_time",
+                "translate_stuck_time",
+                "translate_stuck_dist",
+                "translate_stuck_angle",
+                "wait_on_stall",
+                "laser_buffer",
+                "sonar_buffer",
+                "sonar_bad_transducers",
+                "robot_radius",
+                "min_gap_width",
+                "obstacle_avoid_dist",
+                "max_turn_rate",
+                "goal_position_tol",
+                "goal_angle_tol"
+            })
+    void whoComesFromPlayerIsToldWhatToWrite(String option) {
+        assertThat(driver.advice(option)).isPresent();
+    }
+
+    @Test
+    void advicesNameWhatThereIs() {
+        assertThat(driver.advice("min_gap_width")).hasValue("It is written 'minGapWidth' here.");
+        assertThat(driver.advice("max_radius").orElseThrow()).contains("comfortDistance");
+        assertThat(driver.parameters()).extracting(Parameter::name).contains("comfortDistance", "wallCost", "patience");
+        assertThat(driver.advice("colour")).isEqualTo(Optional.empty());
+    }
+
+    @Test
+    void theWindowIsCountedInCells() {
+        var given = Arguments.of(driver.parameters(), Map.of("windowDiameter", 61, "cellSize", 0.1));
+        assertThat(VfhOptions.settings(given, 1.4).lookahead()).isCloseTo(3.05, within(1e-9));
+        assertThat(VfhOptions.settings(Arguments.defaults(driver.parameters()), 1.4)
+                        .lookahead())
+                .isEqualTo(1.4);
+    }
+}
