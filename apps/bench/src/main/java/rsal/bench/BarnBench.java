@@ -4,14 +4,21 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import rsal.bench.BarnRun.Outcome;
+import rsal.bench.Plot.Shares.Share;
+import rsal.data.Twist2d;
 import rsal.navigation.avoid.LocalPlanner;
+import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.dwa.Dwa;
 import rsal.navigation.mpc.Mpc;
 import rsal.navigation.nd.Nd;
@@ -22,12 +29,18 @@ import rsal.navigation.vfh.Vfh;
 /// where the goal is and what the laser sees.
 ///
 /// Names are `barn.<planner>.<what>`. What, of all worlds: `success`, the share in which it arrived; `score`, the
-/// mean of the challenge's score, at most 0.5; `touched`, the share in which it touched something; and of those in
-/// which it arrived: `seconds`, the mean time; `smoothness`, how much the commanded turn rate changed [rad/s²], less
-/// is smoother. Runs that end nowhere, on the spot, say nothing about how smoothly it drives.
+/// mean of the challenge's score, at most 0.5; `touched`, the share in which it touched something; `ms`, time of the
+/// processor per command; and of those in which it arrived: `seconds`, the mean time; `smoothness`, how much the
+/// commanded turn rate changed [rad/s²], less is smoother. Runs that end nowhere, on the spot, say nothing about how
+/// smoothly it drives.
+///
+/// Planners that arrive in different worlds can't be compared by that: `barn.smoother.<what>` is the smoothness of
+/// `snd` by that of `nd`, of the worlds in which both arrive. What: `perSecond`, `perMeter`.
 final class BarnBench implements Bench {
     private static final double LOOKAHEAD = 3; // m
     private static final double WINDOW = 1.65; // m; half of that of VFH+ in its paper, 33 cells of 0.1 m
+
+    private static final List<String> SMOOTHER = List.of("barn.smoother.perSecond", "barn.smoother.perMeter");
 
     private enum Avoidance {
         VFH,
@@ -59,6 +72,7 @@ final class BarnBench implements Bench {
         SUCCESS,
         SCORE,
         TOUCHED,
+        MS,
         SECONDS,
         SMOOTHNESS;
 
@@ -72,6 +86,7 @@ final class BarnBench implements Bench {
                                     ? run.world().score(run.outcome().seconds())
                                     : 0);
                 case TOUCHED -> mean(runs, run -> run.outcome().touched() ? 1 : 0);
+                case MS -> mean(runs, Run::milliseconds);
                 case SECONDS -> mean(reached(runs), run -> run.outcome().seconds());
                 case SMOOTHNESS -> mean(reached(runs), run -> run.outcome().roughness());
             };
@@ -81,13 +96,54 @@ final class BarnBench implements Bench {
             return switch (this) {
                 case SUCCESS, SCORE -> Result.more(name, "", values);
                 case TOUCHED -> Result.less(name, "", values);
+                case MS -> Result.less(name, "ms", values);
                 case SECONDS -> Result.less(name, "s", values);
                 case SMOOTHNESS -> Result.less(name, "rad/s²", values);
             };
         }
     }
 
-    private record Run(BarnWorld world, Outcome outcome) {}
+    /// @param milliseconds of the processor per command
+    private record Run(BarnWorld world, Outcome outcome, double milliseconds) {}
+
+    /// Notes how long another planner takes.
+    private static final class Timed implements LocalPlanner {
+        private final LocalPlanner planner;
+        private double seconds;
+        private int drives;
+
+        Timed(LocalPlanner planner) {
+            this.planner = planner;
+        }
+
+        double milliseconds() {
+            return 1e3 * seconds / drives;
+        }
+
+        @Override
+        public Twist2d drive(Obstacles obstacles, Target target, Motion motion) {
+            var watch = new Stopwatch();
+            Twist2d command = planner.drive(obstacles, target, motion);
+            seconds += watch.thread();
+            drives++;
+            return command;
+        }
+
+        @Override
+        public Twist2d turn(Obstacles obstacles, double angle, Motion motion) {
+            return planner.turn(obstacles, angle, motion);
+        }
+
+        @Override
+        public Twist2d guarded(Obstacles obstacles, Twist2d wanted, Motion motion) {
+            return planner.guarded(obstacles, wanted, motion);
+        }
+
+        @Override
+        public void reset() {
+            planner.reset();
+        }
+    }
 
     private static String lower(Enum<?> value) {
         return value.name().toLowerCase(java.util.Locale.ROOT);
@@ -101,6 +157,7 @@ final class BarnBench implements Bench {
                 names.add(avoidance.name(what));
             }
         }
+        names.addAll(SMOOTHER);
         return names;
     }
 
@@ -116,15 +173,26 @@ final class BarnBench implements Bench {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+        boolean compared = SMOOTHER.stream().anyMatch(assignment::wants);
+        var measured = new EnumMap<Avoidance, List<List<Run>>>(Avoidance.class);
         for (Avoidance avoidance : Avoidance.values()) {
-            boolean wanted = List.of(What.values()).stream().anyMatch(what -> assignment.wants(avoidance.name(what)));
-            if (wanted) {
-                measure(avoidance, worlds, assignment);
+            boolean wanted = Stream.of(What.values()).anyMatch(what -> assignment.wants(avoidance.name(what)));
+            if (wanted || (compared && (avoidance == Avoidance.ND || avoidance == Avoidance.SND))) {
+                measured.put(avoidance, measure(avoidance, worlds, assignment));
             }
+        }
+        if (compared) {
+            compare(
+                    measured.getOrDefault(Avoidance.SND, List.of()),
+                    measured.getOrDefault(Avoidance.ND, List.of()),
+                    assignment);
+        }
+        if (!measured.isEmpty()) {
+            assignment.show(successes(measured));
         }
     }
 
-    private static void measure(Avoidance avoidance, List<BarnWorld> worlds, Assignment assignment) {
+    private static List<List<Run>> measure(Avoidance avoidance, List<BarnWorld> worlds, Assignment assignment) {
         var repeats = new ArrayList<List<Run>>();
         for (int repeat = 0; repeat < assignment.repeats(); repeat++) {
             repeats.add(runs(avoidance, worlds, repeat));
@@ -133,6 +201,57 @@ final class BarnBench implements Bench {
             double[] values = repeats.stream().mapToDouble(what::of).toArray();
             assignment.tell(what.result(avoidance.name(what), values));
         }
+        return repeats;
+    }
+
+    /// How much less the turn rate changes, in worlds that both came through with the same noise.
+    private static void compare(List<List<Run>> snd, List<List<Run>> nd, Assignment assignment) {
+        double[] perSecond = new double[snd.size()];
+        double[] perMeter = new double[snd.size()];
+        for (int repeat = 0; repeat < perSecond.length; repeat++) {
+            List<Run> first = snd.get(repeat);
+            List<Run> second = nd.get(repeat);
+            List<Integer> both = IntStream.range(0, first.size())
+                    .filter(i -> first.get(i).outcome().reached()
+                            && second.get(i).outcome().reached())
+                    .boxed()
+                    .toList();
+            perSecond[repeat] = ratio(
+                    both,
+                    i -> first.get(i).outcome().roughness(),
+                    i -> second.get(i).outcome().roughness());
+            perMeter[repeat] = ratio(
+                    both,
+                    i -> perMeter(first.get(i).outcome()),
+                    i -> perMeter(second.get(i).outcome()));
+        }
+        assignment.tell(Result.less(SMOOTHER.getFirst(), "", perSecond), Result.less(SMOOTHER.getLast(), "", perMeter));
+    }
+
+    private static double ratio(List<Integer> of, ToDoubleFunction<Integer> one, ToDoubleFunction<Integer> other) {
+        return of.stream().mapToDouble(one).sum()
+                / of.stream().mapToDouble(other).sum();
+    }
+
+    private static double perMeter(Outcome outcome) {
+        return outcome.roughness() * outcome.seconds() / outcome.meters();
+    }
+
+    private static Plot successes(Map<Avoidance, List<List<Run>>> measured) {
+        var shares = new ArrayList<Share>();
+        measured.forEach((avoidance, repeats) -> {
+            for (int i = 0; i < repeats.getFirst().size(); i++) {
+                int world = i;
+                double share = repeats.stream()
+                        .mapToDouble(runs -> runs.get(world).outcome().reached() ? 1 : 0)
+                        .average()
+                        .orElseThrow();
+                String number =
+                        Integer.toString(repeats.getFirst().get(i).world().number());
+                shares.add(new Share(lower(avoidance), number, share));
+            }
+        });
+        return new Plot.Shares("Worlds of the BARN Challenge that are passed", "world", "", "share of runs", shares);
     }
 
     private static List<Run> reached(List<Run> runs) {
@@ -150,7 +269,11 @@ final class BarnBench implements Bench {
             var futures = new ArrayList<Future<Run>>();
             for (BarnWorld world : worlds) {
                 long seed = 1000L * repeat + world.number();
-                futures.add(workers.submit(() -> new Run(world, new BarnRun(world, avoidance.planner(), seed).run())));
+                futures.add(workers.submit(() -> {
+                    var planner = new Timed(avoidance.planner());
+                    Outcome outcome = new BarnRun(world, planner, seed).run();
+                    return new Run(world, outcome, planner.milliseconds());
+                }));
             }
             var runs = new ArrayList<Run>();
             for (Future<Run> future : futures) {

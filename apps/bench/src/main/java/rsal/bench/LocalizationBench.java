@@ -93,6 +93,9 @@ final class LocalizationBench implements Bench {
                         Result.less(name(size), "ms", updateTimes(office, size[0], size[1], assignment.repeats())));
             }
         }
+        if (SIZES.stream().anyMatch(size -> assignment.wants(name(size)))) {
+            assignment.show(timesBySize(office));
+        }
         for (String sensor : SENSORS) {
             String name = "amcl.office.%s.".formatted(sensor);
             if (assignment.wants(name + "median") || assignment.wants(name + "p95")) {
@@ -137,6 +140,18 @@ final class LocalizationBench implements Bench {
                 new OdometryModel(0.06, 0.05, 0.08),
                 new Kld(0.05, 2.33),
                 model);
+    }
+
+    private static Plot timesBySize(Drive office) {
+        var points = new ArrayList<Point>();
+        for (int beams : List.of(18, 50, 180)) {
+            for (int particles : List.of(100, 250, 500, 1000, 2000)) {
+                double ms = updateTimes(office, particles, beams, 1)[0];
+                points.add(new Point("%d beams".formatted(beams), particles, ms));
+            }
+        }
+        return new Plot.Lines(
+                "Localization in the office", "particles", "an update, time of the processor [ms]", points);
     }
 
     private static double[] updateTimes(Drive office, int particles, int beams, int repeats) {

@@ -11,11 +11,12 @@ import rsal.bench.OfficeRun.Errand;
 ///
 /// Names are `navigator.office.<planner>.<what>`, by the local planner. What: `reached`, the share of goals;
 /// `contacts`, how often a robot touched something; `ratio`, the time that reached goals took by that of the
-/// shortest ways at full speed.
+/// shortest ways at full speed; `smoothness`, how much the turn rate changed on the way to reached goals [rad/s²], and
+/// `roughness`, the same per meter [rad/s/m]; less is smoother.
 final class OfficeBench implements Bench {
     private static final int GOALS = 200;
     private static final List<String> PLANNERS = List.of("vfh", "nd", "snd", "dwa", "mpc");
-    private static final List<String> WHATS = List.of("reached", "contacts", "ratio");
+    private static final List<String> WHATS = List.of("reached", "contacts", "ratio", "smoothness", "roughness");
 
     private static String name(String planner, String what) {
         return "navigator.office.%s.%s".formatted(planner, what);
@@ -43,6 +44,8 @@ final class OfficeBench implements Bench {
         double[] reached = new double[assignment.repeats()];
         double[] contacts = new double[assignment.repeats()];
         double[] ratio = new double[assignment.repeats()];
+        double[] smoothness = new double[assignment.repeats()];
+        double[] roughness = new double[assignment.repeats()];
         for (int repeat = 0; repeat < assignment.repeats(); repeat++) {
             var threads = Thread.ofPlatform().daemon().name("office-", 1).factory();
             try (var worker = Executors.newSingleThreadExecutor(threads);
@@ -53,11 +56,18 @@ final class OfficeBench implements Bench {
                 contacts[repeat] = run.contacts();
                 ratio[repeat] = ended.stream().mapToDouble(Errand::seconds).sum()
                         / ended.stream().mapToDouble(Errand::shortest).sum();
+                double turned = ended.stream().mapToDouble(Errand::roughness).sum();
+                smoothness[repeat] =
+                        turned / ended.stream().mapToDouble(Errand::seconds).sum();
+                roughness[repeat] =
+                        turned / ended.stream().mapToDouble(Errand::meters).sum();
             }
         }
         assignment.tell(
                 Result.more(name(planner, "reached"), "", reached),
                 Result.less(name(planner, "contacts"), "", contacts),
-                Result.less(name(planner, "ratio"), "", ratio));
+                Result.less(name(planner, "ratio"), "", ratio),
+                Result.less(name(planner, "smoothness"), "rad/s²", smoothness),
+                Result.less(name(planner, "roughness"), "rad/s/m", roughness));
     }
 }

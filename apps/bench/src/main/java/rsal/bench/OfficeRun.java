@@ -3,6 +3,7 @@ package rsal.bench;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,8 +11,10 @@ import java.util.ServiceLoader;
 import java.util.SplittableRandom;
 import java.util.concurrent.Executor;
 import rsal.data.OccupancyGrid;
+import rsal.data.Odometry;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.device.DriveBase;
 import rsal.device.Navigator;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
@@ -52,15 +55,35 @@ final class OfficeRun implements AutoCloseable {
     private final Wavefront roomy;
     private final SplittableRandom random;
     private final List<Errand> errands = new ArrayList<>();
+    private final Map<String, Ride> rides = new HashMap<>();
     private int sent;
 
     /// A goal and how it ended.
     ///
     /// @param shortest time of the shortest way at full speed [s]
     /// @param seconds that it took
-    record Errand(Result result, double shortest, double seconds) {
+    /// @param roughness by how much the turn rate changed, summed up [rad/s]
+    /// @param meters driven
+    record Errand(Result result, double shortest, double seconds, double roughness, double meters) {
         boolean reached() {
             return result instanceof Result.Reached;
+        }
+    }
+
+    /// How a robot drives.
+    private static final class Ride {
+        private double turnRate;
+        private double turned; // changes of the turn rate, summed up [rad/s]
+        private double meters;
+        private Point2d at = new Point2d(Double.NaN, Double.NaN);
+
+        void goOn(Odometry odometry, Pose2d pose) {
+            double rate = odometry.velocity().omega();
+            turned += Math.abs(rate - turnRate);
+            turnRate = rate;
+            double step = at.distanceTo(pose.position());
+            meters += Double.isNaN(step) ? 0 : step;
+            at = pose.position();
         }
     }
 
@@ -133,6 +156,13 @@ final class OfficeRun implements AutoCloseable {
                 }
             }
             time.advance(PERIOD);
+            robots.forEach(robot -> rides.computeIfAbsent(robot.id(), _ -> new Ride())
+                    .goOn(
+                            robot.require(DriveBase.class)
+                                    .latest()
+                                    .orElseThrow()
+                                    .value(),
+                            truth.truth(robot.id()).orElseThrow()));
         }
         return List.copyOf(errands);
     }
@@ -145,9 +175,13 @@ final class OfficeRun implements AutoCloseable {
             case Plan.None _ -> from.distanceTo(goal);
         };
         Duration start = time.elapsed();
+        Ride ride = rides.computeIfAbsent(robot.id(), _ -> new Ride());
+        double turnedBefore = ride.turned;
+        double metersBefore = ride.meters;
         navigator.goTo(goal, Tolerance.DEFAULT).result().thenAccept(result -> {
             double seconds = time.elapsed().minus(start).toMillis() * 1e-3;
-            errands.add(new Errand(result, way / SPEED, seconds));
+            errands.add(
+                    new Errand(result, way / SPEED, seconds, ride.turned - turnedBefore, ride.meters - metersBefore));
         });
     }
 

@@ -21,12 +21,23 @@ public sealed interface Plot {
         }
     }
 
-    /// Values of things with names, as successes by world: a bar for each, side by side for each series.
+    /// Values of things with names, as times by map: a bar for each, side by side for each series.
     record Bars(String title, String x, String y, List<Bar> bars) implements Plot {
         public record Bar(String series, String name, double value) {}
 
         public Bars {
             bars = List.copyOf(bars);
+        }
+    }
+
+    /// Values from 0 to 1 in a table of colors, as successes by planner and world.
+    ///
+    /// @param value what the colors mean
+    record Shares(String title, String x, String y, String value, List<Share> shares) implements Plot {
+        public record Share(String row, String column, double value) {}
+
+        public Shares {
+            shares = List.copyOf(shares);
         }
     }
 }

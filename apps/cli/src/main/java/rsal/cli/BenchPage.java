@@ -124,6 +124,27 @@ final class BenchPage {
                                 "y", axis("value", bars.y(), "quantitative"),
                                 "color", Map.of("field", "series", "title", "")));
             }
+            case Plot.Shares shares -> {
+                specification.put("width", Map.of("step", 16));
+                specification.put("height", Map.of("step", 24));
+                specification.put("data", Map.of("values", shares.shares()));
+                specification.put("mark", Map.of("type", "rect", "tooltip", true));
+                specification.put(
+                        "encoding",
+                        Map.of(
+                                "x", axis("column", shares.x(), "nominal"),
+                                "y", axis("row", shares.y(), "nominal"),
+                                "color",
+                                        Map.of(
+                                                "field",
+                                                "value",
+                                                "title",
+                                                shares.value(),
+                                                "type",
+                                                "quantitative",
+                                                "scale",
+                                                Map.of("domain", List.of(0, 1), "scheme", "viridis"))));
+            }
         }
         return specification;
     }

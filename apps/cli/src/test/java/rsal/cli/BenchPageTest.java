@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rsal.bench.Plot;
 import rsal.bench.Plot.Bars.Bar;
 import rsal.bench.Plot.Lines.Point;
+import rsal.bench.Plot.Shares.Share;
 import rsal.bench.Result;
 
 class BenchPageTest {
@@ -36,10 +37,12 @@ class BenchPageTest {
                         List.of(
                                 new Plot.Bars(
                                         "Bars & more", "world", "time [s]", List.of(new Bar("vfh", "</script>", 2))),
+                                new Plot.Shares("Shares", "world", "", "share", List.of(new Share("nd", "w7", 0.75))),
                                 new Plot.Lines("Lines", "time [s]", "error [m]", List.of(new Point("one", 0.5, 0.25)))),
                         MACHINE);
         assertThat(Files.readString(file))
                 .contains("a.b&lt;c>", "2.5", "Bars &amp; more", "\"time [s]\"", "\"vfh\"", "\"name\":\"<\\/script>\"")
+                .contains("\"column\":\"w7\"", "\"row\":\"nd\"", "0.75")
                 .contains("draw('<\\/script>')", "\"x\":0.5", "Java 25, Linux, 2 cores")
                 .doesNotContain("src=", "href=");
     }
