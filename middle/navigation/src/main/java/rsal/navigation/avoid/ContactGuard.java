@@ -41,8 +41,11 @@ public final class ContactGuard {
         this.reaction = reaction;
     }
 
-    /// The wanted command or what of it is safe.
+    /// The wanted command or what of it is safe. Where numbers are not finite nothing is known to be safe: a stop.
     public Twist2d limit(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
+        if (!wanted.isFinite() || !velocity.isFinite()) {
+            return Twist2d.STOP;
+        }
         gather(wanted, velocity, obstacles);
         if (wanted.vx() < 0 && mayHitWhatItDoesNotSee(obstacles)) {
             return isSafe(0, wanted.omega(), velocity) ? Twist2d.drive(0, wanted.omega()) : Twist2d.STOP;

@@ -21,6 +21,16 @@ class ContactGuardTest {
     }
 
     @Test
+    void stopsWhereNumbersSayNothing() {
+        var unknown = new Twist2d(Double.NaN, 0, 0);
+        obstacles.add(0.26, 0);
+        assertThat(guard.limit(Twist2d.drive(1, 0), unknown, obstacles)).isEqualTo(Twist2d.STOP);
+        assertThat(guard.limit(unknown, Twist2d.STOP, obstacles)).isEqualTo(Twist2d.STOP);
+        assertThat(guard.limit(Twist2d.drive(0, Double.POSITIVE_INFINITY), Twist2d.STOP, new Obstacles(5)))
+                .isEqualTo(Twist2d.STOP);
+    }
+
+    @Test
     void slowsDownInTimeToStop() {
         obstacles.add(0.75, 0); // 0.55 m before the bumper; from 1 m/s it takes 1 m to stop
         Twist2d limited = guard.limit(Twist2d.drive(1, 0), Twist2d.drive(0.6, 0), obstacles);
