@@ -25,6 +25,7 @@ public record CarmenLog(
     private static final int MOST_PARAMETERS = 100_000;
     private static final double SAME = 0.1; // m; codes for nothing differ by less
     private static final double SHARE_OF_CODES = 2e-3; // of all readings
+    private static final double BELOW = 0.5; // m; so far below codes there are fewer readings than codes
 
     public CarmenLog {
         scans = List.copyOf(scans);
@@ -59,8 +60,9 @@ public record CarmenLog(
         return new CarmenLog(scans, reading.motions, reading.parameters, skipped, rangeMax);
     }
 
-    /// Where the longest readings of the log lie when they are so many and so equal that they must be what the
-    /// laser says for nothing; +∞ otherwise. Drivers write 8.0, 29.9 and more.
+    /// Where the longest readings of the log lie when they are so many, so equal and so far from others that they
+    /// must be what the laser says for nothing; +∞ otherwise: the far corner of a room has walls that lead to it.
+    /// Drivers write 8.0, 29.9 and more.
     private static double longest(List<Scan> scans) {
         float most = 0;
         long readings = 0;
@@ -71,12 +73,16 @@ public record CarmenLog(
             }
         }
         long codes = 0;
+        long below = 0;
         for (Scan scan : scans) {
             for (float range : scan.scan().ranges()) {
                 codes += range >= most - SAME && range <= most ? 1 : 0;
+                below += range >= most - SAME - BELOW && range < most - SAME ? 1 : 0;
             }
         }
-        return codes > 100 && codes > SHARE_OF_CODES * readings ? most - SAME : Double.POSITIVE_INFINITY;
+        return codes > 100 && codes > SHARE_OF_CODES * readings && codes > 2 * below
+                ? most - SAME
+                : Double.POSITIVE_INFINITY;
     }
 
     private static Scan limited(Scan entry, double rangeMax) {

@@ -53,6 +53,16 @@ class CarmenLogTest {
         assertThat(log.scans().getLast().scan().ranges()[3]).isCloseTo(7.41f, within(1e-6f));
     }
 
+    @Test
+    void theFarCornerOfARoomWhereARobotStandsIsThere() throws IOException {
+        CarmenLog log = read(IntStream.range(0, 200)
+                .mapToObj(i -> "FLASER 7 1 5.5 5.7 5.9 5.72 5.53 2 0 0 0 0 0 0 %d h 0\n".formatted(i + 1))
+                .collect(Collectors.joining()));
+
+        assertThat(log.rangeMax()).isEqualTo(50);
+        assertThat(log.scans().getLast().scan().ranges()[3]).isCloseTo(5.9f, within(1e-6f));
+    }
+
     private static CarmenLog read(String text) throws IOException {
         return CarmenLog.read(
                 "test.log", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), LogReader.Options.DEFAULT);
