@@ -43,8 +43,9 @@ public final class Wavefront {
         return map;
     }
 
-    /// Plans a way. A start too near to obstacles is left by the shortest way. A goal where the robot can't be is
-    /// replaced by the nearest place where it can, when that is no farther than `slack` [m] away.
+    /// Plans a way. A start too near to obstacles is left by the shortest way. A goal where the robot can't be, or to
+    /// which nothing leads, is replaced by the nearest place to which something does, when that is no farther than
+    /// `slack` [m] away.
     public Plan plan(Point2d start, Point2d goal, double slack) {
         var ends = ends(start, goal, slack, map::isOpen);
         if (ends instanceof Ends.None(var why)) {
@@ -55,7 +56,9 @@ public final class Wavefront {
                 .orElseGet(() -> waves.borrow(wave -> {
                     wave.start(cells.goal, straightTo(cells.start));
                     return toGoal(wave, cells, start, goal);
-                }));
+                }))
+                .orElseGet(
+                        () -> waves.borrow(wave -> fromStart(wave, cells, straightTo(cells.goal), start, goal, slack)));
     }
 
     /// Plans a way that keeps the robot's radius off obstacles that are not on the map [m].
@@ -73,9 +76,9 @@ public final class Wavefront {
             return waves.from(cells.goal, kept -> {
                         kept.spread(cells.start);
                         int known = kept.known();
-                        return fromStart(wave, cells, cell -> Math.min(kept.at(cell), known), start, goal);
+                        return fromStart(wave, cells, cell -> Math.min(kept.at(cell), known), start, goal, slack);
                     })
-                    .orElseGet(() -> fromStart(wave, cells, straightTo(cells.goal), start, goal));
+                    .orElseGet(() -> fromStart(wave, cells, straightTo(cells.goal), start, goal, slack));
         });
     }
 
@@ -93,26 +96,28 @@ public final class Wavefront {
     }
 
     /// @param wave from the goal
-    private Plan toGoal(Wave wave, Ends.Cells ends, Point2d start, Point2d goal) {
-        if (!wave.spread(ends.start)) {
-            return none("Nothing this robot fits through leads to the goal %s.", goal);
-        }
-        return way(wave, downhill(wave, ends.start), wave.at(ends.start), start, goal);
+    private Optional<Plan> toGoal(Wave wave, Ends.Cells ends, Point2d start, Point2d goal) {
+        return wave.spread(ends.start)
+                ? Optional.of(way(wave, downhill(wave, ends.start), wave.at(ends.start), start, goal))
+                : Optional.empty();
     }
 
     /// @param wave that has not started
-    private Plan fromStart(Wave wave, Ends.Cells ends, Guide guide, Point2d start, Point2d goal) {
+    private Plan fromStart(Wave wave, Ends.Cells ends, Guide guide, Point2d start, Point2d goal, double slack) {
         wave.start(ends.start, guide);
-        if (!wave.spread(ends.goal)) {
+        int end = wave.spread(ends.goal)
+                ? ends.goal
+                : nearest(goal, slack, cell -> wave.isOpen(cell) && wave.at(cell) != Wave.UNREACHED);
+        if (end < 0) {
             return none("Nothing this robot fits through leads to the goal %s.", goal);
         }
-        int[] cells = downhill(wave, ends.goal);
+        int[] cells = downhill(wave, end);
         for (int i = 0, j = cells.length - 1; i < j; i++, j--) {
             int swapped = cells[i];
             cells[i] = cells[j];
             cells[j] = swapped;
         }
-        return way(wave, cells, wave.at(ends.goal), start, goal);
+        return way(wave, cells, wave.at(end), start, goal);
     }
 
     /// From which cell to which.

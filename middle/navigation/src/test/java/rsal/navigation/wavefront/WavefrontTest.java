@@ -232,6 +232,30 @@ class WavefrontTest {
     }
 
     @Test
+    void aGoalToWhichNothingLeadsIsReplacedByOneToWhichSomethingDoes() {
+        var drawn = DrawnMap.grid(0.1, """
+                ####################
+                #........#.........#
+                #.......g#....a....#
+                #........#.........#
+                ####################
+                """);
+        CostMap map = costs(drawn.grid(), new Clearance(0.05, 0.1, 1));
+        Point2d goal = drawn.place('g');
+        var wavefront = new Wavefront(map);
+        for (List<Point2d> obstacles : List.<List<Point2d>>of(List.of(), List.of(new Point2d(0.2, 0.2)))) {
+            for (int asked = 0; asked < 3; asked++) {
+                assertThat(wavefront.plan(drawn.place('a'), goal, 0.25, obstacles))
+                        .isInstanceOfSatisfying(
+                                Plan.Found.class,
+                                found -> assertThat(found.offGoal()).isCloseTo(0.2, within(1e-9)));
+                assertThat(wavefront.plan(drawn.place('a'), goal, 0.15, obstacles))
+                        .isInstanceOf(Plan.None.class);
+            }
+        }
+    }
+
+    @Test
     void aStartTooNearToAWallIsLeft() {
         CostMap map = costs(ROOMS.grid(), NARROW);
         Path2d path = found(map, ROOMS.place('w'), ROOMS.place('a')).path();
