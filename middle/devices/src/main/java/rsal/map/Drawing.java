@@ -14,7 +14,7 @@ final class Drawing {
     /// @param askedAt where the drawing is, for messages
     /// @throws InvalidSettings when there is another letter in it, or it is too large
     static MapImage read(String drawing, Location askedAt) {
-        List<String> lines = drawing.lines().map(String::stripTrailing).toList();
+        List<String> lines = drawing.lines().toList();
         int width = lines.stream().mapToInt(String::length).max().orElse(0);
         MapImage.checkSize(askedAt.file(), width, lines.size());
         var cells = new byte[width * lines.size()];

@@ -142,7 +142,7 @@ class MapsTest {
         assertThat(grid.originX()).isZero();
         assertThat(grid.cells())
                 .containsExactly(
-                        OCCUPIED, UNKNOWN, UNKNOWN, UNKNOWN, OCCUPIED, FREE, UNKNOWN, OCCUPIED, OCCUPIED, OCCUPIED,
+                        OCCUPIED, FREE, UNKNOWN, UNKNOWN, OCCUPIED, FREE, UNKNOWN, OCCUPIED, OCCUPIED, OCCUPIED,
                         OCCUPIED, OCCUPIED);
     }
 
