@@ -169,8 +169,7 @@ final class MapCommand extends Subcommand {
             }
             grid = grid(robots.getFirst(), slam.posedScans());
             for (int i = 0; i < robots.size(); i++) {
-                String name = robots.size() == 1 ? "trajectory.txt" : "trajectory-%d.txt".formatted(i + 1);
-                contents.put(name, text(trajectory(robots.get(i), slams.get(i), slam, offset(slams, i))));
+                contents.put(trajectoryName(i), text(trajectory(robots.get(i), slams.get(i), slam, offset(slams, i))));
             }
             contents.put("residuals.csv", text(residuals(slam)));
         }
@@ -205,6 +204,10 @@ final class MapCommand extends Subcommand {
                                 .sum();
     }
 
+    private String trajectoryName(int log) {
+        return files.size() == 1 ? "trajectory.txt" : "trajectory-%d.txt".formatted(log + 1);
+    }
+
     private Path folder() {
         try {
             return Path.of(out);
@@ -217,7 +220,11 @@ final class MapCommand extends Subcommand {
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new InvalidSettings(Location.of(out), "This is a file, not a folder to write to.", "");
         }
-        for (String name : List.of("map.yaml", "map.pgm", "picture.png", "residuals.csv", "trajectory.txt")) {
+        var names = new ArrayList<>(List.of("map.yaml", "map.pgm", "picture.png", "residuals.csv"));
+        for (int i = 0; i < files.size(); i++) {
+            names.add(trajectoryName(i));
+        }
+        for (String name : names) {
             if (!force && Files.exists(folder.resolve(name))) {
                 throw new InvalidSettings(
                         Location.of(folder.resolve(name).toString()),
@@ -277,7 +284,14 @@ final class MapCommand extends Subcommand {
     }
 
     private void merge(Slam slam, Slam other, Robot robot) {
-        if (slam.merge(other).isEmpty()) {
+        Optional<Pose2d> aligned;
+        try {
+            aligned = slam.merge(other);
+        } catch (IllegalArgumentException e) {
+            throw new InvalidSettings(
+                    Location.of(robot.file()), String.valueOf(e.getMessage()), "Map fewer logs, or parts of them.");
+        }
+        if (aligned.isEmpty()) {
             throw new InvalidSettings(
                     Location.of(robot.file()),
                     "Its map has nothing in common with (%s) that can be told apart.".formatted(files.getFirst()),
@@ -313,7 +327,8 @@ final class MapCommand extends Subcommand {
 
     private OccupancyGrid grid(Robot robot, List<ScanMapper.PosedScan> scans) {
         try {
-            return ScanMapper.draw(scans, ScanMapper.Settings.of(resolution));
+            return ScanMapper.draw(
+                    scans, ScanMapper.Settings.of(resolution).within(Math.min(maxRange, ScanMapper.Settings.FARTHEST)));
         } catch (IllegalArgumentException e) {
             throw new InvalidSettings(
                     Location.of(robot.file()), String.valueOf(e.getMessage()), "Try a larger --resolution.");

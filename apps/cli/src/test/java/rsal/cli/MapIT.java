@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -52,6 +53,33 @@ class MapIT {
         assertThat(residuals.getFirst()).startsWith("from,to,source,");
         assertThat(residuals).anyMatch(line -> line.contains(",scans,"));
         assertThat(folder.resolve("room/picture.png")).isNotEmptyFile();
+    }
+
+    @Test
+    void writesNumbersAlikeEverywhere() throws Exception {
+        Ended ended = rsal.with("-Duser.language=de", "-Duser.country=DE").run("map", "room.log", "--out", "room");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(Files.readString(folder.resolve("room/trajectory.txt"))).doesNotContain(",");
+    }
+
+    @Test
+    void drawsNothingBeyondTheLongestRange() throws Exception {
+        assertThat(rsal.run("map", "room.log", "--known-poses", "--out", "all").code())
+                .isEqualTo(Exit.SUCCESS);
+        assertThat(rsal.run("map", "room.log", "--known-poses", "--max-range", "1", "--out", "near")
+                        .code())
+                .isEqualTo(Exit.SUCCESS);
+
+        assertThat(occupied("near")).isLessThan(occupied("all") / 2);
+    }
+
+    private long occupied(String of) {
+        OccupancyGrid map = new Maps(FileSource.disk())
+                .read(folder.resolve(of + "/map.yaml").toString(), Location.of("test"));
+        return IntStream.range(0, map.cells().length)
+                .filter(cell -> map.cells()[cell] == OccupancyGrid.OCCUPIED)
+                .count();
     }
 
     @Test

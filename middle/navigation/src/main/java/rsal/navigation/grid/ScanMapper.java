@@ -42,9 +42,17 @@ public final class ScanMapper {
             }
         }
 
+        /// Hits farther than this are blurred by the heading's error [m].
+        public static final double FARTHEST = 30;
+
         /// A wall stays one when two of three beams see through its cell, as they do that graze it.
         public static Settings of(double resolution) {
-            return new Settings(resolution, 30, 10, 0.9, -0.4, 4);
+            return new Settings(resolution, FARTHEST, 10, 0.9, -0.4, 4);
+        }
+
+        /// The same that draws nothing beyond a range [m].
+        public Settings within(double range) {
+            return new Settings(resolution, range, Math.min(range, freeUpTo), hit, passed, surest);
         }
     }
 
