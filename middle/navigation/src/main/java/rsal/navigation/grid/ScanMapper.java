@@ -24,6 +24,8 @@ public final class ScanMapper {
     private final double originY;
     private final float[] logOdds;
     private final boolean[] seen;
+    private final float passed;
+    private final float surest;
 
     /// @param resolution side of a cell [m]
     /// @param maxRange hits farther than this are not drawn [m]
@@ -67,6 +69,8 @@ public final class ScanMapper {
         this.height = height;
         this.logOdds = new float[width * height];
         this.seen = new boolean[width * height];
+        this.passed = (float) settings.passed();
+        this.surest = (float) settings.surest();
     }
 
     /// A map just large enough for what the scans saw, with a margin of a few cells.
@@ -132,7 +136,7 @@ public final class ScanMapper {
                 free(mapFromLaser, direction, range);
                 int hit = cell(
                         mapFromLaser.x() + range * Math.cos(direction), mapFromLaser.y() + range * Math.sin(direction));
-                change(hit, settings.hit());
+                change(hit, (float) settings.hit());
             } else if (scan.ranges()[i] > settings.freeUpTo()) { // not NaN, not too close
                 free(mapFromLaser, direction, settings.freeUpTo() + settings.resolution());
             }
@@ -160,7 +164,7 @@ public final class ScanMapper {
         int cells = Math.abs(lastColumn - column) + Math.abs(lastRow - row);
         for (int i = 0; i < cells; i++) {
             if (column >= 0 && column < width && row >= 0 && row < height) {
-                change(row * width + column, settings.passed());
+                change(row * width + column, passed);
             }
             if (toColumn < toRow) {
                 toColumn += perColumn;
@@ -178,9 +182,9 @@ public final class ScanMapper {
         return row * width + column; // the map was made large enough
     }
 
-    private void change(int cell, double by) {
+    private void change(int cell, float by) {
         seen[cell] = true;
-        logOdds[cell] = (float) Math.clamp(logOdds[cell] + by, -settings.surest(), settings.surest());
+        logOdds[cell] = Math.max(-surest, Math.min(surest, logOdds[cell] + by)); // Math.clamp takes twice as long
     }
 
     private OccupancyGrid grid() {

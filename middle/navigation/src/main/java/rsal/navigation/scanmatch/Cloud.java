@@ -62,15 +62,15 @@ public final class Cloud {
         int first = point;
         while (first > 0
                 && point - first < MOST_NEIGHBORS
-                && apart(first, first - 1) < gap
-                && apart(point, first - 1) < near) {
+                && isNear(first, first - 1, gap)
+                && isNear(point, first - 1, near)) {
             first--;
         }
         int last = point;
         while (last < x.length - 1
                 && last - point < MOST_NEIGHBORS
-                && apart(last, last + 1) < gap
-                && apart(point, last + 1) < near) {
+                && isNear(last, last + 1, gap)
+                && isNear(point, last + 1, near)) {
             last++;
         }
         int count = last - first + 1;
@@ -106,8 +106,10 @@ public final class Cloud {
         normalY[point] *= away ? -1 : 1;
     }
 
-    private double apart(int a, int b) {
-        return Math.hypot(x[a] - x[b], y[a] - y[b]);
+    private boolean isNear(int a, int b, double within) {
+        double dx = x[a] - x[b];
+        double dy = y[a] - y[b];
+        return dx * dx + dy * dy < within * within;
     }
 
     private Cloud first(int count) {

@@ -46,7 +46,7 @@ public final class LineMatcher {
     /// @param reference in frame `a`
     public LineMatcher(Cloud reference) {
         this.reference = reference;
-        this.nearest = new Nearest(reference, FARTHEST);
+        this.nearest = new Nearest(reference);
     }
 
     /// Where the scan lies best near a guess.

@@ -1,27 +1,27 @@
 package rsal.navigation.scanmatch;
 
-/// The points of a cloud by the square of a grid they lie in, to find the nearest one to a place.
+/// The points of a cloud by the cell of a fine grid they lie in, to find the nearest one to a place: rings of
+/// cells around it are looked through from the inside, until no nearer point can come.
 final class Nearest {
-    private final Cloud cloud;
-    private final double cell;
+    private static final double CELL = 0.1; // m
+
     private final double originX;
     private final double originY;
     private final int columns;
     private final int rows;
-    private final int[] first; // by cell, into `points`; one more at the end
+    private final int[] first; // by cell, into what follows; one more at the end
     private final int[] points;
+    private final double[] xs;
+    private final double[] ys;
 
-    /// @param cell side of a square [m]; places are searched for within this
-    Nearest(Cloud cloud, double cell) {
-        this.cloud = cloud;
-        this.cell = cell;
-        originX = cloud.least(true) - cell;
-        originY = cloud.least(false) - cell;
-        double wide = Math.ceil((cloud.most(true) - originX) / cell) + 1;
-        double high = Math.ceil((cloud.most(false) - originY) / cell) + 1;
+    Nearest(Cloud cloud) {
+        originX = cloud.least(true) - CELL;
+        originY = cloud.least(false) - CELL;
+        double wide = Math.ceil((cloud.most(true) - originX) / CELL) + 1;
+        double high = Math.ceil((cloud.most(false) - originY) / CELL) + 1;
         if (!(wide * high <= Raster.MOST_CELLS)) {
             throw new IllegalArgumentException(
-                    "Points to match with span %.0f × %.0f m: too far apart.".formatted(wide * cell, high * cell));
+                    "Points to match with span %.0f × %.0f m: too far apart.".formatted(wide * CELL, high * CELL));
         }
         columns = (int) wide;
         rows = (int) high;
@@ -33,37 +33,63 @@ final class Nearest {
             first[i + 1] += first[i];
         }
         points = new int[cloud.count()];
+        xs = new double[cloud.count()];
+        ys = new double[cloud.count()];
         var next = first.clone();
         for (int i = 0; i < cloud.count(); i++) {
-            points[next[cell(cloud.x[i], cloud.y[i])]++] = i;
+            int at = next[cell(cloud.x[i], cloud.y[i])]++;
+            points[at] = i;
+            xs[at] = cloud.x[i];
+            ys[at] = cloud.y[i];
         }
     }
 
     private int cell(double x, double y) {
-        int column = (int) ((x - originX) / cell);
-        int row = (int) ((y - originY) / cell);
+        int column = (int) ((x - originX) / CELL);
+        int row = (int) ((y - originY) / CELL);
         return row * columns + column;
     }
 
-    /// The nearest point within a distance that is at most the side of a square; −1 when there is none.
+    /// The nearest point within a distance; −1 when there is none.
     int find(double x, double y, double within) {
-        int column = (int) Math.floor((x - originX) / cell);
-        int row = (int) Math.floor((y - originY) / cell);
+        int column = (int) Math.floor((x - originX) / CELL);
+        int row = (int) Math.floor((y - originY) / CELL);
+        int rings = (int) Math.ceil(within / CELL);
+        if (column < -rings || row < -rings || column >= columns + rings || row >= rows + rings) {
+            return -1;
+        }
+        double toBorder = Math.min(toBorder(x - originX - column * CELL), toBorder(y - originY - row * CELL));
         int nearest = -1;
         double least = within * within;
-        for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
-            for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
-                for (int i = first[r * columns + c]; i < first[r * columns + c + 1]; i++) {
-                    double dx = cloud.x[points[i]] - x;
-                    double dy = cloud.y[points[i]] - y;
-                    double square = dx * dx + dy * dy;
-                    if (square < least) {
-                        least = square;
-                        nearest = points[i];
+        for (int ring = 0; ring <= rings; ring++) {
+            double free = ring == 0 ? 0 : toBorder + (ring - 1) * CELL; // no point of this ring is nearer
+            if (free * free > least) {
+                break;
+            }
+            int step = Math.max(1, 2 * ring);
+            for (int r = Math.max(0, row - ring); r <= Math.min(rows - 1, row + ring); r++) {
+                boolean whole = r == row - ring || r == row + ring;
+                for (int c = column - ring; c <= column + ring; c += whole ? 1 : step) {
+                    if (c < 0 || c >= columns) {
+                        continue;
+                    }
+                    int end = first[r * columns + c + 1];
+                    for (int i = first[r * columns + c]; i < end; i++) {
+                        double dx = xs[i] - x;
+                        double dy = ys[i] - y;
+                        double square = dx * dx + dy * dy;
+                        if (square < least) {
+                            least = square;
+                            nearest = i;
+                        }
                     }
                 }
             }
         }
-        return nearest;
+        return nearest < 0 ? -1 : points[nearest];
+    }
+
+    private static double toBorder(double inCell) {
+        return Math.max(0, Math.min(inCell, CELL - inCell));
     }
 }
