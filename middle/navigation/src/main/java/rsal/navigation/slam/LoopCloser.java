@@ -33,6 +33,7 @@ final class LoopCloser {
     private static final double AGREE_RADIANS = 0.06;
     private static final CorrelativeMatcher.Settings SEARCH = new CorrelativeMatcher.Settings(0.1, 0.12, 6);
     private static final double THINNED = 0.2; // m
+    private static final double TRUST = 0.15; // in where the robot should be; see Window
     private static final double LEAST_SCORE = 0.38;
     private static final double LEAST_EVIDENCE = 0.4;
     private static final double FLOOR_METERS = 0.02; // that a relation errs at least
@@ -122,7 +123,7 @@ final class LoopCloser {
         }
         Pose2d guess = poses.get(candidate).inverse().compose(poses.get(frame));
         return new CorrelativeMatcher(there, SEARCH)
-                .match(here.thinned(THINNED), guess, new Window(meters, radians), LEAST_SCORE)
+                .match(here.thinned(THINNED), guess, new Window(meters, radians, TRUST), LEAST_SCORE)
                 .flatMap(coarse -> refined(frame, candidate, there, here, coarse.aFromB(), 0.4));
     }
 
