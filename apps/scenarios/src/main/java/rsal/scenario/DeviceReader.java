@@ -56,11 +56,16 @@ final class DeviceReader {
         var has = new ArrayList<Class<? extends Device>>(List.of(DriveBase.class));
         model.ifPresent(m -> m.sensors().values().forEach(part -> has.add(part.makes())));
         var drivers = new ArrayList<Driver>();
+        var before = new ArrayList<DeviceDriver>();
         software.forEach((name, driver) -> {
             model.ifPresent(m -> {
-                checkNeeds(devices, name, driver, has);
-                driver.refusal(m).ifPresent(why -> refuse(devices, name, driver, why));
+                if (hasNeeds(devices, name, driver, has)) {
+                    driver.refusal(m)
+                            .or(() -> driver.refusal(List.copyOf(before)))
+                            .ifPresent(why -> refuse(devices, name, driver, why));
+                }
             });
+            before.add(driver);
             has.add(driver.makes());
             options(devices, name, driver).ifPresent(options -> drivers.add(new Driver(name, driver, options)));
         });
@@ -125,7 +130,7 @@ final class DeviceReader {
         }
     }
 
-    private static void checkNeeds(
+    private static boolean hasNeeds(
             Section devices, String name, DeviceDriver driver, List<Class<? extends Device>> has) {
         var missing = missing(has, driver.needs());
         if (!missing.isEmpty()) {
@@ -135,6 +140,7 @@ final class DeviceReader {
                             .formatted(driver.key(), words(missing), name),
                     "Add it to (devices), above (%s).".formatted(name));
         }
+        return missing.isEmpty();
     }
 
     private static void refuse(Section devices, String name, DeviceDriver driver, String why) {

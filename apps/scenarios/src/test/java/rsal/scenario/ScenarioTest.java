@@ -214,6 +214,25 @@ class ScenarioTest {
                         "good.yaml:14:52",
                         "(amcl) needs a RangeSensor",
                         "above (localizer)"),
+                List.of(
+                        "laser: urg04lx, localizer: {type: truthful, error: 0.1}",
+                        "laser: none, localizer: slam",
+                        "good.yaml:14:39",
+                        "(slam) needs a LaserScanner",
+                        "above (localizer)"),
+                List.of(
+                        "{type: truthful, error: 0.1}",
+                        "{type: slam, maxRange: -1}",
+                        "(robots.prey.devices.localizer.maxRange) must be a number from 0.5 to 200"),
+                List.of(
+                        "localizer: {type: truthful, error: 0.1}",
+                        "localizer: amcl, navigator: {}, explorer: {}",
+                        "(explorer) can't work on this robot",
+                        "It needs a localizer of type (slam) and a navigator of type (navigator), not (amcl)"),
+                List.of(
+                        "localizer: {type: truthful, error: 0.1}",
+                        "localizer: slam, explorer: {}",
+                        "(explorer) needs a Navigator"),
                 List.of("type: truthful", "type: truthfull", "no device driver (truthfull)", "Maybe (truthful)"),
                 List.of(
                         "error: 0.1",

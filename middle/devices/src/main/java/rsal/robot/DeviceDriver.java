@@ -27,6 +27,13 @@ public interface DeviceDriver {
         return Optional.empty();
     }
 
+    /// Why it can not work with what other drivers make, in a sentence; empty when it can.
+    ///
+    /// @param before drivers of the robot's software devices that are made before this one
+    default Optional<String> refusal(List<DeviceDriver> before) {
+        return Optional.empty();
+    }
+
     /// Types of devices that the robot must have before this one can be made.
     List<Class<? extends Device>> needs();
 

@@ -4,11 +4,13 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.explore.Division;
 import rsal.navigation.explore.Frontier;
 import rsal.navigation.explore.Frontiers;
+import rsal.navigation.explore.Trodden;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.grid.ScanMapper.PosedScan;
@@ -37,8 +39,9 @@ final class Exploration {
     /// @param resolution of the map [m]
     /// @param shortest frontiers below are left out [m]
     /// @param view how far robots see [m]
+    /// @param bodyRadius of the circle that robots turn in [m]
     /// @param clearance that ways keep
-    record Settings(double resolution, double shortest, double view, CostMap.Clearance clearance) {}
+    record Settings(double resolution, double shortest, double view, double bodyRadius, CostMap.Clearance clearance) {}
 
     /// What a robot is to do on a map; nothing when it has no goal.
     record Order(OccupancyGrid map, Wavefront ways, DistanceField toNotFree, Optional<Goal> goal) {}
@@ -93,8 +96,9 @@ final class Exploration {
     private List<Order> orders(
             List<PosedScan> seen, List<Point2d> places, List<Optional<Point2d>> goals, List<Point2d> alone) {
         double view = settings.view();
-        OccupancyGrid map =
+        OccupancyGrid drawn =
                 ScanMapper.draw(seen, new ScanMapper.Settings(settings.resolution(), view, view, 0.9, -0.4, 4));
+        OccupancyGrid map = Trodden.free(drawn, trodden(seen, places), room());
         DistanceField toNotFree = DistanceField.toNotFree(map);
         var ways = new Wavefront(CostMap.of(map, toNotFree, settings.clearance()));
         List<Frontier> frontiers = Frontiers.of(map, settings.shortest()).stream()
@@ -126,6 +130,16 @@ final class Exploration {
                             .map(i -> new Goal(own[i].stand(), frontiers.get(i).place()))));
         }
         return orders;
+    }
+
+    private static List<Point2d> trodden(List<PosedScan> seen, List<Point2d> places) {
+        return Stream.concat(seen.stream().map(scan -> scan.mapFromBase().position()), places.stream())
+                .toList();
+    }
+
+    /// That a robot has for sure where it stands: to turn, and to be on its way at all.
+    private double room() {
+        return Math.max(settings.bodyRadius(), settings.clearance().radius()) + settings.resolution();
     }
 
     /// The nearest place to a frontier where the robot can get.

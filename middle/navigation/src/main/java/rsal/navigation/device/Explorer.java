@@ -12,6 +12,7 @@ import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.GoalHandle;
 import rsal.device.Health;
+import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.device.SensorCore;
 import rsal.navigation.grid.ScanMapper.PosedScan;
@@ -20,10 +21,10 @@ import rsal.time.Scheduler;
 /// Sends a robot where its map ends, until it ends nowhere that the robot can get to. Its readings are the
 /// map. It gives its navigator the map, too, and takes the robot over from the start: who wants to drive it
 /// pauses the navigator.
-final class Explorer extends SensorCore<OccupancyGrid> {
+final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private static final Duration LONGEST = Duration.ofSeconds(60); // for one frontier without getting there
     private static final double NEARER = 0.3; // m that count as getting nearer
-    private static final Navigator.Tolerance THERE = Navigator.Tolerance.position(0.3);
+    private static final Navigator.Tolerance THERE = new Navigator.Tolerance(0.3, 0.5); // m, rad
 
     private final SlamLocalizer localizer;
     private final PathNavigator navigator;
@@ -85,7 +86,10 @@ final class Explorer extends SensorCore<OccupancyGrid> {
             return;
         }
         navigator.on(order.ways(), order.toNotFree());
-        var next = navigator.goTo(new Pose2d(goal.stand().x(), goal.stand().y(), 0), THERE);
+        double towards = Math.atan2(
+                goal.frontier().y() - goal.stand().y(),
+                goal.frontier().x() - goal.stand().x());
+        var next = navigator.goTo(new Pose2d(goal.stand().x(), goal.stand().y(), towards), THERE);
         drive = next;
         next.result().thenAccept(result -> ended(next, goal.frontier(), result));
     }

@@ -1,12 +1,14 @@
 package rsal.navigation.device;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.data.Footprint;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
 import rsal.device.Localizer;
+import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.navigation.wavefront.CostMap.Clearance;
 import rsal.robot.DeviceDriver;
@@ -18,6 +20,9 @@ import rsal.time.Scheduler;
 /// Makes explorers, of robots with `localizer: {type: slam}` and a navigator. Those of a run that know where
 /// they start explore together.
 public final class ExplorerDriver implements DeviceDriver {
+    private static final String SLAM = "slam";
+    private static final String NAVIGATOR = "navigator";
+
     private final Shared<Scheduler, Exploration> teams = new Shared<>();
 
     @Override
@@ -32,7 +37,7 @@ public final class ExplorerDriver implements DeviceDriver {
 
     @Override
     public Class<? extends Device> makes() {
-        return Explorer.class;
+        return Mapper.class;
     }
 
     @Override
@@ -41,10 +46,28 @@ public final class ExplorerDriver implements DeviceDriver {
     }
 
     @Override
+    public Optional<String> refusal(List<DeviceDriver> before) {
+        String localizer = key(before, Localizer.class);
+        String navigator = key(before, Navigator.class);
+        return localizer.equals(SLAM) && navigator.equals(NAVIGATOR)
+                ? Optional.empty()
+                : Optional.of("It needs a localizer of type (%s) and a navigator of type (%s), not (%s) and (%s)."
+                        .formatted(SLAM, NAVIGATOR, localizer, navigator));
+    }
+
+    private static String key(List<DeviceDriver> drivers, Class<? extends Device> made) {
+        return drivers.stream()
+                .filter(driver -> made.isAssignableFrom(driver.makes()))
+                .map(DeviceDriver::key)
+                .findFirst()
+                .orElse("none");
+    }
+
+    @Override
     public List<Parameter> parameters() {
         return List.of(
                 Parameter.number("resolution", 0.1, 0.02, 1, "m", "side of a cell of the map"),
-                Parameter.number("shortest", 0.4, 0.1, 10, "m", "ends of the map that are shorter are left alone"),
+                Parameter.number("shortest", 0.6, 0.1, 10, "m", "ends of the map that are shorter are left alone"),
                 Parameter.number("view", 4, 0.5, 50, "m", "how far the laser is believed to see"),
                 Ways.WALL_DISTANCE,
                 Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing"),
@@ -55,17 +78,8 @@ public final class ExplorerDriver implements DeviceDriver {
     public Device create(Context context, Arguments arguments) {
         if (!(context.robot().require(Localizer.class) instanceof SlamLocalizer localizer)
                 || !(context.robot().require(Navigator.class) instanceof PathNavigator navigator)) {
-            throw new IllegalArgumentException(
-                    "An explorer needs a localizer of type (slam) and a navigator of type (navigator), not (%s) and (%s)."
-                            .formatted(
-                                    context.robot()
-                                            .require(Localizer.class)
-                                            .info()
-                                            .driver(),
-                                    context.robot()
-                                            .require(Navigator.class)
-                                            .info()
-                                            .driver()));
+            throw new IllegalArgumentException("(%s) has other devices than an explorer works with."
+                    .formatted(context.robot().id()));
         }
         Exploration team = context.mapFromBase().isPresent()
                 ? teams.of(context.scheduler(), _ -> team(context, arguments))
@@ -90,6 +104,7 @@ public final class ExplorerDriver implements DeviceDriver {
                         arguments.number("resolution"),
                         arguments.number("shortest"),
                         arguments.number("view"),
+                        footprint.circumscribedRadius(),
                         new Clearance(least, Math.max(least, comfort), arguments.number("wallCost"))),
                 context.scheduler());
     }
