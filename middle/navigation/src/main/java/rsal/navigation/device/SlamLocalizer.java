@@ -35,7 +35,8 @@ import rsal.time.Scheduler;
 ///
 /// Its map's frame is that of the pose it was told to start from, else it starts at the origin. Told
 /// otherwise where it is, it begins a new map from there. Without scans or odometry it is stale and silent;
-/// when mapping fails it is lost and begins a new map from where it is.
+/// when mapping fails it is lost and begins a new map from where it is. Bad readings are skipped ([Scrutiny]),
+/// the first with a word in the log, and counted in its health when no good ones come.
 final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private static final Logger LOG = System.getLogger(SlamLocalizer.class.getName());
     private static final Duration PATIENCE = Duration.ofSeconds(2);
@@ -44,6 +45,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Slam.Settings settings;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
+    private final Scrutiny scrutiny = new Scrutiny();
     private Pose2d start;
     private @Nullable Slam slam; // only the work under way touches it
     private @Nullable Pose2d mapFromOdom; // as the newest scan has it
@@ -94,9 +96,14 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         slam = null;
         mapFromOdom = null;
         map = List.of();
+        scrutiny.reset();
     }
 
     private void onOdometry(Stamped<Odometry> odometry) {
+        if (!scrutiny.acceptsOdometry(odometry)) {
+            tellSkipped();
+            return;
+        }
         lastOdometry = scheduler.instant();
         newest = odometry;
         if (mapFromOdom != null && !failed && !isSilent(lastScan)) {
@@ -110,10 +117,20 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     /// Waits until everything measured at this instant is here, odometry too.
     private void onScan(Stamped<LaserScan> scan) {
+        if (!scrutiny.accepts(scan)) {
+            tellSkipped();
+            return;
+        }
         lastScan = scheduler.instant();
         if (!busy) {
             busy = true;
             scheduler.after(Duration.ZERO, Phase.DEVICES, () -> look(scan.value()));
+        }
+    }
+
+    private void tellSkipped() {
+        if (scrutiny.skipped() == 1) {
+            LOG.log(Level.WARNING, () -> "(%s) skips bad readings.%s".formatted(info().id(), scrutiny.told()));
         }
     }
 
@@ -171,10 +188,14 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             return; // that is worse
         }
         if (isSilent(lastScan)) {
-            health(new Health.Stale("No scan for more than %d s.".formatted(PATIENCE.toSeconds())));
+            health(silence("scan"));
         } else if (isSilent(lastOdometry)) {
-            health(new Health.Stale("No odometry for more than %d s.".formatted(PATIENCE.toSeconds())));
+            health(silence("odometry"));
         }
+    }
+
+    private Health silence(String what) {
+        return new Health.Stale("No %s for more than %d s.%s".formatted(what, PATIENCE.toSeconds(), scrutiny.told()));
     }
 
     private boolean isSilent(Instant last) {

@@ -19,6 +19,7 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeDriveBase;
+import rsal.testkit.fake.FakeLaserScanner;
 import rsal.testkit.fake.FakeSystem;
 import rsal.time.LockstepScheduler;
 
@@ -95,6 +96,27 @@ class SilenceTest {
         base.turn(Health.ok());
         scheduler.advance(Duration.ofSeconds(1));
         assertThat(navigator.health()).isEqualTo(Health.ok());
+    }
+
+    @Test
+    void aMapperThatSeesNothingButNonsenseSaysSoAndIsSilent() {
+        var slam = new SlamDriver();
+        Localizer mapper = (Localizer) slam.create(
+                new DeviceDriver.Context(
+                        "mapper", robot, RobotBench.WORLD.grid(), Optional.of(RobotBench.START), scheduler, seeded),
+                Arguments.of(slam.parameters(), Map.of()));
+        drive(2);
+        assertThat(mapper.latest().orElseThrow().value().mapFromBase().distanceTo(base.mapFromBase()))
+                .isLessThan(0.1);
+        robot.require(FakeLaserScanner.class).show(1, 2, 3);
+        drive(3);
+        var before = mapper.latest();
+        drive(3);
+        assertThat(mapper.latest()).isEqualTo(before);
+        assertThat(mapper.health())
+                .isInstanceOfSatisfying(
+                        Health.Stale.class,
+                        stale -> assertThat(stale.reason()).contains("No scan", "Skipped", "(3) beams"));
     }
 
     private Localizer localizer() {

@@ -1,0 +1,76 @@
+package rsal.navigation.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import rsal.data.LaserScan;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+
+class ScrutinyTest {
+    private final Scrutiny scrutiny = new Scrutiny();
+
+    private static Stamped<LaserScan> scan(double seconds, double angleMin, float... ranges) {
+        return new Stamped<>(
+                Instant.ofEpochMilli((long) (1000 * seconds)),
+                "laser",
+                new LaserScan(Pose2d.ORIGIN, angleMin, 0.1, 0.02, 5, ranges));
+    }
+
+    private static Stamped<Odometry> odometry(double seconds, double x) {
+        return new Stamped<>(
+                Instant.ofEpochMilli((long) (1000 * seconds)),
+                "odom",
+                new Odometry(new Pose2d(x, 0, 0), Twist2d.STOP, false));
+    }
+
+    private static float[] ranges(int count, float range) {
+        var ranges = new float[count];
+        Arrays.fill(ranges, range);
+        return ranges;
+    }
+
+    @Test
+    void someBeamsMayBeBrokenOrSeeNothing() {
+        assertThat(scrutiny.accepts(scan(1, -1, Float.NaN, 2, Float.POSITIVE_INFINITY)))
+                .isTrue();
+        assertThat(scrutiny.accepts(scan(1.1, -1, ranges(3, Float.POSITIVE_INFINITY))))
+                .isTrue();
+        assertThat(scrutiny.told()).isEmpty();
+    }
+
+    @Test
+    void skipsAndCountsWhatIsOfNoUse() {
+        assertThat(scrutiny.accepts(scan(1, -1, 2, 2, 2))).isTrue();
+        assertThat(scrutiny.accepts(scan(1.1, -1, ranges(3, Float.NaN)))).isFalse();
+        assertThat(scrutiny.told()).contains("1,").contains("NaN");
+        assertThat(scrutiny.accepts(scan(1.2, -1, 2, 2))).isFalse();
+        assertThat(scrutiny.told()).contains("2,").contains("(2) beams").contains("(3)");
+        assertThat(scrutiny.accepts(scan(1.3, -1))).isFalse();
+        assertThat(scrutiny.accepts(scan(1.4, Double.NaN, 2, 2, 2))).isFalse();
+        assertThat(scrutiny.told()).contains("direction");
+        assertThat(scrutiny.accepts(scan(0.5, -1, 2, 2, 2))).isFalse();
+        assertThat(scrutiny.told()).contains("5,").contains("0.500 s older");
+        assertThat(scrutiny.accepts(scan(1.5, -1, 2, 2, 2))).isTrue();
+        assertThat(scrutiny.skipped()).isEqualTo(5);
+    }
+
+    @Test
+    void wheelsMustSayAPlaceAndInOrder() {
+        assertThat(scrutiny.acceptsOdometry(odometry(1, 0))).isTrue();
+        assertThat(scrutiny.acceptsOdometry(odometry(2, Double.NaN))).isFalse();
+        assertThat(scrutiny.acceptsOdometry(odometry(0.9, 0))).isFalse();
+        assertThat(scrutiny.told()).contains("2,").contains("odometry").contains("0.100 s older");
+    }
+
+    @Test
+    void anewItTakesOthers() {
+        assertThat(scrutiny.accepts(scan(5, -1, 2, 2, 2))).isTrue();
+        scrutiny.reset();
+        assertThat(scrutiny.accepts(scan(1, -1, 2, 2))).isTrue();
+    }
+}
