@@ -88,9 +88,6 @@ final class LocalizeCommand extends Subcommand {
     @Option(names = "--scans", paramLabel = "N", description = "Looks at so many scans at most, in each run.")
     private int scans = Integer.MAX_VALUE;
 
-    @Option(names = "--no-reference", description = "The log's poses are not right: tell no errors.")
-    private boolean noReference;
-
     @Option(names = "--beams", paramLabel = "N", description = "Beams of a scan to look at (60).")
     private int beams = 60;
 
@@ -291,7 +288,7 @@ final class LocalizeCommand extends Subcommand {
         }
         Optional<OdometryModel> noise = recorded.noise();
         CarmenLog log = recorded.read(file);
-        Course course = course(log);
+        Course course = recorded.course(log, file);
         if (course.stops().isEmpty()) {
             throw LogOptions.nothingKnown(file, "odometry", log);
         }
@@ -346,11 +343,6 @@ final class LocalizeCommand extends Subcommand {
             throw new InvalidSettings(
                     Location.of(file), "Nothing tells where its first scan was taken.", "Say --pose or --global.");
         });
-    }
-
-    private Course course(CarmenLog log) {
-        Course course = recorded.course(log, file);
-        return noReference && !recorded.hasReference() ? course.unjudged() : course;
     }
 
     private OccupancyGrid grid(Course course) throws IOException {

@@ -38,6 +38,9 @@ final class LogOptions {
             description = "Another log of the same scans, whose poses are right: the corrected one of a raw log.")
     private @Nullable String reference;
 
+    @Option(names = "--no-reference", description = "The log's poses are not right: tell no errors.")
+    private boolean noReference;
+
     @Option(
             names = "--field-of-view",
             paramLabel = "DEG",
@@ -50,6 +53,11 @@ final class LogOptions {
 
     boolean hasReference() {
         return reference != null;
+    }
+
+    /// Whether the log's own poses are not to be taken for right.
+    boolean isWithoutReference() {
+        return noReference && reference == null;
     }
 
     boolean isFieldOfViewPossible() {
@@ -91,13 +99,14 @@ final class LogOptions {
         }
     }
 
-    /// The course of a log, with the poses of the reference where there is one.
+    /// The course of a log, with the poses of the reference where there is one, and without any that is right when
+    /// the log's own are not.
     ///
     /// @param file of the log
     Course course(CarmenLog log, String file) {
         Course course = Course.of(log);
         if (reference == null) {
-            return course;
+            return isWithoutReference() ? course.unjudged() : course;
         }
         Course judged = course.judgedBy(read(reference));
         if (judged.posed().isEmpty()) {

@@ -129,6 +129,10 @@ final class MapCommand extends Subcommand {
             throw new ParameterException(
                     spec.commandLine(), "--known-poses goes with one log and without --odometry-noise.");
         }
+        if (knownPoses && recorded.isWithoutReference()) {
+            throw new ParameterException(
+                    spec.commandLine(), "--known-poses draws by poses that --no-reference says are not right.");
+        }
         if (recorded.hasReference() && files.size() > 1) {
             throw new ParameterException(spec.commandLine(), "--reference goes with one log.");
         }

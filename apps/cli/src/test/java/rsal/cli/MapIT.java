@@ -83,6 +83,22 @@ class MapIT {
     }
 
     @Test
+    void tellsNoErrorsWhenTheLogsPosesAreNotRight() throws Exception {
+        Ended ended = rsal.run("map", "room.log", "--no-reference", "--out", "raw", "--json");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        JsonNode log = new JsonMapper().readTree(ended.out()).path("logs").path(0);
+        assertThat(log.path("scans").asInt()).isEqualTo(41);
+        for (String error : List.of("odometry", "next", "near")) {
+            assertThat(log.path(error).has("meters")).as(error).isFalse();
+        }
+
+        Ended judged = rsal.run("map", "room.log", "--no-reference", "--reference", "room.log", "--out", "judged");
+        assertThat(judged.code()).as(judged.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(judged.out()).contains("map, scan to scan");
+    }
+
+    @Test
     void drawsFromKnownPosesAndOverwritesNothingUnasked() throws Exception {
         Ended ended = rsal.run("map", "room.log", "--known-poses", "--out", "known");
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
@@ -116,6 +132,7 @@ class MapIT {
             map room.log --out x --odometry-noise 1               | (1)                | 2
             map room.log --out x --resolution 0                   | --resolution       | 2
             map room.log room.log --out x --known-poses           | --known-poses      | 2
+            map room.log --out x --known-poses --no-reference     | --no-reference     | 2
             map room.log room.log --out x --reference room.log    | --reference        | 2
             map none.log --out x                                  | none.log           | 3
             map room.log --out room.log                           | not a folder       | 3
