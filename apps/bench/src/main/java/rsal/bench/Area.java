@@ -35,6 +35,7 @@ public record Area(String name, List<Bench> benches) {
                                 new PlanningBench(),
                                 new BarnBench(),
                                 new OfficeBench(),
-                                new MappingBench())));
+                                new MappingBench(),
+                                new ExploreBench())));
     }
 }

@@ -7,10 +7,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.SplittableRandom;
 import java.util.concurrent.Executor;
-import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -19,7 +17,6 @@ import rsal.device.Navigator;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 import rsal.device.SimulationControl;
-import rsal.map.Maps;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
@@ -27,15 +24,7 @@ import rsal.navigation.wavefront.Plan;
 import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
-import rsal.robot.RobotModel;
-import rsal.robot.RobotModels;
-import rsal.robot.RobotSpec;
-import rsal.scene.Scene;
-import rsal.settings.Arguments;
-import rsal.settings.FileSource;
-import rsal.settings.Location;
 import rsal.system.RobotSystem;
-import rsal.system.RobotSystemProvider;
 import rsal.time.LockstepScheduler;
 
 /// Three Pioneers on the office floor, each sent from one random place to the next.
@@ -91,48 +80,22 @@ final class OfficeRun implements AutoCloseable {
     OfficeRun(Map<String, ?> settings, long seed, Executor workers) {
         time = new LockstepScheduler(Instant.EPOCH, workers);
         random = new SplittableRandom(seed);
-        var files = FileSource.resources(RobotModels.class, "/");
-        OccupancyGrid office = new Maps(files).read("office", Location.of("bench"));
-        var field = DistanceField.toNotFree(office);
-        shortest = new Wavefront(CostMap.of(office, field, NARROW));
-        roomy = new Wavefront(CostMap.of(office, field, ROOMY));
-        Location here = Location.of("bench");
-        RobotModel pioneer = new RobotModels(files)
-                .read("pioneer2dx", here, Map.of("laser", new RobotModels.Choice("urg04lx", here)));
-        var specs = new ArrayList<RobotSpec>();
+        var field = DistanceField.toNotFree(Office.MAP);
+        shortest = new Wavefront(CostMap.of(Office.MAP, field, NARROW));
+        roomy = new Wavefront(CostMap.of(Office.MAP, field, ROOMY));
+        var starts = new ArrayList<Pose2d>();
         for (int i = 0; i < ROBOTS; i++) {
-            specs.add(new RobotSpec("r" + i, "robot", pioneer, Optional.of(place()), "#000000"));
+            starts.add(place());
         }
-        var simulator = ServiceLoader.load(RobotSystemProvider.class).stream()
-                .map(ServiceLoader.Provider::get)
-                .filter(provider -> provider.key().equals("sim"))
-                .findFirst()
-                .orElseThrow();
-        system = simulator.create(
-                new RobotSystemProvider.Config(
-                        Arguments.defaults(simulator.parameters()), Scene.of(office), specs, seed),
-                time);
+        system = Office.open(starts, seed, time);
         truth = system.simulation().orElseThrow();
-        DeviceDriver amcl = driver("amcl");
-        DeviceDriver navigator = driver("navigator");
+        DeviceDriver amcl = Office.driver("amcl");
+        DeviceDriver navigator = Office.driver("navigator");
         for (Robot robot : system.discover().toCompletableFuture().join()) {
-            Robot localized = equip(robot, amcl, office, Map.of());
-            robots.add(equip(localized, navigator, office, settings));
+            Optional<Pose2d> start = truth.truth(robot.id());
+            Robot localized = Office.equip(robot, amcl, Map.of(), start, time, random);
+            robots.add(Office.equip(localized, navigator, settings, start, time, random));
         }
-    }
-
-    private static DeviceDriver driver(String key) {
-        return ServiceLoader.load(DeviceDriver.class).stream()
-                .map(ServiceLoader.Provider::get)
-                .filter(driver -> driver.key().equals(key))
-                .findFirst()
-                .orElseThrow();
-    }
-
-    private Robot equip(Robot robot, DeviceDriver driver, OccupancyGrid map, Map<String, ?> settings) {
-        var context = new DeviceDriver.Context(
-                driver.key(), robot, map, truth.truth(robot.id()), time, new SplittableRandom(random.nextLong()));
-        return robot.with(driver.create(context, Arguments.of(driver.parameters(), settings)));
     }
 
     /// Somewhere on the floor from where there is a way to the corridor.
