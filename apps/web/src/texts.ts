@@ -84,6 +84,7 @@ export const texts = {
   },
   layers: {
     grid: 'Grid',
+    map: 'Drawn map',
     scans: 'Laser scans',
     cones: 'Sonar',
     particles: 'Particles',

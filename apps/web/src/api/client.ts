@@ -3,6 +3,7 @@ import type {
   Added,
   Addition,
   Drive,
+  MapInfo,
   Mistake,
   Order,
   Plan,
@@ -14,6 +15,7 @@ import type {
   RunInfo,
 } from './messages';
 import { access } from './access.svelte';
+import { decodeDrawn } from './drawn';
 
 /** The server understood, and will not; `problems` says what is wrong with settings. */
 export class RefusedError extends Error {
@@ -47,6 +49,7 @@ export const api = {
   check: (wish: Restart) => post('check', wish) as Promise<Plan>,
   restart: (wish: Restart) => post('restart', wish) as Promise<RunInfo>,
   map,
+  drawn,
 };
 
 /** @param evenAtTheEnd also when the page is about to be left */
@@ -78,6 +81,20 @@ async function about<T>(what: string, robot: string): Promise<T | null> {
   try {
     const response = await fetch(`/api/${what}?robot=${encodeURIComponent(robot)}`);
     return response.ok ? ((await response.json()) as T) : null;
+  } catch {
+    return null;
+  }
+}
+
+/** The map that a robot has drawn, with its cells as those of `map`; null when there is none any more. */
+async function drawn(
+  run: number,
+  robot: string,
+  resolution: number,
+): Promise<{ map: MapInfo; bytes: Uint8Array } | null> {
+  try {
+    const response = await fetch(`/api/drawn/${String(run)}?robot=${encodeURIComponent(robot)}`);
+    return response.ok ? decodeDrawn(await response.arrayBuffer(), robot, resolution) : null;
   } catch {
     return null;
   }

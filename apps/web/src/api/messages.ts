@@ -69,6 +69,11 @@ export interface DeviceDetails {
   reason: string;
 }
 
+export interface DrawnMap {
+  time: number;
+  resolution: number;
+}
+
 export interface Drive {
   robot: string;
   driver: string;
@@ -212,6 +217,7 @@ export interface RobotDetails {
   behavior: string;
   driver: string;
   devices: DeviceDetails[];
+  map: DrawnMap | null;
 }
 
 export interface RobotInfo {

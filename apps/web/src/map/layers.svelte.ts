@@ -12,9 +12,9 @@ import { drawTrails } from './layers/trails';
 import type { Layer } from './scene';
 
 export type Switchable =
-  'grid' | 'scans' | 'cones' | 'particles' | 'trails' | 'paths' | 'goals' | 'estimates' | 'names';
+  'grid' | 'map' | 'scans' | 'cones' | 'particles' | 'trails' | 'paths' | 'goals' | 'estimates' | 'names';
 
-/** From the floor up. The grid, and things that were not moved, are drawn with the floor. */
+/** From the floor up. The grid, maps that robots draw, and things that were not moved, are drawn with the floor. */
 const order: [Switchable | null, Layer][] = [
   [null, drawMovedThings],
   ['scans', drawScans],
@@ -33,6 +33,7 @@ const order: [Switchable | null, Layer][] = [
 class Layers {
   shown = $state<Record<Switchable, boolean>>({
     grid: true,
+    map: true,
     scans: true,
     cones: false,
     particles: true,

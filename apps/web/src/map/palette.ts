@@ -3,6 +3,9 @@ export interface Palette {
   free: string;
   occupied: string;
   unknown: string;
+  /** Of maps that robots draw. */
+  drawn: string;
+  drawnWall: string;
   grid: string;
   text: string;
   halo: string;
@@ -19,6 +22,8 @@ export function readPalette(element: Element): Palette {
     free: color('free'),
     occupied: color('occupied'),
     unknown: color('unknown'),
+    drawn: color('drawn'),
+    drawnWall: color('drawn-wall'),
     grid: color('grid'),
     text: color('text'),
     halo: color('halo'),

@@ -9,6 +9,8 @@ const OCCUPIED = 100; // and colored walls up from there
 const COLORFUL = 0.05;
 const UNKNOWN = 255;
 
+type Rgba = [number, number, number, number];
+
 /** A picture of a map; of a map seen from afar, one pixel is `pool` × `pool` cells. */
 export interface Floor {
   picture: OffscreenCanvas;
@@ -29,15 +31,29 @@ export function isColorful(color: string): boolean {
 
 /** Pictures a map, upper row first. */
 export function paintFloor(map: MapInfo, cells: Uint8Array, pool: number, palette: Palette): Floor {
-  const pooled = poolCells(cells, map.width, map.height, pool);
-  const colors = new Map([
-    [FREE, rgb(palette.free)],
-    [OCCUPIED, rgb(palette.occupied)],
-    [UNKNOWN, rgb(palette.unknown)],
+  const colors = new Map<number, Rgba>([
+    [FREE, [...rgb(palette.free), 255]],
+    [OCCUPIED, [...rgb(palette.occupied), 255]],
+    [UNKNOWN, [...rgb(palette.unknown), 255]],
   ]);
   map.colors.forEach((color, i) => {
-    colors.set(OCCUPIED + 1 + i, rgb(isColorful(color) ? color : palette.occupied));
+    colors.set(OCCUPIED + 1 + i, [...rgb(isColorful(color) ? color : palette.occupied), 255]);
   });
+  return paint(map, cells, pool, colors);
+}
+
+/** Pictures a map that a robot has drawn, to be seen through. */
+export function paintDrawn(map: MapInfo, cells: Uint8Array, pool: number, palette: Palette): Floor {
+  const colors = new Map<number, Rgba>([
+    [FREE, [...rgb(palette.drawn), 110]],
+    [OCCUPIED, [...rgb(palette.drawnWall), 255]],
+    [UNKNOWN, [0, 0, 0, 0]],
+  ]);
+  return paint(map, cells, pool, colors);
+}
+
+function paint(map: MapInfo, cells: Uint8Array, pool: number, colors: Map<number, Rgba>): Floor {
+  const pooled = poolCells(cells, map.width, map.height, pool);
   const width = Math.ceil(map.width / pool);
   const height = Math.ceil(map.height / pool);
   const picture = new OffscreenCanvas(width, height);
@@ -47,7 +63,6 @@ export function paintFloor(map: MapInfo, cells: Uint8Array, pool: number, palett
     let to = 4 * (height - 1 - row) * width;
     for (let column = 0; column < width; column++, to += 4) {
       image.data.set(colors.get(pooled[row * width + column]!)!, to);
-      image.data[to + 3] = 255;
     }
   }
   context.putImageData(image, 0, 0);

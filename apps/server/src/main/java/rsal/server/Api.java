@@ -7,6 +7,8 @@ import io.javalin.http.Header;
 import io.javalin.http.HttpResponseException;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
@@ -15,7 +17,9 @@ import java.util.zip.GZIPOutputStream;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.data.Stamped;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
@@ -73,6 +77,7 @@ final class Api {
 
         routes.get("/api/run", request -> answer(request, info()));
         routes.get("/api/map/{run}", this::map);
+        routes.get("/api/drawn/{run}", this::drawn);
         routes.get("/api/abilities", request -> {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running().abilities(robot == null ? "" : robot));
@@ -203,6 +208,26 @@ final class Api {
         }
         request.header(Header.CONTENT_ENCODING, "gzip");
         request.contentType("application/octet-stream").result(known.bytes());
+    }
+
+    /// A map that a robot has drawn; see [Messages.DrawnMap].
+    private void drawn(Context request) throws IOException {
+        Numbered now = current.now();
+        String robot = String.valueOf(request.queryParam("robot"));
+        OccupancyGrid drawn = now.run().snapshot().robots().stream()
+                .filter(view -> view.id().equals(robot)
+                        && request.pathParam("run").equals(Integer.toString(now.number())))
+                .flatMap(view -> view.map().stream())
+                .map(Stamped::value)
+                .findFirst()
+                .orElseThrow(() -> new Refusal(
+                        404, "Robot (%s) has drawn no map in this run.".formatted(Refusal.shortened(robot))));
+        ByteBuffer bytes = ByteBuffer.allocate(16 + drawn.cells().length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.putInt(drawn.width()).putInt(drawn.height());
+        bytes.putInt((int) Math.round(1000 * drawn.originX())).putInt((int) Math.round(1000 * drawn.originY()));
+        bytes.put(drawn.cells());
+        request.header(Header.CONTENT_ENCODING, "gzip");
+        request.contentType("application/octet-stream").result(packed(bytes.array()));
     }
 
     private static byte[] packed(byte[] bytes) throws IOException {

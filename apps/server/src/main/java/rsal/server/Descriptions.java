@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.agent.Society;
 import rsal.data.OccupancyGrid;
 import rsal.data.Rgb;
+import rsal.data.Stamped;
 import rsal.device.Health;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -26,6 +27,7 @@ import rsal.server.Messages.ArgumentInfo;
 import rsal.server.Messages.ConfigurationInfo;
 import rsal.server.Messages.Details;
 import rsal.server.Messages.DeviceDetails;
+import rsal.server.Messages.DrawnMap;
 import rsal.server.Messages.Ending;
 import rsal.server.Messages.EventInfo;
 import rsal.server.Messages.MapInfo;
@@ -140,7 +142,12 @@ final class Descriptions {
                 robot.inCharge(),
                 robot.behavior(),
                 robot.driver(),
-                robot.devices().stream().map(Descriptions::device).toList());
+                robot.devices().stream().map(Descriptions::device).toList(),
+                robot.map().map(Descriptions::drawn));
+    }
+
+    private static DrawnMap drawn(Stamped<OccupancyGrid> map) {
+        return new DrawnMap(map.time().toEpochMilli() / 1e3, map.value().resolution());
     }
 
     private static DeviceDetails device(DeviceView device) {

@@ -192,7 +192,21 @@ final class Messages {
     /// @param inCharge behavior that drives it, or its navigator; empty when neither does
     /// @param behavior what somebody told it to do, as an [Order] does; empty when nobody did
     /// @param driver who drives it, as [Drive] has it; empty when nobody does
-    record RobotDetails(String id, String inCharge, String behavior, String driver, List<DeviceDetails> devices) {}
+    /// @param map that it has drawn itself so far
+    record RobotDetails(
+            String id,
+            String inCharge,
+            String behavior,
+            String driver,
+            List<DeviceDetails> devices,
+            Optional<DrawnMap> map) {}
+
+    /// Cells are at `/api/drawn/<run>?robot=<id>`, as those of [MapInfo], in which they lie row by row behind four
+    /// little-endian numbers: width, height, origin x and y [mm]. Robots that explore together draw the same.
+    ///
+    /// @param time when it was drawn [s of the run]
+    /// @param resolution side of a cell [m]
+    record DrawnMap(double time, double resolution) {}
 
     /// @param reason why it is not well; else empty
     record DeviceDetails(String name, String driver, String type, Condition health, String reason) {

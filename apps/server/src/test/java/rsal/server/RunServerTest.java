@@ -114,6 +114,8 @@ class RunServerTest {
                 assertThat(new GZIPInputStream(response.body()).readAllBytes()).isEqualTo(cells);
             }
             assertThat(get("/api/map/2").status()).isEqualTo(404);
+            assertThat(get("/api/drawn/1?robot=nobody").status()).isEqualTo(404);
+            assertThat(get("/api/drawn/1").text()).contains("has drawn no map");
         }
 
         @Test

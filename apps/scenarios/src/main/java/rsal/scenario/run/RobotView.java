@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import rsal.data.GripperState;
 import rsal.data.LaserScan;
+import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
 import rsal.data.Path2d;
@@ -17,6 +18,7 @@ import rsal.data.Stamped;
 /// @param color `#rrggbb`
 /// @param model name of its model
 /// @param truth where it really is, in the map frame; empty outside of simulated worlds
+/// @param map as it has drawn it itself so far, in the map frame
 /// @param path the way its navigator intends to take
 /// @param goal where its navigator drives to
 /// @param inCharge name of the behavior that drives it, or of its navigator; empty when an agent drives it, or a
@@ -35,6 +37,7 @@ public record RobotView(
         Optional<Stamped<ParticleCloud>> particles,
         Optional<Stamped<LaserScan>> scan,
         Optional<Stamped<RangeArray>> ranges,
+        Optional<Stamped<OccupancyGrid>> map,
         Path2d path,
         Optional<Pose2d> goal,
         String inCharge,

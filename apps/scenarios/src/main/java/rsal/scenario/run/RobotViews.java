@@ -11,6 +11,7 @@ import rsal.device.Gripper;
 import rsal.device.LaserScanner;
 import rsal.device.Light;
 import rsal.device.Localizer;
+import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.device.Sensor;
 import rsal.device.SonarArray;
@@ -81,6 +82,7 @@ final class RobotViews {
                 robot.find(SonarArray.class)
                         .flatMap(SonarArray::latest)
                         .filter(ranges -> there && placements.isOfHere(id, ranges)),
+                robot.find(Mapper.class).filter(_ -> there).flatMap(Mapper::latest),
                 navigator.map(Navigator::path).orElse(Path2d.EMPTY),
                 navigator.flatMap(Navigator::goal),
                 told.map(Controls::incharge)
