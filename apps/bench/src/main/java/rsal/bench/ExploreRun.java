@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.Executor;
+import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -18,6 +19,7 @@ import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
 import rsal.navigation.wavefront.NavigationFunction;
 import rsal.navigation.wavefront.Wavefront;
+import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.system.RobotSystem;
 import rsal.time.LockstepScheduler;
@@ -54,11 +56,13 @@ final class ExploreRun implements AutoCloseable {
                 .orElseThrow();
         system = Office.open(starts, seed, time);
         truth = system.simulation().orElseThrow();
+        // the same for all, or each would explore alone
+        List<DeviceDriver> drivers =
+                Stream.of("slam", "navigator", "explorer").map(Office::driver).toList();
         for (Robot robot : system.discover().toCompletableFuture().join()) {
             Robot equipped = robot;
-            for (String driver : List.of("slam", "navigator", "explorer")) {
-                equipped = Office.equip(
-                        equipped, Office.driver(driver), Map.of(), truth.truth(robot.id()), time, random);
+            for (DeviceDriver driver : drivers) {
+                equipped = Office.equip(equipped, driver, Map.of(), truth.truth(robot.id()), time, random);
             }
             robots.add(equipped);
         }

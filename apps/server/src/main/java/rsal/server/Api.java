@@ -215,8 +215,8 @@ final class Api {
         Numbered now = current.now();
         String robot = String.valueOf(request.queryParam("robot"));
         OccupancyGrid drawn = now.run().snapshot().robots().stream()
-                .filter(view -> view.id().equals(robot)
-                        && request.pathParam("run").equals(Integer.toString(now.number())))
+                .filter(view ->
+                        view.id().equals(robot) && request.pathParam("run").equals(Integer.toString(now.number())))
                 .flatMap(view -> view.map().stream())
                 .map(Stamped::value)
                 .findFirst()

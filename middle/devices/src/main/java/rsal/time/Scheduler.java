@@ -17,6 +17,12 @@ public interface Scheduler extends InstantSource, Executor {
     @Override
     void execute(Runnable task);
 
+    /// What tells whether two schedulers are of the same run: equal for all views of one, as parts of a run have
+    /// them.
+    default Object run() {
+        return this;
+    }
+
     /// Runs a task once, `delay` from now, in a phase of that instant.
     Task after(Duration delay, Phase phase, Runnable task);
 

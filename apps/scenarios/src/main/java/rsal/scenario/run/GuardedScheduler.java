@@ -38,6 +38,11 @@ final class GuardedScheduler implements Scheduler {
     }
 
     @Override
+    public Object run() {
+        return scheduler.run();
+    }
+
+    @Override
     public Instant instant() {
         return scheduler.instant();
     }

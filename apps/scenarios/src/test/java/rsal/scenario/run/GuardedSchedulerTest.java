@@ -14,6 +14,12 @@ class GuardedSchedulerTest {
     private final GuardedScheduler guarded = new GuardedScheduler("Device (lamp)", time);
 
     @Test
+    void isOfTheRunOfThoseThatItGuards() {
+        assertThat(guarded.run()).isEqualTo(new GuardedScheduler("Device (horn)", time).run());
+        assertThat(guarded.run()).isNotEqualTo(new LockstepScheduler().run());
+    }
+
+    @Test
     void tellsWhoseTaskFailed() {
         guarded.after(Duration.ZERO, Phase.DEVICES, () -> {
             throw new IllegalStateException("it went out");

@@ -1,6 +1,7 @@
 package rsal.navigation.device;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -17,7 +18,6 @@ import rsal.navigation.grid.ScanMapper.PosedScan;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.NavigationFunction;
 import rsal.navigation.wavefront.Wavefront;
-import rsal.time.Phase;
 import rsal.time.Scheduler;
 
 /// Robots that explore together: draws one map of all they saw, and tells each where to go. They must know
@@ -26,15 +26,15 @@ import rsal.time.Scheduler;
 /// Looks again every few seconds. A place that stays a frontier though a robot was there, or that can't be
 /// reached, is left alone.
 final class Exploration {
-    private static final Duration PERIOD = Duration.ofSeconds(3);
+    static final Duration PERIOD = Duration.ofSeconds(3);
     private static final double SLACK = 1.2; // m; from a frontier to where a robot can stand
     private static final double SAME = 0.7; // m; frontiers whose places are nearer are one
     private static final double LOYALTY = 2; // m of way that going on is cheaper than turning back
 
     private final Settings settings;
-    private final Scheduler scheduler;
     private final List<Explorer> robots = new ArrayList<>();
     private final List<Point2d> leftAlone = new ArrayList<>();
+    private Instant lastLook = Instant.MIN;
 
     /// @param resolution of the map [m]
     /// @param shortest frontiers below are left out [m]
@@ -56,16 +56,12 @@ final class Exploration {
         }
     }
 
-    Exploration(Settings settings, Scheduler scheduler) {
+    Exploration(Settings settings) {
         this.settings = settings;
-        this.scheduler = scheduler;
     }
 
     void join(Explorer robot) {
         robots.add(robot);
-        if (robots.size() == 1) {
-            scheduler.every(PERIOD, Phase.DEVICES, this::look);
-        }
     }
 
     /// Doesn't send anyone to a frontier again.
@@ -73,7 +69,12 @@ final class Exploration {
         leftAlone.add(frontier);
     }
 
-    private void look() {
+    /// Called by each robot of the team, as any of them may leave the run; the first one counts.
+    void look(Scheduler scheduler) {
+        if (lastLook.plus(PERIOD).isAfter(scheduler.instant())) {
+            return;
+        }
+        lastLook = scheduler.instant();
         List<Explorer> ready = robots.stream().filter(Explorer::ready).toList();
         List<PosedScan> seen = robots.stream().flatMap(r -> r.seen().stream()).toList();
         if (ready.isEmpty() || seen.isEmpty()) {

@@ -16,6 +16,7 @@ import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.device.SensorCore;
 import rsal.navigation.grid.ScanMapper.PosedScan;
+import rsal.time.Phase;
 import rsal.time.Scheduler;
 
 /// Sends a robot where its map ends, until it ends nowhere that the robot can get to. Its readings are the
@@ -23,6 +24,7 @@ import rsal.time.Scheduler;
 /// pauses the navigator.
 final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private static final Duration LONGEST = Duration.ofSeconds(60); // for one frontier without getting there
+    private static final Duration FRESH = Duration.ofSeconds(5);
     private static final double NEARER = 0.3; // m that count as getting nearer
     private static final Navigator.Tolerance THERE = new Navigator.Tolerance(0.3, 0.5); // m, rad
 
@@ -43,8 +45,19 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         this.scheduler = scheduler;
     }
 
+    void start() {
+        team.join(this);
+        scheduler.every(Exploration.PERIOD, Phase.DEVICES, () -> team.look(scheduler));
+    }
+
+    /// Whether it knows where it is; one that has left the run doesn't.
     boolean ready() {
-        return localizer.latest().isPresent() && !localizer.map().isEmpty();
+        Instant oldest = scheduler.instant().minus(FRESH);
+        return localizer
+                        .latest()
+                        .filter(estimate -> !estimate.time().isBefore(oldest))
+                        .isPresent()
+                && !localizer.map().isEmpty();
     }
 
     List<PosedScan> seen() {

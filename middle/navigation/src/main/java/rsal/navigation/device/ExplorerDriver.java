@@ -15,7 +15,6 @@ import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
-import rsal.time.Scheduler;
 
 /// Makes explorers, of robots with `localizer: {type: slam}` and a navigator. Those of a run that know where
 /// they start explore together.
@@ -23,7 +22,7 @@ public final class ExplorerDriver implements DeviceDriver {
     private static final String SLAM = "slam";
     private static final String NAVIGATOR = "navigator";
 
-    private final Shared<Scheduler, Exploration> teams = new Shared<>();
+    private final Shared<Object, Exploration> teams = new Shared<>();
 
     @Override
     public String key() {
@@ -82,7 +81,7 @@ public final class ExplorerDriver implements DeviceDriver {
                     .formatted(context.robot().id()));
         }
         Exploration team = context.mapFromBase().isPresent()
-                ? teams.of(context.scheduler(), _ -> team(context, arguments))
+                ? teams.of(context.scheduler().run(), _ -> team(context, arguments))
                 : team(context, arguments);
         var explorer = new Explorer(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
@@ -90,7 +89,7 @@ public final class ExplorerDriver implements DeviceDriver {
                 navigator,
                 team,
                 context.scheduler());
-        team.join(explorer);
+        explorer.start();
         return explorer;
     }
 
@@ -99,13 +98,11 @@ public final class ExplorerDriver implements DeviceDriver {
         Footprint footprint = model.footprint();
         double least = footprint.inscribedRadius() + arguments.number(Ways.WALL_DISTANCE.name());
         double comfort = footprint.inscribedRadius() + arguments.number("comfortDistance");
-        return new Exploration(
-                new Exploration.Settings(
-                        arguments.number("resolution"),
-                        arguments.number("shortest"),
-                        arguments.number("view"),
-                        footprint.circumscribedRadius(),
-                        new Clearance(least, Math.max(least, comfort), arguments.number("wallCost"))),
-                context.scheduler());
+        return new Exploration(new Exploration.Settings(
+                arguments.number("resolution"),
+                arguments.number("shortest"),
+                arguments.number("view"),
+                footprint.circumscribedRadius(),
+                new Clearance(least, Math.max(least, comfort), arguments.number("wallCost"))));
     }
 }
