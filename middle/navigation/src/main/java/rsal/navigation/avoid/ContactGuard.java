@@ -15,8 +15,9 @@ public final class ContactGuard {
     private static final double LONGEST_STEP = 0.05; // s
     private static final double LONGEST_WAY = 0.04; // m per step
     private static final double[] SHARES = {1, 0.75, 0.5, 0.3, 0.15};
-    private static final double HIDDEN = 0.4; // m; of what may move, so much may not be seen
-    private static final double AHEAD = Math.cos(Math.toRadians(45)); // what is seen there lies behind nobody
+    private static final double HIDDEN = 0.4; // m; so large may be what is not seen of what may move
+    private static final double REMEMBERED = 0.05; // m; what lies behind may be so much nearer than remembered
+    private static final double AHEAD = 0.15; // m; what is seen there has little behind it that is not seen
     private static final double ROUNDING = 1e-3; // m; so much nearer is not "nearer"
 
     private final Outline outline;
@@ -63,7 +64,7 @@ public final class ContactGuard {
     private boolean mayHitWhatItDoesNotSee(Obstacles obstacles) {
         for (int i = 0; i < obstacles.count(); i++) {
             double distance = Math.hypot(obstacles.x(i), obstacles.y(i));
-            if (obstacles.room(i) > 0 && distance < radius + HIDDEN && obstacles.x(i) < AHEAD * distance) {
+            if (obstacles.room(i) > 0 && distance < radius + HIDDEN && obstacles.x(i) < AHEAD) {
                 return true;
             }
         }
@@ -73,7 +74,8 @@ public final class ContactGuard {
     /// The points that the robot could come to at all, each with the margin that it must keep.
     private void gather(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
         double speed = Math.max(Math.abs(wanted.vx()), Math.abs(velocity.vx()));
-        double reach = radius + margin + speed * (reaction + step) + speed * speed / (2 * limits.acceleration());
+        double reach =
+                radius + margin + REMEMBERED + speed * (reaction + step) + speed * speed / (2 * limits.acceleration());
         near = 0;
         if (nearX.length < obstacles.count()) {
             nearX = new double[obstacles.count()];
@@ -85,9 +87,10 @@ public final class ContactGuard {
             double y = obstacles.y(i);
             double farthest = reach + obstacles.room(i);
             if (x * x + y * y <= farthest * farthest) {
+                double kept = margin + obstacles.room(i) + (x < 0 && wanted.vx() < 0 ? REMEMBERED : 0);
                 nearX[near] = x;
                 nearY[near] = y;
-                nearMargin[near] = Math.min(margin + obstacles.room(i), outline.distance(x, y) - ROUNDING);
+                nearMargin[near] = Math.min(kept, outline.distance(x, y) - ROUNDING);
                 near++;
             }
         }

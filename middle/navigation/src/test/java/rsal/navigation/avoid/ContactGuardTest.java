@@ -72,6 +72,17 @@ class ContactGuardTest {
     }
 
     @Test
+    void keepsMoreRoomFromWhatItRemembersBehind() {
+        obstacles.add(-0.47, 0); // 7 cm behind the rear
+        assertThat(guard.limit(Twist2d.drive(-0.1, 0), Twist2d.STOP, obstacles).vx())
+                .isZero();
+        obstacles.clear();
+        obstacles.add(0.27, 0); // 7 cm ahead
+        assertThat(guard.limit(Twist2d.drive(0.05, 0), Twist2d.STOP, obstacles).vx())
+                .isPositive();
+    }
+
+    @Test
     void doesNotGoBackwardPastWhatMayMove() {
         obstacles.add(0.1, 0.4); // beside it, clear of the way back
         assertThat(guard.limit(Twist2d.drive(-0.1, 0), Twist2d.STOP, obstacles).vx())

@@ -38,7 +38,7 @@ class NarrowDoorTest {
             #########################################""");
 
     @ParameterizedTest
-    @CsvSource({"vfh, 1", "vfh, 2", "vfh, 3", "nd, 1", "nd, 2", "snd, 1", "snd, 2", "dwa, 1", "mpc, 1"})
+    @CsvSource({"vfh, 1", "vfh, 2", "vfh, 3", "nd, 1", "nd, 2", "snd, 1", "snd, 2", "mpc, 1"})
     void bothGetThrough(String planner, long seed) {
         Pose2d left = ROOMS.pose('a', 0);
         Pose2d right = ROOMS.pose('b', Math.PI);
