@@ -17,6 +17,7 @@ import rsal.navigation.avoid.Outline;
 ///
 /// Differs from the paper in these points:
 /// * The outline is any convex one; the way along an arc is exact for it.
+/// * Clearance and speed count as shares of how far it looks and of the highest speed.
 /// * Where the best is to stand, it turns towards the target, or on in the sense that it has begun.
 /// * The last word has [Caution].
 public final class Dwa implements LocalPlanner {
@@ -31,7 +32,7 @@ public final class Dwa implements LocalPlanner {
     /// @param interval after which velocities must be reached [s]
     /// @param lookahead ways beyond this count as free [m]
     public record Settings(double heading, double clearance, double velocity, double interval, double lookahead) {
-        /// With the paper's weights.
+        /// With the weights that are handed down as the paper's; nobody here has looked them up.
         public static Settings of(double interval, double lookahead) {
             return new Settings(2.0, 0.2, 0.2, interval, lookahead);
         }
