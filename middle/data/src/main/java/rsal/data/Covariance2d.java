@@ -6,6 +6,16 @@ public record Covariance2d(double xx, double xy, double xTheta, double yy, doubl
         return new Covariance2d(x * x, 0, 0, y * y, 0, theta * theta);
     }
 
+    /// Whether it has a value: neither NaN nor infinite.
+    public boolean isFinite() {
+        return Double.isFinite(xx)
+                && Double.isFinite(xy)
+                && Double.isFinite(xTheta)
+                && Double.isFinite(yy)
+                && Double.isFinite(yTheta)
+                && Double.isFinite(thetaTheta);
+    }
+
     /// Standard deviation of the position along its worst direction [m].
     public double positionDeviation() {
         double mean = (xx + yy) / 2;

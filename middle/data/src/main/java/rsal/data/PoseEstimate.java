@@ -12,6 +12,10 @@ public record PoseEstimate(
 
     /// @param weight share of the belief, 0–1
     public record Hypothesis(double weight, Pose2d mapFromBase, Covariance2d covariance) {
+        boolean isFinite() {
+            return Double.isFinite(weight) && mapFromBase.isFinite() && covariance.isFinite();
+        }
+
         /// The same after the robot moved.
         Hypothesis moved(Pose2d way) {
             return new Hypothesis(weight, mapFromBase.compose(way), covariance);
@@ -36,6 +40,14 @@ public record PoseEstimate(
     public static PoseEstimate of(Pose2d mapFromBase, Covariance2d covariance) {
         return new PoseEstimate(
                 mapFromBase, covariance, List.of(new Hypothesis(1, mapFromBase, covariance)), 1, Quality.LOCALIZED);
+    }
+
+    /// Whether all of it has a value, each hypothesis too: nothing is NaN or infinite.
+    public boolean isFinite() {
+        return mapFromBase.isFinite()
+                && covariance.isFinite()
+                && Double.isFinite(confidence)
+                && hypotheses.stream().allMatch(Hypothesis::isFinite);
     }
 
     /// The same after the robot moved.

@@ -139,7 +139,12 @@ public final class Amcl {
 
     /// Starts again from a belief, drawn as KLD-sampling does: as many particles as the bins they fall into ask
     /// for.
+    ///
+    /// @throws IllegalArgumentException when any of the belief is not finite
     public void start(PoseEstimate belief) {
+        if (!belief.isFinite()) {
+            throw new IllegalArgumentException("Nobody can believe (%s).".formatted(belief));
+        }
         restart(false);
         List<Hypothesis> hypotheses = belief.hypotheses();
         bins.clear();
@@ -166,7 +171,12 @@ public final class Amcl {
 
     /// Moves the belief to where odometry says the robot went since the last update, and corrects it by what the
     /// beams hit there.
+    ///
+    /// @throws IllegalArgumentException when the pose is not finite; the belief stays as it was
     public PoseEstimate update(Pose2d odomFromBase, Beams beams) {
+        if (!odomFromBase.isFinite()) {
+            throw new IllegalArgumentException("Odometry can't say (%s).".formatted(odomFromBase));
+        }
         Pose2d way = fresh ? Pose2d.ORIGIN : this.odomFromBase.inverse().compose(odomFromBase);
         if (anywhere) {
             scatter(beams);

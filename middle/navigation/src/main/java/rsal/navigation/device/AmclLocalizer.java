@@ -33,8 +33,8 @@ import rsal.time.Scheduler;
 /// since. The belief itself is corrected beside the other robots' work ([Scheduler#compute]) when the robot has
 /// moved enough; ranges that come meanwhile are skipped.
 ///
-/// Without ranges or odometry it falls silent and is stale until they are back. When the filter fails it is lost
-/// and silent, and starts again from what it believed until that works.
+/// Without ranges or odometry it falls silent and is stale until they are back; odometry that is not finite is
+/// skipped. When the filter fails it is lost and silent, and starts again from what it believed until that works.
 final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private static final Logger LOG = System.getLogger(AmclLocalizer.class.getName());
     private static final Duration PATIENCE = Duration.ofSeconds(2);
@@ -53,6 +53,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private @Nullable Stamped<ParticleCloud> particles;
     private Instant lastRanges;
     private Instant lastOdometry;
+    private int skippedOdometry; // since then, because it was no number
 
     /// What came of an update.
     private record Corrected(PoseEstimate estimate, ParticleCloud particles) {}
@@ -88,8 +89,8 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
-        if (!belief.mapFromBase().isFinite()) {
-            throw new IllegalArgumentException("A robot can't be at (%s).".formatted(belief.mapFromBase()));
+        if (!belief.isFinite()) {
+            throw new IllegalArgumentException("A robot can't be at (%s).".formatted(belief));
         }
         start = Optional.of(belief);
         restart = true;
@@ -105,6 +106,11 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     private void onOdometry(Stamped<Odometry> odometry) {
+        if (!odometry.value().odomFromBase().isFinite()) {
+            skippedOdometry++;
+            return;
+        }
+        skippedOdometry = 0;
         lastOdometry = scheduler.instant();
         older = newest;
         newest = odometry;
@@ -205,7 +211,10 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         if (isSilent(lastRanges)) {
             health(new Health.Stale("No ranges for more than %d s.".formatted(PATIENCE.toSeconds())));
         } else if (isSilent(lastOdometry)) {
-            health(new Health.Stale("No odometry for more than %d s.".formatted(PATIENCE.toSeconds())));
+            String skipped = skippedOdometry == 0
+                    ? "."
+                    : "; readings skipped that were no numbers: %d.".formatted(skippedOdometry);
+            health(new Health.Stale("No odometry for more than %d s%s".formatted(PATIENCE.toSeconds(), skipped)));
         }
     }
 

@@ -1,6 +1,7 @@
 package rsal.navigation.amcl;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -14,6 +15,7 @@ import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Quality;
 import rsal.testkit.DrawnMap;
 
+import rsal.data.PoseEstimate.Hypothesis;
 class AmclTest {
     private static final LocalizationMap ROOM = new LocalizationMap(Seen.ROOM.grid(), 0.1, 0.05);
     private static final Seen SEEN = new Seen(Seen.ROOM);
@@ -141,3 +143,38 @@ class AmclTest {
         return pose;
     }
 }
+    @Test
+    void refusesWhatIsNoNumberAndStaysAsItWas() {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
+        Pose2d truth = Seen.ROOM.pose('b', 90);
+        Covariance2d known = Covariance2d.ofDeviations(0.2, 0.2, 0.1);
+        var unknown = new Covariance2d(0.04, Double.NaN, 0, 0.04, 0, 0.01);
+        var nowhere = new Pose2d(1, Double.NaN, 0);
+        amcl.start(PoseEstimate.of(truth, known));
+        drive(amcl, SEEN, truth, Pose2d.ORIGIN, 1);
+
+        for (PoseEstimate belief : List.of(
+                PoseEstimate.of(nowhere, known),
+                PoseEstimate.of(truth, unknown),
+                among(new Hypothesis(1, nowhere, known)),
+                among(new Hypothesis(1, truth, unknown)),
+                among(new Hypothesis(Double.NaN, truth, known)))) {
+            assertThatIllegalArgumentException().isThrownBy(() -> amcl.start(belief));
+        }
+        assertThatIllegalArgumentException().isThrownBy(() -> amcl.update(nowhere, SEEN.beams(truth, 60)));
+
+        PoseEstimate then = amcl.update(after(Pose2d.ORIGIN, 2), SEEN.beams(after(truth, 2), 60));
+        assertThat(then.quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(then.mapFromBase().distanceTo(after(truth, 2))).isLessThan(0.06);
+    }
+
+    /// A belief whose best pose is known.
+    private static PoseEstimate among(Hypothesis hypothesis) {
+        return new PoseEstimate(
+                Seen.ROOM.pose('b', 90),
+                Covariance2d.ofDeviations(0.2, 0.2, 0.1),
+                List.of(hypothesis),
+                1,
+                Quality.AMBIGUOUS);
+    }
+

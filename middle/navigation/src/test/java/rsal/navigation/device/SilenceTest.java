@@ -1,6 +1,7 @@
 package rsal.navigation.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -10,6 +11,9 @@ import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import rsal.data.Covariance2d;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
 import rsal.data.Twist2d;
 import rsal.device.Health;
 import rsal.device.Localizer;
@@ -63,6 +67,38 @@ class SilenceTest {
         base.turn(Health.ok());
         drive(1);
         assertThat(localizer().health()).isEqualTo(Health.ok());
+    }
+
+    @Test
+    void odometryThatIsNoNumberIsSkippedAndCounted() {
+        drive(2);
+        Pose2d odomFromBase = base.latest().orElseThrow().value().odomFromBase();
+        var told = new ArrayList<PoseEstimate>();
+        localizer().subscribe(estimate -> told.add(estimate.value()));
+
+        base.resetOdometry(new Pose2d(Double.NaN, 0, 0));
+        scheduler.advance(Duration.ofSeconds(6));
+        assertThat(told).isEmpty();
+        assertThat(localizer().health())
+                .isInstanceOfSatisfying(
+                        Health.Stale.class,
+                        stale -> assertThat(stale.reason())
+                                .matches(
+                                        "No odometry for more than 2 s; readings skipped that were no numbers: [1-9]\\d*\\."));
+
+        base.resetOdometry(odomFromBase);
+        drive(2);
+        assertThat(localizer().health()).isEqualTo(Health.ok());
+        assertThat(told).isNotEmpty();
+        assertThat(told.getLast().mapFromBase().distanceTo(base.mapFromBase())).isLessThan(0.3);
+    }
+
+    @Test
+    void aBeliefThatIsNoNumberIsRefused() {
+        var unknown = new Covariance2d(Double.POSITIVE_INFINITY, 0, 0, 1, 0, 1);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> localizer().relocalize(PoseEstimate.of(RobotBench.START, unknown)))
+                .withMessageContaining("Infinity");
     }
 
     @Test
