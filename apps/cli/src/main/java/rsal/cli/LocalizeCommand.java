@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -282,6 +283,12 @@ final class LocalizeCommand extends Subcommand {
                     spec.commandLine(),
                     "--seeds and --scans must be at least 1, --beams 5, --min-particles 20, --max-particles as many;"
                             + " --max-range more than 0.");
+        if (start != null && start.pose != null && !Arrays.stream(start.pose).allMatch(Double::isFinite)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--pose takes three finite numbers, as 3.2 -1.5 90; not (%s)."
+                            .formatted(Arrays.toString(start.pose)));
+        }
         }
         if (!recorded.isFieldOfViewPossible()) {
             throw new ParameterException(spec.commandLine(), "--field-of-view must be above 0° and at most 360°.");

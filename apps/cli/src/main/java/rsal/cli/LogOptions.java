@@ -82,7 +82,8 @@ final class LogOptions {
         }
         throw new ParameterException(
                 spec.commandLine(),
-                "--odometry-noise takes three numbers, none below 0, as 0.05,2,3; not (%s).".formatted(odometryNoise));
+                "--odometry-noise takes three finite numbers, none below 0, as 0.05,2,3; not (%s)."
+                        .formatted(odometryNoise));
     }
 
     CarmenLog read(String file) {

@@ -112,6 +112,8 @@ class LocalizeIT {
     void refusesWhatItCannotDo(String line, String expected, int code) throws Exception {
         Ended ended = rsal.run(line.split(" "));
         assertThat(ended.code()).as(ended.err()).isEqualTo(code);
+            localize room.log --map-from-half --odometry-noise Infinity,1,1 | (Infinity,1,1)     | 2
+            localize room.log --map-from-half --pose NaN 0 0             | NaN                   | 2
         assertThat(ended.err()).contains(expected).doesNotContain("\tat ");
         assertThat(ended.out()).isEmpty();
     }

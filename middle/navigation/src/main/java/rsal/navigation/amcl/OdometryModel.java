@@ -34,10 +34,17 @@ public record OdometryModel(
     }
 
     public OdometryModel {
-        if (!(distancePerMeter >= 0 && headingPerMeter >= 0 && headingPerRadian >= 0 && sidewaysPerMeter >= 0)) {
-            throw new IllegalArgumentException("Noise must not be below 0: (%s, %s, %s, %s)."
+        if (!(isPossible(distancePerMeter)
+                && isPossible(headingPerMeter)
+                && isPossible(headingPerRadian)
+                && isPossible(sidewaysPerMeter))) {
+            throw new IllegalArgumentException("Noise must be finite and not below 0: (%s, %s, %s, %s)."
                     .formatted(distancePerMeter, headingPerMeter, headingPerRadian, sidewaysPerMeter));
         }
+    }
+
+    private static boolean isPossible(double noise) {
+        return noise >= 0 && noise < Double.POSITIVE_INFINITY;
     }
 
     /// Of a base that drives where it looks.

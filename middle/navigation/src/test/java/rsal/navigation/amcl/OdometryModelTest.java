@@ -1,10 +1,13 @@
 package rsal.navigation.amcl;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Angles;
 import rsal.data.Pose2d;
 import rsal.navigation.amcl.OdometryModel.Base;
@@ -27,6 +30,15 @@ class OdometryModelTest {
             assertThat(particles.y[0]).isCloseTo(expected.y(), within(1e-9));
             assertThat(Angles.difference(particles.theta[0], expected.theta())).isCloseTo(0, within(1e-9));
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {-1, Double.NaN, Double.POSITIVE_INFINITY})
+    void noiseIsFiniteAndNotBelowZero(double noise) {
+        assertThatIllegalArgumentException().isThrownBy(() -> new OdometryModel(noise, 0, 0));
+        assertThatIllegalArgumentException().isThrownBy(() -> new OdometryModel(0, noise, 0));
+        assertThatIllegalArgumentException().isThrownBy(() -> new OdometryModel(0, 0, noise));
+        assertThatIllegalArgumentException().isThrownBy(() -> new OdometryModel(0, 0, 0, noise, Base.OMNIDIRECTIONAL));
     }
 
     @Test
