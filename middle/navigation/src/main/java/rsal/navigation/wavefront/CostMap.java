@@ -32,9 +32,13 @@ public final class CostMap {
     /// @param weight how many times dearer a way at `radius` is than one beyond `comfort`, less one; 0–5
     public record Clearance(double radius, double comfort, double weight) {
         public Clearance {
-            if (!(radius >= 0 && comfort >= radius && weight >= 0 && weight <= 5)) {
+            if (!(radius >= 0
+                    && comfort >= radius
+                    && comfort < Double.POSITIVE_INFINITY
+                    && weight >= 0
+                    && weight <= 5)) {
                 throw new IllegalArgumentException(
-                        "A clearance needs 0 ≤ radius (%s) ≤ comfort (%s) and 0 ≤ weight (%s) ≤ 5."
+                        "A clearance needs 0 ≤ radius (%s) ≤ comfort (%s) < ∞ and 0 ≤ weight (%s) ≤ 5."
                                 .formatted(radius, comfort, weight));
             }
         }

@@ -1,6 +1,7 @@
 package rsal.navigation.wavefront;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -203,6 +204,14 @@ class WavefrontTest {
         double dear =
                 found(costs(ROOMS.grid(), new Clearance(0.12, 0.4, 5)), a, b).cost();
         assertThat(dear).isGreaterThan(cheap + 0.1);
+    }
+
+    @Test
+    void aClearanceHasAnEnd() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Clearance(0.3, Double.POSITIVE_INFINITY, 3))
+                .withMessageContaining("Infinity");
+        assertThatIllegalArgumentException().isThrownBy(() -> new Clearance(0.3, Double.NaN, 3));
     }
 
     @Test
