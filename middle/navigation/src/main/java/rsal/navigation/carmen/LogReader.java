@@ -184,7 +184,9 @@ public final class LogReader {
         if (step == 0 && count > 1) { // some drivers leave it out
             step = fieldOfView / (count - 1);
         }
-        if (!(rangeMax > 0) || Math.abs(start) > 2 * Math.PI || !(step * (count - 1) <= 2 * Math.PI + Math.abs(step))) {
+        if (!(rangeMax > 0)
+                || Math.abs(start) > 2 * Math.PI
+                || !(Math.abs(step) * (count - 1) <= 2 * Math.PI + Math.abs(step))) {
             throw new Misread(
                     "a laser that can't be",
                     "Its first angle is (%s), the angle between readings (%s), its longest range (%s)."

@@ -126,6 +126,7 @@ class LogReaderTest {
                 "FLASER 1 1 0 0 0 1e300 0 0 1 h 1     | a pose that can't be",
                 "FLASER 1 1 0 0 0 0 0 0 inf h 1       | not finite",
                 "ROBOTLASER1 0 0 1 1 -5 0 0 1 1 0 0 0 0 0 0 0 0 0 0 0 0 1 h 1 | a laser that can't be",
+                "RAWLASER1 0 0 -5 -5 20 0 0 4 1 2 3 4 0 1 h 1 | a laser that can't be",
                 "ODOM 0 0 nan 0 0 0 1 h 1             | not finite",
                 "ODOM 0 0 O 0 0 0 1 h 1               | not a number"
             })
