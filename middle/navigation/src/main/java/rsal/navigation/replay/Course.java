@@ -1,9 +1,9 @@
 package rsal.navigation.replay;
 
+import java.nio.FloatBuffer;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +26,8 @@ import rsal.navigation.grid.ScanMapper.PosedScan;
 /// @param stops one for each scan, in the order in which they were taken
 /// @param untold scans left out since nothing tells where the wheels had brought the robot
 public record Course(List<Stop> stops, int untold) {
+    private static final double SAME_PLACE = 0.05; // m
+    private static final double SAME_HEADING = 0.02; // rad
 
     /// One scan.
     ///
@@ -90,29 +92,41 @@ public record Course(List<Stop> stops, int untold) {
     }
 
     /// The same, but where the robot was is what another log says of the same scans, which are known by their
-    /// readings.
+    /// readings. Scans of several places that have the same readings, as those that hit nothing, are of no known
+    /// place.
     public Course judgedBy(CarmenLog reference) {
-        Map<Integer, List<Scan>> known = new HashMap<>();
+        Map<FloatBuffer, List<Pose2d>> told = new HashMap<>();
         for (Scan scan : reference.scans()) {
-            known.computeIfAbsent(fingerprint(scan.scan()), _ -> new ArrayList<>())
-                    .add(scan);
+            told(scan.poses())
+                    .ifPresent(pose -> told.computeIfAbsent(readings(scan.scan()), _ -> new ArrayList<>())
+                            .add(pose));
+        }
+        Map<FloatBuffer, List<Pose2d>> driven = new HashMap<>();
+        for (Stop stop : stops) {
+            driven.computeIfAbsent(readings(stop.scan()), _ -> new ArrayList<>())
+                    .add(stop.odomFromBase());
         }
         return new Course(
                 stops.stream()
-                        .map(stop -> new Stop(
-                                stop.line(),
-                                stop.time(),
-                                stop.scan(),
-                                stop.odomFromBase(),
-                                known.getOrDefault(fingerprint(stop.scan()), List.of()).stream()
-                                        .filter(scan -> Arrays.equals(
-                                                scan.scan().ranges(),
-                                                stop.scan().ranges()))
-                                        .map(scan -> told(scan.poses()))
-                                        .flatMap(Optional::stream)
-                                        .findFirst()))
+                        .map(stop -> {
+                            FloatBuffer readings = readings(stop.scan());
+                            Optional<Pose2d> place = onlyPlace(driven.getOrDefault(readings, List.of()))
+                                    .flatMap(_ -> onlyPlace(told.getOrDefault(readings, List.of())));
+                            return new Stop(stop.line(), stop.time(), stop.scan(), stop.odomFromBase(), place);
+                        })
                         .toList(),
                 untold);
+    }
+
+    /// The first when the robot stood there all the while.
+    private static Optional<Pose2d> onlyPlace(List<Pose2d> poses) {
+        return poses.stream()
+                .findFirst()
+                .filter(first -> poses.stream().allMatch(pose -> pose.isNear(first, SAME_PLACE, SAME_HEADING)));
+    }
+
+    private static FloatBuffer readings(LaserScan scan) {
+        return FloatBuffer.wrap(scan.ranges()); // equal when all of them are
     }
 
     private static Optional<Pose2d> told(Poses poses) {
@@ -120,10 +134,6 @@ public record Course(List<Stop> stops, int untold) {
             case Poses.Told told -> Optional.of(told.mapFromBase());
             case Poses.Untold() -> Optional.empty();
         };
-    }
-
-    private static int fingerprint(LaserScan scan) {
-        return Arrays.hashCode(scan.ranges());
     }
 
     /// The same without anything that tells where the robot was.

@@ -49,6 +49,36 @@ class CourseTest {
     }
 
     @Test
+    void scansThatLookTheSameAtSeveralPlacesTellNoPlace() throws IOException {
+        Course course = Course.of(log("""
+                FLASER 3 1 2 3 0 0 0 0 0 0 1 h 1
+                FLASER 3 inf inf inf 1 0 0 1 0 0 2 h 2
+                FLASER 3 9 9 9 2 0 0 2 0 0 3 h 3
+                FLASER 3 inf inf inf 8 0 0 8 0 0 4 h 4
+                FLASER 3 9 9 9 9 0 0 9 0 0 5 h 5
+                FLASER 3 4 4 4 9 0 0 9 0 0 6 h 6
+                FLASER 3 4 4 4 9 0 0 9 0 0 7 h 7
+                """)).judgedBy(log("""
+                FLASER 3 1 2 3 7 7 1 7 7 1 1 h 9
+                FLASER 3 inf inf inf 8 7 1 8 7 1 2 h 9
+                FLASER 3 inf inf inf 15 7 1 15 7 1 4 h 9
+                FLASER 3 9 9 9 16 7 1 16 7 1 5 h 9
+                FLASER 3 4 4 4 16 7 1 16 7 1 6 h 9
+                FLASER 3 4 4 4 16.01 7 1 16.01 7 1 7 h 9
+                """));
+
+        assertThat(course.stops().stream().map(Course.Stop::mapFromBase).toList())
+                .containsExactly(
+                        Optional.of(new Pose2d(7, 7, 1)),
+                        Optional.empty(), // the reference has two of them
+                        Optional.empty(), // the reference has one of two
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.of(new Pose2d(16, 7, 1)), // it stood there
+                        Optional.of(new Pose2d(16, 7, 1)));
+    }
+
+    @Test
     void wheelsThatErrDriftAwayAndTheTruthStays() throws IOException {
         var lines = new StringBuilder();
         for (int i = 0; i < 200; i++) {
