@@ -7,7 +7,6 @@ import java.util.List;
 import rsal.data.Angles;
 import rsal.data.Covariance2d;
 import rsal.data.OccupancyGrid;
-import rsal.data.Point2d;
 import rsal.data.Pose2d;
 
 /// Where on the whole map a scan could have been taken: tries poses on a grid against a coarse likelihood field,
@@ -101,20 +100,27 @@ final class GlobalSearch {
     }
 
     private Verdict verdict(Beams beams, int beam, Pose2d mapFromBase, double deviation) {
-        Point2d from = mapFromBase.transform(new Point2d(beams.originX()[beam], beams.originY()[beam]));
-        Point2d to = mapFromBase.transform(new Point2d(beams.x()[beam], beams.y()[beam]));
-        double measured = from.distanceTo(to);
-        double direction = Math.atan2(to.y() - from.y(), to.x() - from.x());
-        if (map.toOccupied.castRay(from.x(), from.y(), direction, measured) < measured - 4 * deviation) {
+        double cos = Math.cos(mapFromBase.theta());
+        double sin = Math.sin(mapFromBase.theta());
+        double fromX = mapFromBase.x() + cos * beams.originX()[beam] - sin * beams.originY()[beam];
+        double fromY = mapFromBase.y() + sin * beams.originX()[beam] + cos * beams.originY()[beam];
+        double toX = mapFromBase.x() + cos * beams.x()[beam] - sin * beams.y()[beam];
+        double toY = mapFromBase.y() + sin * beams.x()[beam] + cos * beams.y()[beam];
+        double measured = Math.sqrt((toX - fromX) * (toX - fromX) + (toY - fromY) * (toY - fromY));
+        double direction = Math.atan2(toY - fromY, toX - fromX);
+        if (map.toOccupied.castRay(fromX, fromY, direction, measured) < measured - 4 * deviation) {
             return Verdict.THROUGH;
         }
-        boolean inside = map.grid.contains(map.grid.column(to.x()), map.grid.row(to.y()));
-        return inside && map.toOccupied.at(to.x(), to.y()) <= 3 * deviation ? Verdict.HIT : Verdict.SHORT;
+        boolean inside = map.grid.contains(map.grid.column(toX), map.grid.row(toY));
+        return inside && map.toOccupied.at(toX, toY) <= 3 * deviation ? Verdict.HIT : Verdict.SHORT;
     }
 
     private double log(Beams beams, int beam, Pose2d mapFromBase, double deviation) {
-        Point2d to = mapFromBase.transform(new Point2d(beams.x()[beam], beams.y()[beam]));
-        return deviation == map.deviation ? map.walls.log(to.x(), to.y()) : map.nearWalls.log(to.x(), to.y());
+        double cos = Math.cos(mapFromBase.theta());
+        double sin = Math.sin(mapFromBase.theta());
+        double toX = mapFromBase.x() + cos * beams.x()[beam] - sin * beams.y()[beam];
+        double toY = mapFromBase.y() + sin * beams.x()[beam] + cos * beams.y()[beam];
+        return (deviation == map.deviation ? map.walls : map.nearWalls).log(toX, toY);
     }
 
     /// The best pose of each bin of poses, and of these the best ones.

@@ -1,0 +1,26 @@
+package rsal.navigation.amcl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Test;
+import rsal.data.Pose2d;
+
+class GlobalSearchTest {
+    private static final ThreadMXBean THREADS = ManagementFactory.getPlatformMXBean(ThreadMXBean.class);
+
+    @Test
+    void allocatesNothingForABeam() {
+        var search = new GlobalSearch(new LocalizationMap(Seen.ROOM.grid(), 0.1, 0.05));
+        Pose2d here = Seen.ROOM.pose('a', 30);
+        Beams beams = new Seen(Seen.ROOM).beams(here, 400);
+        search.score(beams, here); // loads classes
+
+        long before = THREADS.getCurrentThreadAllocatedBytes();
+        search.score(beams, here);
+        long bytes = THREADS.getCurrentThreadAllocatedBytes() - before;
+
+        assertThat(bytes).isLessThan(beams.count());
+    }
+}
