@@ -244,11 +244,11 @@ public final class Amcl {
     }
 
     private PoseEstimate judged(PoseEstimate clustered, Pose2d pose) {
-        var hypotheses = new ArrayList<>(clustered.hypotheses());
-        Hypothesis first = hypotheses.getFirst();
-        hypotheses.set(0, new Hypothesis(first.weight(), pose, first.covariance()));
-        double share =
-                rivals.count() == 0 ? first.weight() : Math.min(first.weight(), rivals.share(pose, NEAR, NEARLY));
+        var clusters = new ArrayList<>(clustered.hypotheses());
+        Hypothesis first = clusters.getFirst();
+        clusters.set(0, new Hypothesis(first.weight(), pose, first.covariance()));
+        List<Hypothesis> hypotheses = rivals.join(clusters, NEAR, NEARLY);
+        double share = hypotheses.getFirst().weight();
         double confidence = Math.clamp(share * fit, 0, 1);
         boolean sure = trusted && share >= SURE && first.covariance().positionDeviation() <= PRECISE;
         Quality quality = lost || fitNow < LEAST_FIT_NOW ? Quality.LOST : sure ? Quality.LOCALIZED : Quality.AMBIGUOUS;
@@ -337,9 +337,9 @@ public final class Amcl {
 
     private void addNear(Pose2d pose) {
         particles.add(
-                pose.x() + 0.1 * random.nextGaussian(),
-                pose.y() + 0.1 * random.nextGaussian(),
-                Angles.wrap(pose.theta() + 0.05 * random.nextGaussian()));
+                pose.x() + Rivals.DEVIATION * random.nextGaussian(),
+                pose.y() + Rivals.DEVIATION * random.nextGaussian(),
+                Angles.wrap(pose.theta() + Rivals.TURN_DEVIATION * random.nextGaussian()));
     }
 
     private void addAnywhere() {

@@ -1,7 +1,13 @@
 package rsal.navigation.amcl;
 
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate.Hypothesis;
 
 /// Where else the robot may be: poses that fitted a scan, followed by odometry and [Refinement] for as long as scans
 /// do not rule them out. Particles forget: of two places that look the same, chance lets one die out. Rivals don't,
@@ -16,6 +22,14 @@ import rsal.data.Pose2d;
 final class Rivals {
     static final int MOST = 160;
 
+    /// How far around a rival the robot may be [m].
+    static final double DEVIATION = 0.1;
+
+    /// Likewise of its heading [rad].
+    static final double TURN_DEVIATION = 0.05;
+
+    private static final Covariance2d SPREAD = Covariance2d.ofDeviations(DEVIATION, DEVIATION, TURN_DEVIATION);
+    private static final int MOST_TOLD = 10;
     private static final double SAME = 0.15; // mean logarithm of a beam's likelihood
     private static final double RULED_OUT = 12; // logarithm of how many times less likely
     private static final double MERGED_METERS = 0.25;
@@ -135,6 +149,44 @@ final class Rivals {
             near += poses[i].isNear(pose, meters, radians) ? likelihood : 0;
         }
         return all > 0 ? near / all : 0;
+    }
+
+    /// All places that are still held, heaviest first: clusters of particles, each as heavy as its particles or
+    /// the rivals near it are, and rivals that have no particles. The first cluster stays the first, as heavy as
+    /// both its particles and its rivals allow; what others are heavier than it, or than the rest of the belief,
+    /// is cut off.
+    ///
+    /// @param clusters heaviest first, weights summing to 1 at most
+    List<Hypothesis> join(List<Hypothesis> clusters, double meters, double radians) {
+        if (count == 0) {
+            return clusters;
+        }
+        Hypothesis first = clusters.getFirst();
+        double firstWeight = Math.min(first.weight(), share(first.mapFromBase(), meters, radians));
+        var others = new ArrayList<Hypothesis>();
+        for (Hypothesis cluster : clusters.subList(1, clusters.size())) {
+            double weight = Math.max(cluster.weight(), share(cluster.mapFromBase(), meters, radians));
+            others.add(new Hypothesis(weight, cluster.mapFromBase(), cluster.covariance()));
+        }
+        double all =
+                IntStream.range(0, count).mapToDouble(i -> Math.exp(logs[i])).sum();
+        for (int i = 0; i < count; i++) {
+            Pose2d pose = poses[i];
+            if (clusters.stream().noneMatch(c -> pose.isNear(c.mapFromBase(), meters, radians))) {
+                others.add(new Hypothesis(Math.exp(logs[i]) / all, pose, SPREAD));
+            }
+        }
+        double weight = others.stream().mapToDouble(Hypothesis::weight).sum();
+        double scale = Math.min(1, (1 - firstWeight) / weight);
+        return Stream.concat(
+                        Stream.of(new Hypothesis(firstWeight, first.mapFromBase(), first.covariance())),
+                        others.stream()
+                                .map(h -> new Hypothesis(
+                                        Math.min(firstWeight, scale * h.weight()), h.mapFromBase(), h.covariance()))
+                                .sorted(Comparator.comparingDouble(Hypothesis::weight)
+                                        .reversed()))
+                .limit(MOST_TOLD)
+                .toList();
     }
 
     /// The likeliest; there must be one.

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -12,10 +13,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.PoseEstimate.Quality;
 import rsal.testkit.DrawnMap;
 
-import rsal.data.PoseEstimate.Hypothesis;
 class AmclTest {
     private static final LocalizationMap ROOM = new LocalizationMap(Seen.ROOM.grid(), 0.1, 0.05);
     private static final Seen SEEN = new Seen(Seen.ROOM);
@@ -90,6 +91,26 @@ class AmclTest {
 
         assertThat(told).noneMatch(estimate -> estimate.quality() == Quality.LOCALIZED);
         assertThat(told.getLast().confidence()).isLessThan(0.9);
+        assertThat(told).allSatisfy(AmclTest::holdsTogether);
+        Pose2d last = truth.compose(there.inverse());
+        Pose2d mirrored = new Pose2d(10 - last.x(), 2.5 - last.y(), last.theta() + Math.PI);
+        assertThat(told.getLast().hypotheses())
+                .anyMatch(h -> h.weight() > 0.1 && h.mapFromBase().isNear(last, 0.2, 0.2))
+                .anyMatch(h -> h.weight() > 0.1 && h.mapFromBase().isNear(mirrored, 0.2, 0.2));
+    }
+
+    private static void holdsTogether(PoseEstimate told) {
+        List<Hypothesis> hypotheses = told.hypotheses();
+        assertThat(hypotheses.getFirst().mapFromBase()).isEqualTo(told.mapFromBase());
+        assertThat(hypotheses)
+                .isSortedAccordingTo(
+                        Comparator.comparingDouble(Hypothesis::weight).reversed());
+        assertThat(hypotheses.stream().mapToDouble(Hypothesis::weight).sum()).isBetween(0.0, 1 + 1e-9);
+        for (Hypothesis one : hypotheses) {
+            assertThat(hypotheses.stream().filter(h -> h.mapFromBase().isNear(one.mapFromBase(), 0.1, 0.1)))
+                    .as("two of the same place")
+                    .hasSize(1);
+        }
     }
 
     @Test
@@ -103,6 +124,41 @@ class AmclTest {
         assertThat(told.getFirst().quality()).isEqualTo(Quality.LOCALIZED);
         assertThat(told.getFirst().mapFromBase().distanceTo(Seen.ROOM.pose('b', 90)))
                 .isLessThan(0.06);
+    }
+
+    @Test
+    void refusesWhatIsNoNumberAndStaysAsItWas() {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
+        Pose2d truth = Seen.ROOM.pose('b', 90);
+        Covariance2d known = Covariance2d.ofDeviations(0.2, 0.2, 0.1);
+        var unknown = new Covariance2d(0.04, Double.NaN, 0, 0.04, 0, 0.01);
+        var nowhere = new Pose2d(1, Double.NaN, 0);
+        amcl.start(PoseEstimate.of(truth, known));
+        drive(amcl, SEEN, truth, Pose2d.ORIGIN, 1);
+
+        for (PoseEstimate belief : List.of(
+                PoseEstimate.of(nowhere, known),
+                PoseEstimate.of(truth, unknown),
+                among(new Hypothesis(1, nowhere, known)),
+                among(new Hypothesis(1, truth, unknown)),
+                among(new Hypothesis(Double.NaN, truth, known)))) {
+            assertThatIllegalArgumentException().isThrownBy(() -> amcl.start(belief));
+        }
+        assertThatIllegalArgumentException().isThrownBy(() -> amcl.update(nowhere, SEEN.beams(truth, 60)));
+
+        PoseEstimate then = amcl.update(after(Pose2d.ORIGIN, 2), SEEN.beams(after(truth, 2), 60));
+        assertThat(then.quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(then.mapFromBase().distanceTo(after(truth, 2))).isLessThan(0.06);
+    }
+
+    /// A belief whose best pose is known.
+    private static PoseEstimate among(Hypothesis hypothesis) {
+        return new PoseEstimate(
+                Seen.ROOM.pose('b', 90),
+                Covariance2d.ofDeviations(0.2, 0.2, 0.1),
+                List.of(hypothesis),
+                1,
+                Quality.AMBIGUOUS);
     }
 
     @Test
@@ -143,38 +199,3 @@ class AmclTest {
         return pose;
     }
 }
-    @Test
-    void refusesWhatIsNoNumberAndStaysAsItWas() {
-        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
-        Pose2d truth = Seen.ROOM.pose('b', 90);
-        Covariance2d known = Covariance2d.ofDeviations(0.2, 0.2, 0.1);
-        var unknown = new Covariance2d(0.04, Double.NaN, 0, 0.04, 0, 0.01);
-        var nowhere = new Pose2d(1, Double.NaN, 0);
-        amcl.start(PoseEstimate.of(truth, known));
-        drive(amcl, SEEN, truth, Pose2d.ORIGIN, 1);
-
-        for (PoseEstimate belief : List.of(
-                PoseEstimate.of(nowhere, known),
-                PoseEstimate.of(truth, unknown),
-                among(new Hypothesis(1, nowhere, known)),
-                among(new Hypothesis(1, truth, unknown)),
-                among(new Hypothesis(Double.NaN, truth, known)))) {
-            assertThatIllegalArgumentException().isThrownBy(() -> amcl.start(belief));
-        }
-        assertThatIllegalArgumentException().isThrownBy(() -> amcl.update(nowhere, SEEN.beams(truth, 60)));
-
-        PoseEstimate then = amcl.update(after(Pose2d.ORIGIN, 2), SEEN.beams(after(truth, 2), 60));
-        assertThat(then.quality()).isEqualTo(Quality.LOCALIZED);
-        assertThat(then.mapFromBase().distanceTo(after(truth, 2))).isLessThan(0.06);
-    }
-
-    /// A belief whose best pose is known.
-    private static PoseEstimate among(Hypothesis hypothesis) {
-        return new PoseEstimate(
-                Seen.ROOM.pose('b', 90),
-                Covariance2d.ofDeviations(0.2, 0.2, 0.1),
-                List.of(hypothesis),
-                1,
-                Quality.AMBIGUOUS);
-    }
-
