@@ -376,20 +376,24 @@ public final class Amcl {
     }
 
     /// Follows how well scans fit the estimate. Beams that end short of the map's walls do not count, since
-    /// something may stand there, unless most do so for long; beams that went through walls can't be explained at
-    /// all.
+    /// something may stand there, unless most do so for long; beams that left the map never do; beams that went
+    /// through walls can't be explained at all.
     private boolean fits(Beams beams, Pose2d mapFromBase) {
         int hits = 0;
         int through = 0;
+        int shorter = 0;
         for (int i = 0; i < beams.count(); i++) {
             switch (search.verdict(beams, i, mapFromBase)) {
                 case HIT -> hits++;
                 case THROUGH -> through++;
-                case SHORT -> {}
+                case SHORT -> shorter++;
+                case OUTSIDE -> {}
             }
         }
         int told = hits + through;
-        shortShare += SLOW * ((double) (beams.count() - told) / beams.count() - shortShare);
+        if (told + shorter > 0) {
+            shortShare += SLOW * ((double) shorter / (told + shorter) - shortShare);
+        }
         if (told >= FEWEST_BEAMS) {
             fitNow = (double) hits / told;
             fit = fitKnown ? fit + FAST * (fitNow - fit) : fitNow;

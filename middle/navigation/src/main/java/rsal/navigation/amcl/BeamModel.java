@@ -5,9 +5,10 @@ import rsal.navigation.grid.DistanceField;
 /// How likely beams are as long as they are, when the map says how long they should be: S. Thrun, W. Burgard, D. Fox,
 /// Probabilistic Robotics (2005), table 6.1.
 ///
-/// Differs from the book in that beams that hit nothing are left out, so there is no z_max; in that all is scaled
-/// to 1 where a beam is as long as it should be, and weights are told relative to that; and in that a beam may be a
-/// cone, as a sonar's is, which should be as long as the shortest of three rays in it.
+/// Differs from the book in that beams that hit nothing are left out, so there is no z_max; in that the
+/// bell of hits has height 1, not area 1, so that a likelihood is no density but 0.9 where a beam is exactly as long
+/// as it should be; in that a beam that leaves the map may have any length; and in that a beam may be a cone, as a
+/// sonar's is, which should be as long as the shortest of three rays in it.
 public final class BeamModel implements SensorModel {
     private static final double SHORT_SHARE = 0.1; // z_short, of the height of the bell
     private static final double SHORT_DECAY = 0.3; // λ_short in the book, 1/m
@@ -40,17 +41,20 @@ public final class BeamModel implements SensorModel {
             double fromY = y + sin * beams.originX()[i] + cos * beams.originY()[i];
             double direction = theta + Math.atan2(dy, dx);
             double limit = measured + FARTHEST * deviation;
-            double expected = toOccupied.castRay(fromX, fromY, direction, limit);
+            double expected = toOccupied.firstHit(fromX, fromY, direction, limit);
             if (cone > 0) {
-                expected = toOccupied.castRay(fromX, fromY, direction - SIDE_RAY * cone, expected);
-                expected = toOccupied.castRay(fromX, fromY, direction + SIDE_RAY * cone, expected);
+                double left = toOccupied.firstHit(fromX, fromY, direction + SIDE_RAY * cone, limit);
+                double right = toOccupied.firstHit(fromX, fromY, direction - SIDE_RAY * cone, limit);
+                expected = Math.min(expected, Math.min(left, right));
             }
             sum += Math.log(likelihood(measured, expected));
         }
         return sum;
     }
 
-    /// Scaled to 1 at most.
+    /// Below 1, and never less than the share of random readings.
+    ///
+    /// @param expected +∞ when the map shows nothing there
     double likelihood(double measured, double expected) {
         double deviations = (measured - expected) / deviation;
         double hit = Math.exp(-deviations * deviations / 2);

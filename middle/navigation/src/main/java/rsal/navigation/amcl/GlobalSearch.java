@@ -78,7 +78,7 @@ final class GlobalSearch {
         for (int i = 0; i < beams.count(); i++) {
             sum += switch (verdict(beams, i, mapFromBase, deviation)) {
                 case HIT -> log(beams, i, mapFromBase, deviation);
-                case SHORT -> map.walls.unlikely();
+                case SHORT, OUTSIDE -> map.walls.unlikely();
                 case THROUGH -> 2 * map.walls.unlikely();
             };
         }
@@ -91,8 +91,10 @@ final class GlobalSearch {
         HIT,
         /// It ended before one.
         SHORT,
-        /// It ended behind one.
-        THROUGH
+        /// It ended behind one, or began outside the map.
+        THROUGH,
+        /// It left the map without meeting one, so that nobody knows.
+        OUTSIDE
     }
 
     Verdict verdict(Beams beams, int beam, Pose2d mapFromBase) {
@@ -107,12 +109,14 @@ final class GlobalSearch {
         double toX = mapFromBase.x() + cos * beams.x()[beam] - sin * beams.y()[beam];
         double toY = mapFromBase.y() + sin * beams.x()[beam] + cos * beams.y()[beam];
         double measured = Math.sqrt((toX - fromX) * (toX - fromX) + (toY - fromY) * (toY - fromY));
-        double direction = Math.atan2(toY - fromY, toX - fromX);
-        if (map.toOccupied.castRay(fromX, fromY, direction, measured) < measured - 4 * deviation) {
+        double wall = map.toOccupied.firstHit(fromX, fromY, Math.atan2(toY - fromY, toX - fromX), measured);
+        if (wall < measured - 4 * deviation) {
             return Verdict.THROUGH;
         }
-        boolean inside = map.grid.contains(map.grid.column(toX), map.grid.row(toY));
-        return inside && map.toOccupied.at(toX, toY) <= 3 * deviation ? Verdict.HIT : Verdict.SHORT;
+        if (map.toOccupied.contains(toX, toY)) {
+            return map.toOccupied.at(toX, toY) <= 3 * deviation ? Verdict.HIT : Verdict.SHORT;
+        }
+        return wall < measured ? Verdict.SHORT : Verdict.OUTSIDE;
     }
 
     private double log(Beams beams, int beam, Pose2d mapFromBase, double deviation) {

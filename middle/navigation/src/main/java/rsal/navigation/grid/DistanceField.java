@@ -76,8 +76,10 @@ public final class DistanceField {
     /// less the diagonal of a cell, because the field holds for the middles of cells. It may overlook a corner
     /// that the ray crosses for less than half a cell.
     public double castRay(double x, double y, double direction, double limit) {
-        double cos = Math.cos(direction);
-        double sin = Math.sin(direction);
+        return ray(x, y, Math.cos(direction), Math.sin(direction), limit);
+    }
+
+    private double ray(double x, double y, double cos, double sin, double limit) {
         double slack = resolution * Math.sqrt(2);
         double range = 0;
         while (range < limit) {
@@ -88,6 +90,24 @@ public final class DistanceField {
             range += Math.max(free - slack, resolution / 2);
         }
         return limit;
+    }
+
+    /// How far the first cell is that is hit from a place in a direction [m], found as by [#castRay]: +∞ when none is
+    /// within `limit` or the map ends before it, 0 when the place itself is outside the map.
+    public double firstHit(double x, double y, double direction, double limit) {
+        double cos = Math.cos(direction);
+        double sin = Math.sin(direction);
+        double range = ray(x, y, cos, sin, limit);
+        return range == 0 || (range < limit && contains(x + cos * range, y + sin * range))
+                ? range
+                : Double.POSITIVE_INFINITY;
+    }
+
+    /// Whether a place in the map frame is on the map.
+    public boolean contains(double x, double y) {
+        double column = Math.floor((x - originX) / resolution);
+        double row = Math.floor((y - originY) / resolution);
+        return column >= 0 && column < width && row >= 0 && row < height;
     }
 
     private static float[] transform(OccupancyGrid map, boolean unknownToo) {

@@ -9,8 +9,10 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Covariance2d;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Hypothesis;
@@ -111,6 +113,57 @@ class AmclTest {
                     .as("two of the same place")
                     .hasSize(1);
         }
+    }
+
+    @ParameterizedTest
+    @EnumSource(SensorModel.Kind.class)
+    void aMapThatEndsInTheMiddleOfAHallIsNoReasonToBeLost(SensorModel.Kind model) {
+        DrawnMap hall = Seen.fine("""
+                ################################################
+                #...##....##...................................#
+                #..............................................#
+                #..............................................#
+                #..............................................#
+                #..............................................#
+                #....###.......................................#
+                #....###.......................................#
+                #..............................................#
+                #..................b...........................#
+                #..............................................#
+                #..............................................#
+                #..............................................#
+                #..............................................#
+                #..............................................#
+                #..............................................#
+                #......##....##................................#
+                ################################################
+                """);
+        OccupancyGrid known = leftOf(hall.grid(), 100); // 5 m of 12 m
+        var amcl = new Amcl(
+                new LocalizationMap(known, 0.1, 0.05),
+                Amcl.Settings.of(150, 3000).with(model),
+                new SplittableRandom(1));
+        Pose2d truth = hall.pose('b', 0);
+        amcl.start(PoseEstimate.of(truth, Covariance2d.ofDeviations(0.1, 0.1, 0.05)));
+        var seen = new Seen(hall);
+        var turn = new Pose2d(0, 0, 0.15);
+        Pose2d odometry = Pose2d.ORIGIN;
+        for (int i = 0; i < 60; i++) {
+            PoseEstimate told = amcl.update(odometry, seen.beams(truth, 60));
+            assertThat(told.quality()).as("update %d", i).isEqualTo(Quality.LOCALIZED);
+            assertThat(told.confidence()).isGreaterThan(0.9);
+            assertThat(told.mapFromBase().distanceTo(truth)).isLessThan(0.3);
+            truth = truth.compose(turn);
+            odometry = odometry.compose(turn);
+        }
+    }
+
+    private static OccupancyGrid leftOf(OccupancyGrid whole, int columns) {
+        var cells = new byte[columns * whole.height()];
+        for (int i = 0; i < cells.length; i++) {
+            cells[i] = whole.at(i % columns, i / columns);
+        }
+        return new OccupancyGrid(columns, whole.height(), whole.resolution(), 0, 0, cells);
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.navigation.grid.DistanceField;
@@ -47,6 +48,19 @@ class BeamModelTest {
         assertThat(log(MODEL, here, toWall)).isGreaterThan(-0.4);
         assertThat(log(MODEL, here, behind)).isLessThan(-2.5);
         assertThat(log(field, here, behind)).isGreaterThan(-0.4);
+    }
+
+    @Test
+    void aBeamThatLeavesTheMapTellsNothingWhereverItEnds() {
+        var cells = new byte[10_000];
+        cells[0] = OccupancyGrid.OCCUPIED; // far aside
+        var open = new OccupancyGrid(100, 100, 0.05, 0, 0, cells);
+        var model = new BeamModel(DistanceField.toOccupied(open), 0.1, 0.05);
+        var here = new Pose2d(2.5, 2.5, 0);
+
+        for (double range : new double[] {2.3, 2.5, 2.7, 5}) { // the map ends after 2.5 m
+            assertThat(log(model, here, range)).as("%s m", range).isCloseTo(Math.log(0.08), within(0.3));
+        }
     }
 
     @Test

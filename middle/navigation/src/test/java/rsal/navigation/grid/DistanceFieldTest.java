@@ -72,6 +72,19 @@ class DistanceFieldTest {
         assertThat(DistanceField.toOccupied(empty).castRay(5, 5, 1, 2)).isEqualTo(2);
     }
 
+    @Test
+    void theEndOfTheMapIsNoWall() {
+        var cells = new byte[10_000];
+        cells[50 * 100 + 80] = OccupancyGrid.OCCUPIED;
+        var field = DistanceField.toOccupied(new OccupancyGrid(100, 100, 0.1, 0, 0, cells));
+
+        assertThat(field.castRay(5, 5.05, 0, 20)).isCloseTo(3, within(0.1));
+        assertThat(field.firstHit(5, 5.05, 0, 20)).isCloseTo(3, within(0.1));
+        assertThat(field.firstHit(5, 5.05, 0, 2)).isInfinite();
+        assertThat(field.firstHit(5, 5.05, Math.PI, 20)).isInfinite();
+        assertThat(field.firstHit(-1, 5, 0, 20)).isZero();
+    }
+
     private static double nearest(OccupancyGrid map, int cell, boolean unknownToo) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int other = 0; other < map.cells().length; other++) {
