@@ -11,7 +11,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.SplittableRandom;
-import java.util.stream.DoubleStream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -204,8 +203,7 @@ final class LocalizeCommand extends Subcommand {
             double msPerScan,
             double msWorst,
             List<StepView> steps) {
-        static RunView of(int seed, List<Replay.Step> steps) {
-            Verdict verdict = Verdict.of(steps);
+        static RunView of(int seed, List<Replay.Step> steps, Verdict verdict) {
             OptionalInt converged = verdict.converged();
             return new RunView(
                     seed,
@@ -223,32 +221,38 @@ final class LocalizeCommand extends Subcommand {
         }
     }
 
+    /// @param judged scans of all runs of which it is known where they were taken
     /// @param converged10 share of the runs that converged within 10 scans
-    /// @param rmse and the like are medians of the runs that converged; null when none did
+    /// @param rmse and the like are of all scans from where each run converged on; null when none did
+    /// @param worstRmse of the run that has the largest; likewise
     /// @param falselySure share of the judged scans at which it said to be localized and was not near
     record Summary(
             int seeds,
+            int judged,
             double converged,
             double converged10,
             @Nullable Double rmse,
+            @Nullable Double worstRmse,
             @Nullable Double p95,
             @Nullable Double headingRmse,
             double near,
             double falselySure,
             double msPerScan) {
-        static Summary of(List<RunView> runs) {
+        static Summary of(List<RunView> runs, Verdict.Pooled pooled) {
             int judged = runs.stream().mapToInt(RunView::judged).sum();
             return new Summary(
                     runs.size(),
+                    judged,
                     share(runs.stream().filter(r -> r.convergedAfter != null).count(), runs.size()),
                     share(
                             runs.stream()
                                     .filter(r -> r.convergedAfter != null && r.convergedAfter <= 10)
                                     .count(),
                             runs.size()),
-                    median(runs.stream().mapToDouble(run -> orNaN(run.rmse))),
-                    median(runs.stream().mapToDouble(run -> orNaN(run.p95))),
-                    median(runs.stream().mapToDouble(run -> orNaN(run.headingRmse))),
+                    known(pooled.rmse()),
+                    known(pooled.worstRmse()),
+                    known(pooled.p95()),
+                    known(pooled.headingRmse()),
                     runs.stream().mapToDouble(RunView::near).average().orElse(0),
                     share(runs.stream().mapToInt(RunView::falselySure).sum(), judged),
                     runs.stream().mapToDouble(RunView::msPerScan).average().orElse(0));
@@ -256,14 +260,6 @@ final class LocalizeCommand extends Subcommand {
 
         private static double share(long part, int all) {
             return all == 0 ? 0 : (double) part / all;
-        }
-
-        private static @Nullable Double median(DoubleStream values) {
-            return known(Verdict.median(values.toArray()));
-        }
-
-        private static double orNaN(@Nullable Double value) {
-            return value == null ? Double.NaN : value;
         }
     }
 
@@ -283,15 +279,15 @@ final class LocalizeCommand extends Subcommand {
                     spec.commandLine(),
                     "--seeds and --scans must be at least 1, --beams 5, --min-particles 20, --max-particles as many;"
                             + " --max-range more than 0.");
+        }
+        if (!recorded.isFieldOfViewPossible()) {
+            throw new ParameterException(spec.commandLine(), "--field-of-view must be above 0° and at most 360°.");
+        }
         if (start != null && start.pose != null && !Arrays.stream(start.pose).allMatch(Double::isFinite)) {
             throw new ParameterException(
                     spec.commandLine(),
                     "--pose takes three finite numbers, as 3.2 -1.5 90; not (%s)."
                             .formatted(Arrays.toString(start.pose)));
-        }
-        }
-        if (!recorded.isFieldOfViewPossible()) {
-            throw new ParameterException(spec.commandLine(), "--field-of-view must be above 0° and at most 360°.");
         }
         Optional<OdometryModel> noise = recorded.noise();
         CarmenLog log = recorded.read(file);
@@ -304,14 +300,18 @@ final class LocalizeCommand extends Subcommand {
             course = course.only(i -> i % 2 == 1);
         }
         var runs = new ArrayList<RunView>();
+        var verdicts = new ArrayList<Verdict>();
         for (int seed = 1; seed <= seeds; seed++) {
-            RunView run = follow(course, localizationMap, noise, seed);
+            List<Replay.Step> steps = follow(course, localizationMap, noise, seed);
+            Verdict verdict = Verdict.of(steps);
+            RunView run = RunView.of(seed, steps, verdict);
             runs.add(run);
+            verdicts.add(verdict);
             if (!json) {
                 tell(run);
             }
         }
-        Summary summary = Summary.of(runs);
+        Summary summary = Summary.of(runs, Verdict.pooled(verdicts));
         if (json) {
             printJson(new Localized(
                     file,
@@ -326,7 +326,8 @@ final class LocalizeCommand extends Subcommand {
         return Exit.SUCCESS;
     }
 
-    private RunView follow(Course course, LocalizationMap localizationMap, Optional<OdometryModel> noise, int seed) {
+    private List<Replay.Step> follow(
+            Course course, LocalizationMap localizationMap, Optional<OdometryModel> noise, int seed) {
         var random = new SplittableRandom(seed);
         int last = course.stops().size() - 1;
         int first = varyStart ? random.nextInt(Math.max(1, last + 2 - Math.min(scans, last + 1))) : 0;
@@ -336,7 +337,7 @@ final class LocalizeCommand extends Subcommand {
                 localizationMap, Amcl.Settings.of(minParticles, maxParticles).with(model), random);
         startPose(driven)
                 .ifPresent(pose -> amcl.start(PoseEstimate.of(pose, Covariance2d.ofDeviations(0.3, 0.3, 0.2))));
-        return RunView.of(seed, Replay.run(driven, amcl, new Replay.Look(beams, maxRange), System::nanoTime));
+        return Replay.run(driven, amcl, new Replay.Look(beams, maxRange), System::nanoTime);
     }
 
     private Optional<Pose2d> startPose(Course course) {
@@ -432,16 +433,18 @@ final class LocalizeCommand extends Subcommand {
                     .limit(3)
                     .forEach(place -> err().println("  %s:%d: %s".formatted(file, place.line(), place.what())));
         }
-        if (summary.seeds > 1 && summary.rmse != null) {
-            out().println(("%d runs: %.0f%% converged within 10 scans, %.0f%% at all; medians: rmse %s m, 95%% below %s"
-                            + " m, heading %.2f°; falsely sure at %.2f%% of scans; %.2f ms per scan")
+        if (summary.seeds > 1 && summary.judged > 0) {
+            out().println(("%d runs: %.0f%% converged within 10 scans, %.0f%% at all; from there on rmse %s m, of the"
+                            + " worst run %s m, 95%% below %s m, heading %s°; falsely sure at %.2f%% of scans; %.2f ms"
+                            + " per scan")
                     .formatted(
                             summary.seeds,
                             100 * summary.converged10,
                             100 * summary.converged,
                             meters(summary.rmse),
+                            meters(summary.worstRmse),
                             meters(summary.p95),
-                            Math.toDegrees(summary.headingRmse == null ? 0 : summary.headingRmse),
+                            summary.headingRmse == null ? "-" : "%.2f".formatted(Math.toDegrees(summary.headingRmse)),
                             100 * summary.falselySure,
                             summary.msPerScan));
         }

@@ -97,12 +97,23 @@ class LocalizeIT {
         assertThat(ended.err()).contains("cut short=1", "bad.log:1:");
     }
 
+    @Test
+    void saysThatNoneOfManyRunsConverged() throws Exception {
+        Ended ended = rsal.run(
+                "localize", "room.log", "--map", "office", "--pose", "3", "3", "0", "--seeds", "2", "--scans", "8");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out()).contains("seed 2: never converged", "2 runs: 0% converged", "0% at all", "rmse - m");
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             localize room.log                                            | --map                 | 2
             localize room.log --map a.yaml --map-from-half               | exclusive             | 2
             localize room.log --map-from-half --odometry-noise 1         | (1)                   | 2
             localize room.log --map-from-half --odometry-noise 1,-2,3    | (1,-2,3)              | 2
+            localize room.log --map-from-half --odometry-noise Infinity,1,1 | (Infinity,1,1)     | 2
+            localize room.log --map-from-half --pose NaN 0 0             | NaN                   | 2
             localize room.log --map-from-half --seeds 0                  | --seeds               | 2
             localize none.log --map-from-half                            | none.log              | 3
             localize room.log --map none.yaml                            | none.yaml             | 3
@@ -112,8 +123,6 @@ class LocalizeIT {
     void refusesWhatItCannotDo(String line, String expected, int code) throws Exception {
         Ended ended = rsal.run(line.split(" "));
         assertThat(ended.code()).as(ended.err()).isEqualTo(code);
-            localize room.log --map-from-half --odometry-noise Infinity,1,1 | (Infinity,1,1)     | 2
-            localize room.log --map-from-half --pose NaN 0 0             | NaN                   | 2
         assertThat(ended.err()).contains(expected).doesNotContain("\tat ");
         assertThat(ended.out()).isEmpty();
     }

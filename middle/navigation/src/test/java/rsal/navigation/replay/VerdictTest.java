@@ -45,6 +45,28 @@ class VerdictTest {
         assertThat(Verdict.of(List.of()).converged()).isEmpty();
     }
 
+    @Test
+    void oneScanThatIsNearAtTheVeryEndIsNotConverged() {
+        assertThat(Verdict.of(steps(3, 3, 3, 3, 3, 3, 3, 0.1)).converged()).isEmpty();
+        assertThat(Verdict.of(steps(0.1, 0.1, 0.1)).converged()).hasValue(1);
+    }
+
+    @Test
+    void runsAreSummedUpByAllTheirScansAndTheWorstBesideThem() {
+        Verdict good = Verdict.of(steps(9, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1));
+        Verdict bad = Verdict.of(steps(0, 0, 0, 0, 0, 0, 0, 0, 0, 3));
+        Verdict never = Verdict.of(steps(9, 9, 9, 9, 9, 9, 9));
+
+        Verdict.Pooled pooled = Verdict.pooled(List.of(good, never, bad, good));
+
+        assertThat(pooled.rmse()).isCloseTo(Math.sqrt((18 * 0.01 + 9) / 28), within(1e-9));
+        assertThat(pooled.worstRmse()).isCloseTo(Math.sqrt(9 / 10.0), within(1e-9));
+        assertThat(pooled.p95()).isCloseTo(0.1, within(1e-9));
+        assertThat(Verdict.pooled(List.of(never)).rmse()).isNaN();
+        assertThat(Verdict.pooled(List.of(never)).worstRmse()).isNaN();
+        assertThat(Verdict.pooled(List.of(never)).p95()).isNaN();
+    }
+
     private static List<Replay.Step> steps(double... errors) {
         var scan = new LaserScan(Pose2d.ORIGIN, 0, 0, 0, 1, new float[] {1});
         return Arrays.stream(errors)
