@@ -7,7 +7,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import rsal.bench.Drive.Tick;
 import rsal.bench.Plot.Lines.Point;
 import rsal.data.Angles;
@@ -39,8 +41,10 @@ import rsal.settings.Location;
 /// Names are `amcl.<case>.<what>`:
 /// * `amcl.<particles>x<beams>.ms`: an update in the office, on one core.
 /// * `amcl.office.<sensor>.<what>`: how far off a robot is that drives through the office and was told where it
-///   starts; 20 drives of a minute.
-/// * `amcl.kidnap.recovered`: share of 40 robots that, carried elsewhere in the office, are right within half a minute.
+///   starts; 20 drives of a minute. `sure` is the share of the time in which it says to be localized and is: who
+///   never says so is never wrong either.
+/// * `amcl.kidnap.recovered`: share of 40 robots that, carried elsewhere in the office, are right and say
+///   to be localized within half a minute.
 /// * `amcl.corridor.falseConfidence`: share of the time in which a robot in a corridor that looks the same from both
 ///   ends, not told where it is, says to be localized and is not; 20 drives.
 /// * `amcl.<log>.<what>`: the log's map is drawn from every other of its scans; on the rest, 50 robots with erring
@@ -68,6 +72,7 @@ final class LocalizationBench implements Bench {
         for (String sensor : SENSORS) {
             names.add("amcl.office.%s.median".formatted(sensor));
             names.add("amcl.office.%s.p95".formatted(sensor));
+            names.add("amcl.office.%s.sure".formatted(sensor));
         }
         names.add("amcl.kidnap.recovered");
         names.add("amcl.corridor.falseConfidence");
@@ -99,11 +104,14 @@ final class LocalizationBench implements Bench {
         }
         for (String sensor : SENSORS) {
             String name = "amcl.office.%s.".formatted(sensor);
-            if (assignment.wants(name + "median") || assignment.wants(name + "p95")) {
-                double[] errors = tours(office, sensor);
+            if (Stream.of("median", "p95", "sure").anyMatch(what -> assignment.wants(name + what))) {
+                List<Belief> beliefs = tours(office, sensor);
+                double[] errors =
+                        beliefs.stream().mapToDouble(Belief::error).sorted().toArray();
                 assignment.tell(
                         Result.less(name + "median", "m", errors[errors.length / 2]),
-                        Result.less(name + "p95", "m", errors[(int) (0.95 * errors.length)]));
+                        Result.less(name + "p95", "m", errors[(int) (0.95 * errors.length)]),
+                        Result.more(name + "sure", "", share(beliefs, Belief::rightlySure)));
             }
         }
         if (assignment.wants("amcl.kidnap.recovered")) {
@@ -197,8 +205,16 @@ final class LocalizationBench implements Bench {
                     && Math.abs(Angles.difference(estimate.mapFromBase().theta(), truth.theta())) <= Verdict.NEARLY;
         }
 
+        boolean sure() {
+            return estimate.quality() == Quality.LOCALIZED;
+        }
+
         boolean falselySure() {
-            return estimate.quality() == Quality.LOCALIZED && !near();
+            return sure() && !near();
+        }
+
+        boolean rightlySure() {
+            return sure() && near();
         }
     }
 
@@ -217,11 +233,15 @@ final class LocalizationBench implements Bench {
         return beliefs;
     }
 
-    /// Errors of all drives, ascending [m].
-    private static double[] tours(Drive office, String sensor) {
+    private static double share(List<Belief> beliefs, Predicate<Belief> which) {
+        return (double) beliefs.stream().filter(which).count() / beliefs.size();
+    }
+
+    /// Of all drives.
+    private static List<Belief> tours(Drive office, String sensor) {
         boolean laser = sensor.equals("laser");
         var map = new LocalizationMap(office.map(), laser ? 0.1 : 0.25, 0.05);
-        var errors = new ArrayList<Double>();
+        var beliefs = new ArrayList<Belief>();
         for (int seed = 1; seed <= DRIVES; seed++) {
             var random = new SplittableRandom(seed);
             List<Tick> ticks = office.tour(office.anywhere(random), MINUTE, random);
@@ -235,9 +255,9 @@ final class LocalizationBench implements Bench {
             Function<Pose2d, Beams> look = laser
                     ? pose -> Beams.of(office.laser(pose, random), 60, 30)
                     : pose -> Beams.of(office.sonars(pose, sensor.equals("sonar16") ? 16 : 8, random), 5);
-            follow(ticks, amcl, look).forEach(belief -> errors.add(belief.error()));
+            beliefs.addAll(follow(ticks, amcl, look));
         }
-        return errors.stream().mapToDouble(Double::doubleValue).sorted().toArray();
+        return beliefs;
     }
 
     private static double recovered(Drive office) {
@@ -252,7 +272,7 @@ final class LocalizationBench implements Bench {
             List<Belief> beliefs =
                     follow(Drive.kidnapped(before, after), amcl, pose -> Beams.of(office.laser(pose, random), 60, 30));
             List<Belief> last = beliefs.subList(beliefs.size() - 10, beliefs.size());
-            recovered += last.stream().allMatch(Belief::near) ? 1 : 0;
+            recovered += last.stream().allMatch(Belief::rightlySure) ? 1 : 0;
         }
         return (double) recovered / KIDNAPPED;
     }
@@ -260,17 +280,14 @@ final class LocalizationBench implements Bench {
     private static double falseConfidence() {
         var corridor = new Drive(corridor());
         var map = new LocalizationMap(corridor.map(), 0.1, 0.05);
-        long all = 0;
-        long falselySure = 0;
+        var beliefs = new ArrayList<Belief>();
         for (int seed = 1; seed <= DRIVES; seed++) {
             var random = new SplittableRandom(seed);
             List<Tick> ticks = corridor.shuttle(new Point2d(8, 2), new Point2d(32, 2), MINUTE, random);
             var amcl = new Amcl(map, settings(150, 5000, 15, SensorModel.Kind.FIELD), random);
-            List<Belief> beliefs = follow(ticks, amcl, pose -> Beams.of(corridor.laser(pose, random), 60, 30));
-            all += beliefs.size();
-            falselySure += beliefs.stream().filter(Belief::falselySure).count();
+            beliefs.addAll(follow(ticks, amcl, pose -> Beams.of(corridor.laser(pose, random), 60, 30)));
         }
-        return (double) falselySure / all;
+        return share(beliefs, Belief::falselySure);
     }
 
     /// 40 m × 2 m, with recesses of doors that lie where half a turn puts them.
@@ -324,6 +341,7 @@ final class LocalizationBench implements Bench {
 
     private static List<Result> judge(String name, List<List<Replay.Step>> runs) {
         List<Verdict> verdicts = runs.stream().map(Verdict::of).toList();
+        Verdict.Pooled pooled = Verdict.pooled(verdicts);
         return List.of(
                 Result.more(
                         name + "converged",
@@ -334,7 +352,6 @@ final class LocalizationBench implements Bench {
                 Result.less(name + "p95", "m", pooled.p95()),
                 Result.less(name + "falseConfidence", "", share(verdicts, v -> (double) v.falselySure() / v.judged())));
     }
-        Verdict.Pooled pooled = Verdict.pooled(verdicts);
 
     private static double share(List<Verdict> verdicts, Function<Verdict, Number> of) {
         return verdicts.stream()
