@@ -12,6 +12,7 @@ import rsal.data.Angles;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.GoalHandle;
@@ -42,6 +43,7 @@ final class Trip {
     private static final Duration BLOCKED = Duration.ofMillis(2500);
     private static final Duration HELD_UP = Duration.ofSeconds(6);
     private static final Duration REMEMBERED = Duration.ofSeconds(15);
+    private static final Duration LOST = Duration.ofSeconds(2); // someone may stand before its sensors for a moment
     private static final Duration TURNING = Duration.ofSeconds(3);
 
     private final Parts parts;
@@ -56,6 +58,7 @@ final class Trip {
     private List<Seen> seen = new ArrayList<>();
     private @Nullable Route route;
     private Pose2d mapFromBase = Pose2d.ORIGIN;
+    private Instant localized; // when it was last not lost
     private boolean planning;
     private Instant planned;
     private boolean arrived;
@@ -94,6 +97,7 @@ final class Trip {
         this.onEnd = onEnd;
         this.started = scheduler.instant();
         this.nearer = started;
+        this.localized = started;
         this.planned = started;
         this.manoeuvreEnds = started;
         this.giveUp = started.plus(settings.patience());
@@ -157,6 +161,9 @@ final class Trip {
     /// What to command now.
     Twist2d beat(Situation now) {
         mapFromBase = now.mapFromBase();
+        if (!isLost(now)) {
+            localized = now.now();
+        }
         if (isUnsure(now)) {
             return lookAround(now);
         }
@@ -183,14 +190,14 @@ final class Trip {
                 "map",
                 new Progress(mapFromBase, route.remaining(), target, Duration.between(started, now.now()))));
         return switch (manoeuvre) {
-            case NONE -> driveTo(target, now);
+            case NONE -> driveTo(target, route.end(), now);
             case BACK_OFF -> backOff(now);
             case TURN -> turnTo(target, now);
         };
     }
 
-    private Twist2d driveTo(Point2d target, Situation now) {
-        boolean last = target.distanceTo(mapFromGoal.position()) < settings.lookahead() / 8;
+    private Twist2d driveTo(Point2d target, Point2d end, Situation now) {
+        boolean last = target.distanceTo(end) < settings.lookahead() / 8;
         Pose2d baseFromMap = mapFromBase.inverse();
         List<Point2d> way = path().points().stream().map(baseFromMap::transform).toList();
         return parts.avoidance()
@@ -200,16 +207,30 @@ final class Trip {
     private Twist2d turnToGoal(Situation now) {
         double angle = Angles.difference(mapFromBase.theta(), mapFromGoal.theta());
         if (Math.abs(angle) <= tolerance.angle()) {
-            end(new Result.Reached(mapFromBase));
+            if (!isLost(now)) {
+                end(new Result.Reached(mapFromBase));
+            }
             return Twist2d.STOP;
         }
         watch(now, Math.abs(angle));
-        return source.ended() ? Twist2d.STOP : parts.avoidance().turn(now.obstacles(), angle, now.motion());
+        if (source.ended()) {
+            return Twist2d.STOP;
+        }
+        return manoeuvre == Manoeuvre.BACK_OFF
+                ? backOff(now)
+                : parts.avoidance().turn(now.obstacles(), angle, now.motion());
     }
 
     // Where am I?
 
+    private static boolean isLost(Situation now) {
+        return now.estimate().quality() == PoseEstimate.Quality.LOST;
+    }
+
     private boolean isUnsure(Situation now) {
+        if (Duration.between(localized, now.now()).compareTo(LOST) > 0) {
+            return true;
+        }
         var hypotheses = now.estimate().hypotheses();
         boolean ambiguous = !hypotheses.isEmpty() && hypotheses.getFirst().weight() < HEAVY;
         return ambiguous || now.estimate().covariance().positionDeviation() > UNSURE;

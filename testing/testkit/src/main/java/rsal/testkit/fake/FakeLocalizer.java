@@ -17,12 +17,12 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.time.Phase;
 
-/// Knows where the robot is, until it is told a belief: then it is wrong by as much as that was.
+/// Knows where the robot is, until it is told a belief: then it is wrong by as much as that was, and as sure.
 public final class FakeLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private final FakeDriveBase base;
     private final InstantSource clock;
     private Pose2d baseFromBelief = Pose2d.ORIGIN;
-    private Covariance2d covariance = Covariance2d.ofDeviations(0.05, 0.05, 0.02);
+    private PoseEstimate belief = PoseEstimate.of(Pose2d.ORIGIN, Covariance2d.ofDeviations(0.05, 0.05, 0.02));
 
     private FakeLocalizer(DeviceInfo info, FakeDriveBase base, InstantSource clock) {
         super(info);
@@ -33,7 +33,7 @@ public final class FakeLocalizer extends SensorCore<PoseEstimate> implements Loc
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
         baseFromBelief = base.mapFromBase().inverse().compose(belief.mapFromBase());
-        covariance = belief.covariance();
+        this.belief = belief;
         var done = new CompletableFuture<Void>();
         next().thenAccept(_ -> done.complete(null));
         return done;
@@ -41,7 +41,12 @@ public final class FakeLocalizer extends SensorCore<PoseEstimate> implements Loc
 
     private void look() {
         Pose2d believed = base.mapFromBase().compose(baseFromBelief);
-        deliver(new Stamped<>(clock.instant(), "map", PoseEstimate.of(believed, covariance)));
+        var hypothesis = new PoseEstimate.Hypothesis(1, believed, belief.covariance());
+        deliver(new Stamped<>(
+                clock.instant(),
+                "map",
+                new PoseEstimate(
+                        believed, belief.covariance(), List.of(hypothesis), belief.confidence(), belief.quality())));
     }
 
     /// Makes it for a robot of the fake system.
