@@ -58,6 +58,16 @@ public record Pose2d(double x, double y, double theta) {
         return Angles.wrap(Math.atan2(point.y() - y, point.x() - x) - theta);
     }
 
+    /// The pose between this and another one, straight and by the shorter turn.
+    ///
+    /// @param share of the way, 0 (here) to 1 (there)
+    public Pose2d towards(Pose2d there, double share) {
+        return new Pose2d(
+                x + share * (there.x - x),
+                y + share * (there.y - y),
+                theta + share * Angles.difference(theta, there.theta));
+    }
+
     public boolean isNear(Pose2d other, double meters, double radians) {
         return distanceTo(other) <= meters && Math.abs(Angles.difference(theta, other.theta)) <= radians;
     }

@@ -85,6 +85,15 @@ class Pose2dTest {
         assertThat(any().isFinite()).isTrue();
     }
 
+    @Test
+    void betweenTwoPosesItTurnsTheShorterWay() {
+        Pose2d here = Pose2d.ofDegrees(1, 2, 170);
+        Pose2d there = Pose2d.ofDegrees(3, -2, -170);
+        assertNear(here.towards(there, 0), here);
+        assertNear(here.towards(there, 1), there);
+        assertNear(here.towards(there, 0.25), Pose2d.ofDegrees(1.5, 1, 175));
+    }
+
     private Pose2d any() {
         return new Pose2d(random.nextDouble(-50, 50), random.nextDouble(-50, 50), random.nextDouble(-9, 9));
     }

@@ -51,7 +51,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private @Nullable Pose2d mapFromOdom; // as the newest scan has it
     private Pose2d slamFromOdom = Pose2d.ORIGIN; // by which odometry is handed to it
     private List<PosedScan> map = List.of();
-    private @Nullable Stamped<Odometry> newest;
+    private final RecentOdometry odometry = new RecentOdometry();
     private boolean busy;
     private boolean failed;
     private Instant lastScan;
@@ -99,16 +99,16 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         scrutiny.reset();
     }
 
-    private void onOdometry(Stamped<Odometry> odometry) {
-        if (!scrutiny.acceptsOdometry(odometry)) {
+    private void onOdometry(Stamped<Odometry> reading) {
+        if (!scrutiny.acceptsOdometry(reading)) {
             tellSkipped();
             return;
         }
         lastOdometry = scheduler.instant();
-        newest = odometry;
+        odometry.add(reading);
         if (mapFromOdom != null && !failed && !isSilent(lastScan)) {
-            Pose2d mapFromBase = mapFromOdom.compose(odometry.value().odomFromBase());
-            deliver(new Stamped<>(odometry.time(), "map", PoseEstimate.of(mapFromBase, USUAL)));
+            Pose2d mapFromBase = mapFromOdom.compose(reading.value().odomFromBase());
+            deliver(new Stamped<>(reading.time(), "map", PoseEstimate.of(mapFromBase, USUAL)));
             var answered = List.copyOf(followers);
             followers.clear();
             answered.forEach(f -> f.complete(null));
@@ -124,7 +124,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         lastScan = scheduler.instant();
         if (!busy) {
             busy = true;
-            scheduler.after(Duration.ZERO, Phase.DEVICES, () -> look(scan.value()));
+            scheduler.after(Duration.ZERO, Phase.DEVICES, () -> look(scan));
         }
     }
 
@@ -134,13 +134,13 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
     }
 
-    private void look(LaserScan scan) {
-        Stamped<Odometry> odometry = newest;
-        if (odometry == null) {
+    private void look(Stamped<LaserScan> scan) {
+        Optional<Pose2d> taken = odometry.odomFromBase(scan.time());
+        if (taken.isEmpty()) {
             busy = false;
             return;
         }
-        Pose2d odomFromBase = odometry.value().odomFromBase();
+        Pose2d odomFromBase = taken.get();
         Slam known = slam;
         if (known == null) {
             slamFromOdom = start.compose(odomFromBase.inverse());
@@ -148,7 +148,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         Slam mapper = known == null ? new Slam(settings) : known;
         slam = mapper;
         Pose2d told = slamFromOdom.compose(odomFromBase);
-        scheduler.compute(work(mapper, told, scan)).whenComplete((found, error) -> {
+        scheduler.compute(work(mapper, told, scan.value())).whenComplete((found, error) -> {
             busy = false;
             if (error != null) {
                 fail(error);
@@ -176,8 +176,9 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
         failed = true;
         health(new Health.Lost("Mapping failed: %s".formatted(error)));
-        if (mapFromOdom != null && newest != null) {
-            begin(mapFromOdom.compose(newest.value().odomFromBase()));
+        Optional<Pose2d> now = odometry.newest();
+        if (mapFromOdom != null && now.isPresent()) {
+            begin(mapFromOdom.compose(now.get()));
         } else {
             slam = null;
         }

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
-import rsal.data.Angles;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
 import rsal.navigation.amcl.OdometryModel;
@@ -79,12 +78,7 @@ public record Course(List<Stop> stops, int untold) {
         Motion after = motions.get(low);
         double span = seconds(before.time(), after.time());
         double share = span > 0 ? Math.clamp(seconds(before.time(), scan.time()) / span, 0, 1) : 0;
-        Pose2d from = before.odomFromBase();
-        Pose2d to = after.odomFromBase();
-        return Optional.of(new Pose2d(
-                from.x() + share * (to.x() - from.x()),
-                from.y() + share * (to.y() - from.y()),
-                from.theta() + share * Angles.difference(from.theta(), to.theta())));
+        return Optional.of(before.odomFromBase().towards(after.odomFromBase(), share));
     }
 
     private static double seconds(Instant from, Instant to) {
