@@ -35,6 +35,7 @@ final class Exploration {
     private final List<Explorer> robots = new ArrayList<>();
     private final List<Point2d> leftAlone = new ArrayList<>();
     private Instant lastLook = Instant.MIN;
+    private boolean looking;
 
     /// @param resolution of the map [m]
     /// @param shortest frontiers below are left out [m]
@@ -69,9 +70,10 @@ final class Exploration {
         leftAlone.add(frontier);
     }
 
-    /// Called by each robot of the team, as any of them may leave the run; the first one counts.
+    /// Called by each robot of the team, as any of them may leave the run; the first one counts. One look at a time:
+    /// the next waits until what the last one found is told.
     void look(Scheduler scheduler) {
-        if (lastLook.plus(PERIOD).isAfter(scheduler.instant())) {
+        if (looking || lastLook.plus(PERIOD).isAfter(scheduler.instant())) {
             return;
         }
         lastLook = scheduler.instant();
@@ -83,7 +85,9 @@ final class Exploration {
         List<Point2d> places = ready.stream().map(Explorer::place).toList();
         List<Optional<Point2d>> goals = ready.stream().map(Explorer::frontier).toList();
         List<Point2d> alone = List.copyOf(leftAlone);
+        looking = true;
         scheduler.compute(() -> orders(seen, places, goals, alone)).whenComplete((orders, error) -> {
+            looking = false;
             for (int i = 0; i < ready.size(); i++) {
                 if (error != null) {
                     ready.get(i).fail(error);
