@@ -76,6 +76,8 @@ class ScenarioSchemaTest {
             "There is no part",
             "needs a LaserScanner",
             "needs a RangeSensor",
+            "needs a Navigator",
+            "needs a localizer of type",
             "Robot (prey)",
             "has 1 for 2 robots",
             "no free place",
