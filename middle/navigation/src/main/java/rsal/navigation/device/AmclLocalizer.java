@@ -11,7 +11,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import rsal.data.Angles;
 import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
 import rsal.data.Pose2d;
@@ -42,14 +41,13 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Amcl amcl;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
+    private final RecentOdometry wheels = new RecentOdometry();
     private Optional<PoseEstimate> start;
     private boolean restart = true;
     private boolean follows; // the belief follows the newest start
     private boolean busy;
     private boolean failed;
     private @Nullable Belief belief;
-    private @Nullable Stamped<Odometry> older;
-    private @Nullable Stamped<Odometry> newest;
     private @Nullable Stamped<ParticleCloud> particles;
     private Instant lastRanges;
     private Instant lastOdometry;
@@ -112,8 +110,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
         skippedOdometry = 0;
         lastOdometry = scheduler.instant();
-        older = newest;
-        newest = odometry;
+        wheels.add(odometry);
         if (belief == null && start.isPresent()) {
             belief = new Belief(start.get(), odometry.value().odomFromBase());
         }
@@ -143,7 +140,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     private void correct(Instant time, Supplier<Beams> beams) {
-        Optional<Pose2d> odometry = odomFromBase(time);
+        Optional<Pose2d> odometry = wheels.odomFromBase(time);
         if (odometry.isEmpty() || !(restart || amcl.due(odometry.get()))) {
             busy = false;
             return;
@@ -186,24 +183,6 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         restart = true;
     }
 
-    /// Odometry when the ranges were measured: between the two newest readings, or the newest when it is older.
-    private Optional<Pose2d> odomFromBase(Instant time) {
-        if (newest == null) {
-            return Optional.empty();
-        }
-        Pose2d to = newest.value().odomFromBase();
-        if (older == null || !time.isBefore(newest.time())) {
-            return Optional.of(to);
-        }
-        Pose2d from = older.value().odomFromBase();
-        double span = seconds(older.time(), newest.time());
-        double share = span > 0 ? Math.clamp(seconds(older.time(), time) / span, 0, 1) : 1;
-        return Optional.of(new Pose2d(
-                from.x() + share * (to.x() - from.x()),
-                from.y() + share * (to.y() - from.y()),
-                from.theta() + share * Angles.difference(from.theta(), to.theta())));
-    }
-
     private void checkHealth() {
         if (failed) {
             return; // that is worse
@@ -220,9 +199,5 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     private boolean isSilent(Instant last) {
         return last.plus(PATIENCE).isBefore(scheduler.instant());
-    }
-
-    private static double seconds(Instant from, Instant to) {
-        return Duration.between(from, to).toNanos() / 1e9;
     }
 }
