@@ -46,7 +46,7 @@ final class ExploreRun implements AutoCloseable {
         var random = new SplittableRandom(seed);
         var starts = new ArrayList<Pose2d>();
         while (starts.size() < count) {
-            Pose2d start = place(random);
+            Pose2d start = Office.place(random, costs::isPassable);
             if (starts.stream().allMatch(other -> other.distanceTo(start) > 1)) {
                 starts.add(start);
             }
@@ -65,15 +65,6 @@ final class ExploreRun implements AutoCloseable {
                 equipped = Office.equip(equipped, driver, Map.of(), truth.truth(robot.id()), time, random);
             }
             robots.add(equipped);
-        }
-    }
-
-    private Pose2d place(SplittableRandom random) {
-        while (true) {
-            var place = new Point2d(random.nextDouble(-31, 31), random.nextDouble(-7.5, 7.5));
-            if (costs.isPassable(place)) {
-                return new Pose2d(place.x(), place.y(), random.nextDouble(-Math.PI, Math.PI));
-            }
         }
     }
 

@@ -1,7 +1,5 @@
 package rsal.bench;
 
-import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -12,7 +10,6 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import rsal.bench.Drive.Tick;
 import rsal.bench.Plot.Lines.Point;
-import rsal.data.Angles;
 import rsal.data.Covariance2d;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -27,8 +24,6 @@ import rsal.navigation.amcl.Kld;
 import rsal.navigation.amcl.LocalizationMap;
 import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.amcl.SensorModel;
-import rsal.navigation.carmen.CarmenLog;
-import rsal.navigation.carmen.LogReader;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.replay.Course;
 import rsal.navigation.replay.Replay;
@@ -52,8 +47,6 @@ import rsal.settings.Location;
 ///   scans from where each is right on the errors, and those of the robot that has the largest; and the share of
 ///   scans at which they say to be localized and are not. Robots that never are right have no part in the errors.
 final class LocalizationBench implements Bench {
-    private static final List<String> LOGS =
-            List.of("acapulco", "aces", "edmonton", "fhw", "freiburg-101", "orebro", "seattle");
     private static final List<String> OF_LOGS = List.of("converged", "rmse", "worst", "p95", "falseConfidence");
     private static final List<String> SENSORS = List.of("laser", "sonar16", "sonar8");
     private static final List<int[]> SIZES = List.of(new int[] {500, 18}, new int[] {1000, 50}, new int[] {1000, 180});
@@ -76,7 +69,7 @@ final class LocalizationBench implements Bench {
         }
         names.add("amcl.kidnap.recovered");
         names.add("amcl.corridor.falseConfidence");
-        for (String log : LOGS) {
+        for (String log : PublicLogs.NAMES) {
             OF_LOGS.forEach(what -> names.add(name(log) + what));
         }
         return names;
@@ -87,7 +80,7 @@ final class LocalizationBench implements Bench {
     }
 
     private static String name(String log) {
-        return "amcl.%s.".formatted(log.replace("-", ""));
+        return "amcl.%s.".formatted(PublicLogs.label(log));
     }
 
     @Override
@@ -121,10 +114,10 @@ final class LocalizationBench implements Bench {
             assignment.tell(Result.less("amcl.corridor.falseConfidence", "", falseConfidence()));
         }
         var overTime = new ArrayList<Point>();
-        for (String log : LOGS) {
+        for (String log : PublicLogs.NAMES) {
             if (OF_LOGS.stream().anyMatch(what -> assignment.wants(name(log) + what))) {
-                assignment.data("logs/%s-corrected.log.gz".formatted(log)).ifPresent(file -> {
-                    List<List<Replay.Step>> runs = onLog(file);
+                PublicLogs.course(log, assignment).ifPresent(course -> {
+                    List<List<Replay.Step>> runs = onLog(course);
                     assignment.tell(judge(name(log), runs));
                     overTime.addAll(errorsOverTime(log, runs));
                 });
@@ -201,8 +194,7 @@ final class LocalizationBench implements Bench {
         }
 
         boolean near() {
-            return error() <= Verdict.NEAR
-                    && Math.abs(Angles.difference(estimate.mapFromBase().theta(), truth.theta())) <= Verdict.NEARLY;
+            return estimate.mapFromBase().isNear(truth, Verdict.NEAR, Verdict.NEARLY);
         }
 
         boolean sure() {
@@ -307,13 +299,7 @@ final class LocalizationBench implements Bench {
     }
 
     /// Steps of each run.
-    private static List<List<Replay.Step>> onLog(Path file) {
-        Course course;
-        try {
-            course = Course.of(CarmenLog.read(file, LogReader.Options.DEFAULT));
-        } catch (IOException e) {
-            throw new IllegalStateException("The public data can't be read: " + e.getMessage(), e);
-        }
+    private static List<List<Replay.Step>> onLog(Course course) {
         var map = new LocalizationMap(
                 ScanMapper.draw(course.only(i -> i % 2 == 0).posed(), ScanMapper.Settings.of(0.05)), 0.1, 0.05);
         Course rest = course.only(i -> i % 2 == 1);

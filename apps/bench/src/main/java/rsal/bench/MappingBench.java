@@ -1,60 +1,47 @@
 package rsal.bench;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import rsal.data.Pose2d;
-import rsal.navigation.amcl.OdometryModel;
-import rsal.navigation.carmen.CarmenLog;
-import rsal.navigation.carmen.LogReader;
 import rsal.navigation.replay.Course;
 import rsal.navigation.slam.RelationError;
 import rsal.navigation.slam.Slam;
 
-/// Mapping public logs whose odometry is made to err: by 0.05 m per square root of a meter, and 2° and 3° of the
-/// heading by driving and turning; each repeat with a seed of its own.
+/// Mapping public logs whose odometry is made to err as [Drive#WHEELS] do; each repeat with a seed of its own.
 ///
 /// Names are `slam.<log>.<what>`. What: `meters` and `degrees`, how far the relation of a scan to the next is off the
 /// one in the log on average; `near.meters`, that of scans within 2 m that do not follow on each other; `seconds`, of
 /// this thread for the whole log.
 final class MappingBench implements Bench {
-    private static final List<String> LOGS =
-            List.of("acapulco", "aces", "edmonton", "fhw", "freiburg-101", "orebro", "seattle");
     private static final List<String> KINDS = List.of("meters", "degrees", "near.meters", "seconds");
-    private static final OdometryModel WHEELS = new OdometryModel(0.05, Math.toRadians(2), Math.toRadians(3));
     private static final double NEAR = 2; // m
 
     private static String name(String log, String kind) {
-        return "slam.%s.%s".formatted(log.replace("-", ""), kind);
+        return "slam.%s.%s".formatted(PublicLogs.label(log), kind);
     }
 
     @Override
     public List<String> names() {
-        return LOGS.stream()
+        return PublicLogs.NAMES.stream()
                 .flatMap(log -> KINDS.stream().map(kind -> name(log, kind)))
                 .toList();
     }
 
     @Override
     public void measure(Assignment assignment) {
-        for (String log : LOGS) {
+        for (String log : PublicLogs.NAMES) {
             if (KINDS.stream().anyMatch(kind -> assignment.wants(name(log, kind)))) {
-                assignment
-                        .data("logs/%s-corrected.log.gz".formatted(log))
-                        .ifPresent(file -> measure(log, file, assignment));
+                PublicLogs.course(log, assignment).ifPresent(course -> measure(log, course, assignment));
             }
         }
     }
 
-    private static void measure(String name, Path file, Assignment assignment) {
-        Course course = Course.of(read(file));
+    private static void measure(String name, Course course, Assignment assignment) {
         var values = new double[KINDS.size()][assignment.repeats()];
         for (int repeat = 0; repeat < assignment.repeats(); repeat++) {
-            Course driven = course.drifting(WHEELS, new SplittableRandom(repeat + 1));
+            Course driven = course.drifting(Drive.WHEELS, new SplittableRandom(repeat + 1));
             var watch = new Stopwatch();
             var slam = new Slam(Slam.Settings.DEFAULT);
             var located = new ArrayList<Slam.Located>();
@@ -75,14 +62,6 @@ final class MappingBench implements Bench {
         List<String> units = List.of("m", "deg", "m", "s");
         for (int kind = 0; kind < KINDS.size(); kind++) {
             assignment.tell(Result.less(name(name, KINDS.get(kind)), units.get(kind), values[kind]));
-        }
-    }
-
-    private static CarmenLog read(Path file) {
-        try {
-            return CarmenLog.read(file, LogReader.Options.DEFAULT);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
         }
     }
 }

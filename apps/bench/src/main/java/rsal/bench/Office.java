@@ -6,7 +6,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.SplittableRandom;
+import java.util.function.Predicate;
 import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.map.Maps;
 import rsal.robot.DeviceDriver;
@@ -46,6 +48,16 @@ final class Office {
         return simulator.create(
                 new RobotSystemProvider.Config(Arguments.defaults(simulator.parameters()), Scene.of(MAP), specs, seed),
                 time);
+    }
+
+    /// A random place on the floor that will do, looking anywhere.
+    static Pose2d place(SplittableRandom random, Predicate<Point2d> willDo) {
+        while (true) {
+            var place = new Point2d(random.nextDouble(-31, 31), random.nextDouble(-7.5, 7.5));
+            if (willDo.test(place)) {
+                return new Pose2d(place.x(), place.y(), random.nextDouble(-Math.PI, Math.PI));
+            }
+        }
     }
 
     static DeviceDriver driver(String key) {

@@ -100,12 +100,8 @@ final class OfficeRun implements AutoCloseable {
 
     /// Somewhere on the floor from where there is a way to the corridor.
     private Pose2d place() {
-        while (true) {
-            var place = new Point2d(random.nextDouble(-31, 31), random.nextDouble(-7.5, 7.5));
-            if (roomy.map().isPassable(place) && roomy.plan(place, CORRIDOR, 0) instanceof Plan.Found) {
-                return new Pose2d(place.x(), place.y(), random.nextDouble(-Math.PI, Math.PI));
-            }
-        }
+        return Office.place(
+                random, place -> roomy.map().isPassable(place) && roomy.plan(place, CORRIDOR, 0) instanceof Plan.Found);
     }
 
     /// Sends the robots about until so many goals have ended.
