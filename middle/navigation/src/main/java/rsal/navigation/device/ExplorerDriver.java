@@ -1,5 +1,6 @@
 package rsal.navigation.device;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.Footprint;
@@ -10,9 +11,7 @@ import rsal.device.LaserScanner;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
-import rsal.navigation.wavefront.CostMap.Clearance;
 import rsal.robot.DeviceDriver;
-import rsal.robot.RobotModel;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
@@ -64,13 +63,13 @@ public final class ExplorerDriver implements DeviceDriver {
 
     @Override
     public List<Parameter> parameters() {
-        return List.of(
-                Parameter.number("resolution", 0.1, 0.02, 1, "m", "side of a cell of the map"),
-                Parameter.number("shortest", 0.6, 0.1, 10, "m", "ends of the map that are shorter are left alone"),
-                Parameter.number("view", 4, 0.5, 50, "m", "how far the laser is believed to see"),
-                Ways.WALL_DISTANCE,
-                Parameter.number("comfortDistance", 0.5, 0, 5, "m", "room beyond which more room is worth nothing"),
-                Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a way may be to keep off a wall"));
+        var parameters = new ArrayList<Parameter>();
+        parameters.add(Parameter.number("resolution", 0.1, 0.02, 1, "m", "side of a cell of the map"));
+        parameters.add(
+                Parameter.number("shortest", 0.6, 0.1, 10, "m", "ends of the map that are shorter are left alone"));
+        parameters.add(Parameter.number("view", 4, 0.5, 50, "m", "how far the laser is believed to see"));
+        parameters.addAll(Ways.parameters());
+        return parameters;
     }
 
     @Override
@@ -94,15 +93,12 @@ public final class ExplorerDriver implements DeviceDriver {
     }
 
     private static Exploration team(Context context, Arguments arguments) {
-        RobotModel model = context.robot().model();
-        Footprint footprint = model.footprint();
-        double least = footprint.inscribedRadius() + arguments.number(Ways.WALL_DISTANCE.name());
-        double comfort = footprint.inscribedRadius() + arguments.number("comfortDistance");
+        Footprint footprint = context.robot().model().footprint();
         return new Exploration(new Exploration.Settings(
                 arguments.number("resolution"),
                 arguments.number("shortest"),
                 arguments.number("view"),
                 footprint.circumscribedRadius(),
-                new Clearance(least, Math.max(least, comfort), arguments.number("wallCost"))));
+                Ways.clearance(footprint, arguments)));
     }
 }

@@ -29,13 +29,18 @@ final class Ways {
                 Parameter.number("wallCost", 3, 0, 5, "", "how many times longer a way may be to keep off a wall"));
     }
 
-    /// For a robot that counts as a circle: the one that fits into its outline, since it can turn where the way
-    /// does.
-    Wavefront of(OccupancyGrid map, Footprint footprint, Arguments arguments) {
+    /// What its [#parameters] say for a robot that counts as a circle: the one that fits into its outline, since it
+    /// can turn where the way does.
+    static Clearance clearance(Footprint footprint, Arguments arguments) {
         double radius = footprint.inscribedRadius();
         double least = radius + arguments.number(WALL_DISTANCE.name());
-        var clearance = new Clearance(
+        return new Clearance(
                 least, Math.max(least, radius + arguments.number("comfortDistance")), arguments.number("wallCost"));
+    }
+
+    /// For a robot with such a [#clearance].
+    Wavefront of(OccupancyGrid map, Footprint footprint, Arguments arguments) {
+        Clearance clearance = clearance(footprint, arguments);
         return ways.of(new Key(map, clearance), _ -> new Wavefront(CostMap.of(map, field(map), clearance)));
     }
 
