@@ -258,15 +258,7 @@ final class MapCommand extends Subcommand {
     }
 
     private Slam mapped(Robot robot) {
-        Slam.Settings usual = Slam.Settings.DEFAULT;
-        var slam = new Slam(new Slam.Settings(
-                maxRange,
-                usual.everyMeters(),
-                usual.everyRadians(),
-                usual.odometry(),
-                usual.recent(),
-                true,
-                usual.mostFrames()));
+        var slam = new Slam(Slam.Settings.DEFAULT.within(maxRange));
         List<Course.Stop> stops = robot.course().stops();
         long told = System.nanoTime();
         for (Course.Stop stop : stops) {

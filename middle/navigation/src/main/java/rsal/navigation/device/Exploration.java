@@ -101,8 +101,8 @@ final class Exploration {
     private List<Order> orders(
             List<PosedScan> seen, List<Point2d> places, List<Optional<Point2d>> goals, List<Point2d> alone) {
         double view = settings.view();
-        OccupancyGrid drawn =
-                ScanMapper.draw(seen, new ScanMapper.Settings(settings.resolution(), view, view, 0.9, -0.4, 4));
+        OccupancyGrid drawn = ScanMapper.draw(
+                seen, ScanMapper.Settings.of(settings.resolution()).upTo(view, view));
         OccupancyGrid map = Trodden.free(drawn, trodden(seen, places), room());
         DistanceField toNotFree = DistanceField.toNotFree(map);
         var ways = new Wavefront(CostMap.of(map, toNotFree, settings.clearance()));

@@ -54,7 +54,12 @@ public final class ScanMapper {
 
         /// The same that draws nothing beyond a range [m].
         public Settings within(double range) {
-            return new Settings(resolution, range, Math.min(range, freeUpTo), hit, passed, surest);
+            return upTo(range, Math.min(range, freeUpTo));
+        }
+
+        /// The same for other ranges [m].
+        public Settings upTo(double farthestHit, double freed) {
+            return new Settings(resolution, farthestHit, freed, hit, passed, surest);
         }
     }
 

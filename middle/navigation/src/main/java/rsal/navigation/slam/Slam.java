@@ -79,6 +79,11 @@ public final class Slam {
                                 .formatted(maxRange, everyMeters, everyRadians, recent, mostFrames));
             }
         }
+
+        /// The same that looks at nothing beyond a range [m].
+        public Settings within(double range) {
+            return new Settings(range, everyMeters, everyRadians, odometry, recent, closesLoops, mostFrames);
+        }
     }
 
     /// How odometry errs between two scans, as deviations.
