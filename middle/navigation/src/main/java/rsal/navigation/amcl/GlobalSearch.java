@@ -74,10 +74,12 @@ final class GlobalSearch {
     }
 
     private double score(Beams beams, Pose2d mapFromBase, double deviation) {
+        double cos = Math.cos(mapFromBase.theta());
+        double sin = Math.sin(mapFromBase.theta());
         double sum = 0;
         for (int i = 0; i < beams.count(); i++) {
-            sum += switch (verdict(beams, i, mapFromBase, deviation)) {
-                case HIT -> log(beams, i, mapFromBase, deviation);
+            sum += switch (verdict(beams, i, mapFromBase, cos, sin, deviation)) {
+                case HIT -> log(beams, i, mapFromBase, cos, sin, deviation);
                 case SHORT, OUTSIDE -> map.walls.unlikely();
                 case THROUGH -> 2 * map.walls.unlikely();
             };
@@ -98,12 +100,11 @@ final class GlobalSearch {
     }
 
     Verdict verdict(Beams beams, int beam, Pose2d mapFromBase) {
-        return verdict(beams, beam, mapFromBase, map.deviation);
+        return verdict(
+                beams, beam, mapFromBase, Math.cos(mapFromBase.theta()), Math.sin(mapFromBase.theta()), map.deviation);
     }
 
-    private Verdict verdict(Beams beams, int beam, Pose2d mapFromBase, double deviation) {
-        double cos = Math.cos(mapFromBase.theta());
-        double sin = Math.sin(mapFromBase.theta());
+    private Verdict verdict(Beams beams, int beam, Pose2d mapFromBase, double cos, double sin, double deviation) {
         double fromX = mapFromBase.x() + cos * beams.originX()[beam] - sin * beams.originY()[beam];
         double fromY = mapFromBase.y() + sin * beams.originX()[beam] + cos * beams.originY()[beam];
         double toX = mapFromBase.x() + cos * beams.x()[beam] - sin * beams.y()[beam];
@@ -119,9 +120,7 @@ final class GlobalSearch {
         return wall < measured ? Verdict.SHORT : Verdict.OUTSIDE;
     }
 
-    private double log(Beams beams, int beam, Pose2d mapFromBase, double deviation) {
-        double cos = Math.cos(mapFromBase.theta());
-        double sin = Math.sin(mapFromBase.theta());
+    private double log(Beams beams, int beam, Pose2d mapFromBase, double cos, double sin, double deviation) {
         double toX = mapFromBase.x() + cos * beams.x()[beam] - sin * beams.y()[beam];
         double toY = mapFromBase.y() + sin * beams.x()[beam] + cos * beams.y()[beam];
         return (deviation == map.deviation ? map.walls : map.nearWalls).log(toX, toY);
