@@ -49,7 +49,7 @@ public final class ContactGuard {
         }
         gather(wanted, velocity, obstacles);
         if (wanted.vx() < 0 && mayHitWhatItDoesNotSee(obstacles)) {
-            return isSafe(0, wanted.omega(), velocity) ? Twist2d.drive(0, wanted.omega()) : Twist2d.STOP;
+            return turning(wanted, velocity);
         }
         for (double share : SHARES) {
             double forward = share * wanted.vx();
@@ -58,6 +58,11 @@ public final class ContactGuard {
                 return Twist2d.drive(forward, omega);
             }
         }
+        return turning(wanted, velocity);
+    }
+
+    /// The turn alone if that is safe.
+    private Twist2d turning(Twist2d wanted, Twist2d velocity) {
         return isSafe(0, wanted.omega(), velocity) ? Twist2d.drive(0, wanted.omega()) : Twist2d.STOP;
     }
 

@@ -34,9 +34,9 @@ public final class Mpc implements LocalPlanner {
     private static final double RESOLUTION = 0.05; // m
     private static final double MEMORY = 60; // s
 
-    private static final double[] SPEEDS = {1, 0.6, 0.3, 0.1, 0
-    }; // of the highest; not backward, where robots seldom look
-    private static final double[] TURNS = {-1, -0.6, -0.3, -0.12, 0, 0.12, 0.3, 0.6, 1}; // likewise
+    // of the highest speed, not backward, where robots seldom look
+    private static final double[] SPEEDS = {1, 0.6, 0.3, 0.1, 0};
+    private static final double[] TURNS = {-1, -0.6, -0.3, -0.12, 0, 0.12, 0.3, 0.6, 1}; // of the highest turn rate
     private static final double[] THEN = {-0.6, -0.2, 0, 0.2, 0.6}; // likewise, from the second knot on
 
     private static final double HOPELESS = 1e3; // cost of touching anything
