@@ -22,4 +22,51 @@ public record Covariance2d(double xx, double xy, double xTheta, double yy, doubl
         double spread = Math.hypot((xx - yy) / 2, xy);
         return Math.sqrt(Math.max(0, mean + spread));
     }
+
+    /// The sum, as of errors that have nothing to do with each other.
+    public Covariance2d plus(Covariance2d other) {
+        return new Covariance2d(
+                xx + other.xx,
+                xy + other.xy,
+                xTheta + other.xTheta,
+                yy + other.yy,
+                yTheta + other.yTheta,
+                thetaTheta + other.thetaTheta);
+    }
+
+    public Covariance2d times(double factor) {
+        return new Covariance2d(
+                factor * xx, factor * xy, factor * xTheta, factor * yy, factor * yTheta, factor * thetaTheta);
+    }
+
+    /// What is known where this is what is not ("information"), and the other way round. Not finite when there is
+    /// none.
+    public Covariance2d inverse() {
+        double a = yy * thetaTheta - yTheta * yTheta;
+        double b = xTheta * yTheta - xy * thetaTheta;
+        double c = xy * yTheta - yy * xTheta;
+        double by = 1 / (xx * a + xy * b + xTheta * c);
+        return new Covariance2d(
+                a * by,
+                b * by,
+                c * by,
+                (xx * thetaTheta - xTheta * xTheta) * by,
+                (xy * xTheta - xx * yTheta) * by,
+                (xx * yy - xy * xy) * by);
+    }
+
+    /// Of the same pose in other axes.
+    ///
+    /// @param theta heading of the axes of this in those
+    public Covariance2d turned(double theta) {
+        double cos = Math.cos(theta);
+        double sin = Math.sin(theta);
+        return new Covariance2d(
+                cos * cos * xx - 2 * cos * sin * xy + sin * sin * yy,
+                cos * sin * (xx - yy) + (cos * cos - sin * sin) * xy,
+                cos * xTheta - sin * yTheta,
+                sin * sin * xx + 2 * cos * sin * xy + cos * cos * yy,
+                sin * xTheta + cos * yTheta,
+                thetaTheta);
+    }
 }

@@ -63,8 +63,7 @@ public final class PoseGraph {
             }
         }
         var equations = new Blocks(count - 1, pairs);
-        double[][] informations =
-                relations.stream().map(r -> inverse(r.covariance())).toArray(double[][]::new);
+        double[][] informations = relations.stream().map(PoseGraph::information).toArray(double[][]::new);
         double[] poses = numbers(guess);
         double error = error(poses, relations, informations, phi);
         double damping = 1e-6;
@@ -98,7 +97,7 @@ public final class PoseGraph {
         Pose2d is = mapFromFrom.inverse().compose(mapFromTo);
         Pose2d told = relation.fromFromTo();
         return square(
-                inverse(relation.covariance()),
+                information(relation),
                 is.x() - told.x(),
                 is.y() - told.y(),
                 Angles.difference(told.theta(), is.theta()));
@@ -242,14 +241,10 @@ public final class PoseGraph {
                 + 2 * (information[1] * x * y + information[2] * x * theta + information[5] * y * theta);
     }
 
-    private static double[] inverse(Covariance2d c) {
-        double a = c.yy() * c.thetaTheta() - c.yTheta() * c.yTheta();
-        double b = c.xTheta() * c.yTheta() - c.xy() * c.thetaTheta();
-        double d = c.xy() * c.yTheta() - c.yy() * c.xTheta();
-        double by = 1 / (c.xx() * a + c.xy() * b + c.xTheta() * d);
-        double yy = (c.xx() * c.thetaTheta() - c.xTheta() * c.xTheta()) * by;
-        double yt = (c.xy() * c.xTheta() - c.xx() * c.yTheta()) * by;
-        double tt = (c.xx() * c.yy() - c.xy() * c.xy()) * by;
-        return new double[] {a * by, b * by, d * by, b * by, yy, yt, d * by, yt, tt};
+    private static double[] information(Relation relation) {
+        Covariance2d i = relation.covariance().inverse();
+        return new double[] {
+            i.xx(), i.xy(), i.xTheta(), i.xy(), i.yy(), i.yTheta(), i.xTheta(), i.yTheta(), i.thetaTheta()
+        };
     }
 }
