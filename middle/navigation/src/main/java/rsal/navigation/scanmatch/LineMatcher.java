@@ -10,7 +10,8 @@ import rsal.data.Pose2d;
 /// Differs in that each step is one of Gauss and Newton, small turns taken for straight, with weights that
 /// fall with the distance (Cauchy's), in that a line's direction is that of the neighbors within the same
 /// scan, and in that pairs whose surfaces face different ways are none. What is on no line counts as a point,
-/// a little. The covariance is the inverse of the normal equations, for a deviation of at least
+/// a little. The covariance is the inverse of the normal equations of pairs on lines alone, as the points of a
+/// long wall seen from afar are on none and lie near each other by chance; for a deviation of at least
 /// [#LEAST_DEVIATION], as if each [#ALIKE] pairs told the same, and for what they say nothing about that of
 /// [#VAGUE_METERS] and [#VAGUE_RADIANS].
 ///
@@ -105,8 +106,8 @@ public final class LineMatcher {
             double offY = reference.y[other] - pose.y() - turnedY;
             if (Double.isNaN(normalX)) {
                 equations.alike++;
-                equations.add(1, 0, -turnedY, offX, POINT);
-                equations.add(0, 1, turnedX, offY, POINT);
+                equations.add(1, 0, -turnedY, offX, POINT, false);
+                equations.add(0, 1, turnedX, offY, POINT, false);
                 continue;
             }
             double facing = normalX * (cos * scan.normalX[i] - sin * scan.normalY[i])
@@ -115,20 +116,17 @@ public final class LineMatcher {
                 equations.pairs++;
                 equations.alike++;
                 double off = normalX * offX + normalY * offY;
-                equations.add(
-                        normalX, normalY, normalY * turnedX - normalX * turnedY, off, Double.isNaN(facing) ? ALONE : 1);
+                boolean line = !Double.isNaN(facing);
+                double byTheta = normalY * turnedX - normalX * turnedY;
+                equations.add(normalX, normalY, byTheta, off, line ? 1 : ALONE, line);
             }
         }
     }
 
     /// Weighted normal equations for a change of x, y and heading.
     private static final class Equations {
-        private double xx;
-        private double xy;
-        private double xt;
-        private double yy;
-        private double yt;
-        private double tt;
+        private final Sums all = new Sums();
+        private final Sums onLines = new Sums();
         private double x;
         private double y;
         private double t;
@@ -138,13 +136,8 @@ public final class LineMatcher {
         private int alike; // points where points are, on a line or not
 
         void clear() {
-            double vague = LEAST_DEVIATION * LEAST_DEVIATION * ALIKE;
-            xx = vague / (VAGUE_METERS * VAGUE_METERS);
-            yy = xx;
-            tt = vague / (VAGUE_RADIANS * VAGUE_RADIANS);
-            xy = 0;
-            xt = 0;
-            yt = 0;
+            all.clear();
+            onLines.clear();
             x = 0;
             y = 0;
             t = 0;
@@ -154,14 +147,13 @@ public final class LineMatcher {
             alike = 0;
         }
 
-        void add(double byX, double byY, double byTheta, double off, double share) {
+        /// @param line whether both points are on one
+        void add(double byX, double byY, double byTheta, double off, double share, boolean line) {
             double weight = share / (1 + off * off / (WIDTH * WIDTH));
-            xx += weight * byX * byX;
-            xy += weight * byX * byY;
-            xt += weight * byX * byTheta;
-            yy += weight * byY * byY;
-            yt += weight * byY * byTheta;
-            tt += weight * byTheta * byTheta;
+            all.add(byX, byY, byTheta, weight);
+            if (line) {
+                onLines.add(byX, byY, byTheta, weight);
+            }
             x += weight * byX * off;
             y += weight * byY * off;
             t += weight * byTheta * off;
@@ -170,7 +162,7 @@ public final class LineMatcher {
         }
 
         double[] solve() {
-            Covariance2d inverse = inverse(1);
+            Covariance2d inverse = all.values().inverse();
             return new double[] {
                 inverse.xx() * x + inverse.xy() * y + inverse.xTheta() * t,
                 inverse.xy() * x + inverse.yy() * y + inverse.yTheta() * t,
@@ -180,21 +172,40 @@ public final class LineMatcher {
 
         Covariance2d covariance() {
             double variance = Math.max(LEAST_DEVIATION * LEAST_DEVIATION, squares / weights);
-            return inverse(variance * ALIKE);
+            return onLines.values().inverse().times(variance * ALIKE);
+        }
+    }
+
+    /// The symmetric side of the equations.
+    private static final class Sums {
+        private double xx;
+        private double xy;
+        private double xt;
+        private double yy;
+        private double yt;
+        private double tt;
+
+        void clear() {
+            double vague = LEAST_DEVIATION * LEAST_DEVIATION * ALIKE;
+            xx = vague / (VAGUE_METERS * VAGUE_METERS);
+            yy = xx;
+            tt = vague / (VAGUE_RADIANS * VAGUE_RADIANS);
+            xy = 0;
+            xt = 0;
+            yt = 0;
         }
 
-        private Covariance2d inverse(double scale) {
-            double a = yy * tt - yt * yt;
-            double b = xt * yt - xy * tt;
-            double c = xy * yt - yy * xt;
-            double by = scale / (xx * a + xy * b + xt * c);
-            return new Covariance2d(
-                    a * by,
-                    b * by,
-                    c * by,
-                    (xx * tt - xt * xt) * by,
-                    (xy * xt - xx * yt) * by,
-                    (xx * yy - xy * xy) * by);
+        void add(double byX, double byY, double byTheta, double weight) {
+            xx += weight * byX * byX;
+            xy += weight * byX * byY;
+            xt += weight * byX * byTheta;
+            yy += weight * byY * byY;
+            yt += weight * byY * byTheta;
+            tt += weight * byTheta * byTheta;
+        }
+
+        Covariance2d values() {
+            return new Covariance2d(xx, xy, xt, yy, yt, tt);
         }
     }
 }
