@@ -11,7 +11,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import rsal.data.Covariance2d;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
@@ -25,13 +24,15 @@ import rsal.device.Localizer;
 import rsal.device.SensorCore;
 import rsal.navigation.grid.ScanMapper.PosedScan;
 import rsal.navigation.slam.Slam;
+import rsal.navigation.slam.Tracking;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 
 /// A localizer that needs no map, as it makes its own ([Slam]). Each odometry reading gives an estimate:
 /// where the newest scan was taken, moved as the wheels moved since. Scans are looked at beside the other
 /// robots' work ([Scheduler#compute]); those that come meanwhile are skipped. When a loop closes, estimates
-/// jump.
+/// jump. How sure an estimate is, is told against what was mapped around it ([Tracking]): it errs more the
+/// farther the wheels led it since a scan matched, and is lost when they don't match for long.
 ///
 /// Its map's frame is that of the pose it was told to start from, else it starts at the origin. Told
 /// otherwise where it is, it begins a new map from there. Without scans or odometry it is stale and silent;
@@ -40,7 +41,6 @@ import rsal.time.Scheduler;
 final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private static final Logger LOG = System.getLogger(SlamLocalizer.class.getName());
     private static final Duration PATIENCE = Duration.ofSeconds(2);
-    private static final Covariance2d USUAL = Covariance2d.ofDeviations(0.05, 0.05, 0.02);
 
     private final Slam.Settings settings;
     private final Scheduler scheduler;
@@ -48,7 +48,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Scrutiny scrutiny = new Scrutiny();
     private Pose2d start;
     private @Nullable Slam slam; // only the work under way touches it
-    private @Nullable Pose2d mapFromOdom; // as the newest scan has it
+    private @Nullable Known known; // of the newest scan
     private Pose2d slamFromOdom = Pose2d.ORIGIN; // by which odometry is handed to it
     private List<PosedScan> map = List.of();
     private final RecentOdometry odometry = new RecentOdometry();
@@ -58,7 +58,19 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private Instant lastOdometry;
 
     private record Found(
-            Slam slam, Pose2d mapFromBase, @Nullable List<PosedScan> map) {}
+            Slam slam,
+            Pose2d mapFromBase,
+            Tracking tracking,
+            @Nullable List<PosedScan> map) {}
+
+    /// Where the robot was and how sure that is.
+    private record Known(Pose2d mapFromBase, Pose2d odomFromBase, Tracking tracking) {
+        /// Moved as the wheels moved since.
+        PoseEstimate at(Pose2d odomFromBaseNow) {
+            Pose2d way = odomFromBase.inverse().compose(odomFromBaseNow);
+            return tracking.moved(way).at(mapFromBase.compose(way));
+        }
+    }
 
     SlamLocalizer(DeviceInfo info, Slam.Settings settings, Optional<Pose2d> mapFromBase, Scheduler scheduler) {
         super(info);
@@ -94,7 +106,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private void begin(Pose2d mapFromBase) {
         start = mapFromBase;
         slam = null;
-        mapFromOdom = null;
+        known = null;
         map = List.of();
         scrutiny.reset();
     }
@@ -106,9 +118,9 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
         lastOdometry = scheduler.instant();
         odometry.add(reading);
-        if (mapFromOdom != null && !failed && !isSilent(lastScan)) {
-            Pose2d mapFromBase = mapFromOdom.compose(reading.value().odomFromBase());
-            deliver(new Stamped<>(reading.time(), "map", PoseEstimate.of(mapFromBase, USUAL)));
+        if (known != null && !failed && !isSilent(lastScan)) {
+            deliver(new Stamped<>(
+                    reading.time(), "map", known.at(reading.value().odomFromBase())));
             var answered = List.copyOf(followers);
             followers.clear();
             answered.forEach(f -> f.complete(null));
@@ -141,11 +153,11 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             return;
         }
         Pose2d odomFromBase = taken.get();
-        Slam known = slam;
-        if (known == null) {
+        Slam before = slam;
+        if (before == null) {
             slamFromOdom = start.compose(odomFromBase.inverse());
         }
-        Slam mapper = known == null ? new Slam(settings) : known;
+        Slam mapper = before == null ? new Slam(settings) : before;
         slam = mapper;
         Pose2d told = slamFromOdom.compose(odomFromBase);
         scheduler.compute(work(mapper, told, scan.value())).whenComplete((found, error) -> {
@@ -154,7 +166,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
                 fail(error);
             } else if (found.slam().equals(slam)) { // else someone knows better by now
                 failed = false;
-                mapFromOdom = found.mapFromBase().compose(odomFromBase.inverse());
+                known = new Known(found.mapFromBase(), odomFromBase, found.tracking());
                 if (found.map() != null) {
                     map = found.map();
                 }
@@ -166,7 +178,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         return () -> {
             int frames = slam.frameCount();
             Pose2d mapFromBase = slam.pose(slam.add(odomFromBase, scan));
-            return new Found(slam, mapFromBase, slam.frameCount() > frames ? slam.posedScans() : null);
+            return new Found(slam, mapFromBase, slam.tracking(), slam.frameCount() > frames ? slam.posedScans() : null);
         };
     }
 
@@ -177,8 +189,8 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         failed = true;
         health(new Health.Lost("Mapping failed: %s".formatted(error)));
         Optional<Pose2d> now = odometry.newest();
-        if (mapFromOdom != null && now.isPresent()) {
-            begin(mapFromOdom.compose(now.get()));
+        if (known != null && now.isPresent()) {
+            begin(known.at(now.get()).mapFromBase());
         } else {
             slam = null;
         }

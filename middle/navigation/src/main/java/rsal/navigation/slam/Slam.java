@@ -1,8 +1,10 @@
 package rsal.navigation.slam;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import rsal.data.Angles;
 import rsal.data.Covariance2d;
 import rsal.data.LaserScan;
@@ -23,11 +25,12 @@ import rsal.navigation.scanmatch.Match;
 /// LIDAR SLAM (ICRA 2016).
 ///
 /// The first scan kept is where the odometry says; the map's frame begins there. The same input gives the
-/// same map. It keeps at most [Settings#mostFrames] scans, and after that only finds its way. Not safe for
-/// several threads.
+/// same map. It keeps at most [Settings#mostFrames] scans, and after that only finds its way, by those that it
+/// kept near where it is: beyond them it is lost ([Tracking]). Not safe for several threads.
 public final class Slam {
     private static final double LEAST_SCORE = 0.35; // of a search, to be worth refining
     private static final double LEAST_PAIRS = 0.35; // of a scan, to be believed
+    private static final int FEWEST = 15; // points of a scan, to be missed on the map
     private static final double TRUST = 0.15; // in odometry; see Window
     private static final double SEARCHED = 0.12; // m; cells in which scans are thinned for the search
     private static final double APART = 0.4; // m; a refinement doesn't go farther from what was found
@@ -46,6 +49,8 @@ public final class Slam {
     private final List<Relation> relations = new ArrayList<>();
     private List<Pose2d> poses = new ArrayList<>();
     private int fits;
+    private int blindFrom = Integer.MAX_VALUE; // the first frame that was kept without a match since a loop closed
+    private Tracking tracking;
 
     private Pose2d lastOdomFromBase = Pose2d.ORIGIN;
     private double traveled;
@@ -111,6 +116,7 @@ public final class Slam {
     public Slam(Settings settings) {
         this.settings = settings;
         this.loops = new LoopCloser(frames);
+        this.tracking = Tracking.start(settings.odometry());
     }
 
     /// Takes one scan.
@@ -133,11 +139,14 @@ public final class Slam {
         traveled += Math.hypot(way.x(), way.y());
         Pose2d guess = last.frameFromBase().compose(way);
         Optional<Match> match = match(cloud, guess, way);
+        track(cloud, way, match);
         Pose2d frameFromBase = match.map(m -> joined(guess, way, m)).orElse(guess);
         last = new Located(base, frameFromBase);
         boolean apart = Math.hypot(frameFromBase.x(), frameFromBase.y()) >= settings.everyMeters()
                 || Math.abs(frameFromBase.theta()) >= settings.everyRadians();
-        if (apart && frames.size() < settings.mostFrames()) {
+        if (apart && frames.size() >= settings.mostFrames()) {
+            turnToNearest();
+        } else if (apart) {
             Pose2d told = frames.get(base).odomFromBase().inverse().compose(odomFromBase);
             int number = frames.size();
             poses.add(poses.get(base).compose(frameFromBase));
@@ -151,11 +160,28 @@ public final class Slam {
                     frameFromBase,
                     match.map(m -> Gauss.joined(wheels, honest(m.covariance()))).orElse(wheels));
             keep(new Frame(odomFromBase, traveled, scan, cloud));
+            if (match.isEmpty()) {
+                tracking = tracking.mappedBlindly();
+                blindFrom = Math.min(blindFrom, number);
+            }
             if (settings.closesLoops()) {
                 close(loops.look(number, poses));
             }
         }
         return last;
+    }
+
+    private void track(Cloud cloud, Pose2d way, Optional<Match> match) {
+        double axes = poses.get(base).theta();
+        Tracking moved = tracking.moved(way);
+        tracking = match.map(m -> moved.matched(
+                        honest(m.covariance()).turned(axes), settings.odometry().covariance(Pose2d.ORIGIN), m.score()))
+                .orElseGet(() -> moved.missed(lines.isPresent() && cloud.count() >= FEWEST));
+    }
+
+    /// How sure it is of where the last scan was taken.
+    public Tracking tracking() {
+        return tracking;
     }
 
     /// What the match says and, along what it can't tell, the wheels.
@@ -195,7 +221,31 @@ public final class Slam {
         frames.add(frame);
         base = frames.size() - 1;
         last = new Located(base, Pose2d.ORIGIN);
-        Cloud around = Surroundings.of(frames, poses, base - settings.recent() + 1, base, base);
+        matchWith(Surroundings.of(frames, poses, base - settings.recent() + 1, base, base));
+    }
+
+    /// The scans that were kept nearest to where the robot is are those that the next are matched with.
+    private void turnToNearest() {
+        Pose2d here = pose(last);
+        int[] nearest = IntStream.range(0, frames.size())
+                .boxed()
+                .sorted(Comparator.comparingDouble(i -> away(here, poses.get(i))))
+                .limit(settings.recent())
+                .mapToInt(i -> i)
+                .toArray();
+        if (nearest[0] != base) {
+            base = nearest[0];
+            last = new Located(base, poses.get(base).inverse().compose(here));
+            matchWith(Surroundings.of(frames, poses, IntStream.of(nearest), base));
+        }
+    }
+
+    /// Scans that look elsewhere see less of the same.
+    private static double away(Pose2d a, Pose2d b) {
+        return a.distanceTo(b) + Math.abs(Angles.difference(a.theta(), b.theta()));
+    }
+
+    private void matchWith(Cloud around) {
         lines = around.count() == 0 ? Optional.empty() : Optional.of(new LineMatcher(around));
         search = around.count() == 0 ? Optional.empty() : Optional.of(new CorrelativeMatcher(around, SEARCH));
     }
@@ -219,6 +269,10 @@ public final class Slam {
             relations.subList(known, relations.size()).clear();
         } else {
             closing.forEach(loops::trust);
+            if (closing.stream().anyMatch(r -> r.from() < blindFrom)) {
+                tracking = tracking.closed();
+                blindFrom = Integer.MAX_VALUE;
+            }
         }
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -134,13 +135,39 @@ class SilenceTest {
         assertThat(navigator.health()).isEqualTo(Health.ok());
     }
 
-    @Test
-    void aMapperThatSeesNothingButNonsenseSaysSoAndIsSilent() {
+    private Localizer mapper() {
         var slam = new SlamDriver();
-        Localizer mapper = (Localizer) slam.create(
+        return (Localizer) slam.create(
                 new DeviceDriver.Context(
                         "mapper", robot, RobotBench.WORLD.grid(), Optional.of(RobotBench.START), scheduler, seeded),
                 Arguments.of(slam.parameters(), Map.of()));
+    }
+
+    @Test
+    void aMapperThatSeesNothingIsEverLessSureAndThenLost() {
+        Localizer mapper = mapper();
+        drive(2);
+        PoseEstimate seeing = mapper.latest().orElseThrow().value();
+        assertThat(seeing.quality()).isEqualTo(PoseEstimate.Quality.LOCALIZED);
+        assertThat(seeing.confidence()).isGreaterThan(0.7);
+
+        var laser = robot.require(FakeLaserScanner.class);
+        var nothing = new float[laser.latest().orElseThrow().value().count()];
+        Arrays.fill(nothing, Float.POSITIVE_INFINITY);
+        laser.show(nothing);
+        drive(5);
+        PoseEstimate blind = mapper.latest().orElseThrow().value();
+        assertThat(blind.covariance().positionDeviation())
+                .isGreaterThan(2 * seeing.covariance().positionDeviation());
+        drive(30);
+        PoseEstimate lost = mapper.latest().orElseThrow().value();
+        assertThat(lost.quality()).isEqualTo(PoseEstimate.Quality.LOST);
+        assertThat(lost.confidence()).isLessThan(0.3);
+    }
+
+    @Test
+    void aMapperThatSeesNothingButNonsenseSaysSoAndIsSilent() {
+        Localizer mapper = mapper();
         drive(2);
         assertThat(mapper.latest().orElseThrow().value().mapFromBase().distanceTo(base.mapFromBase()))
                 .isLessThan(0.1);

@@ -2,13 +2,17 @@ package rsal.navigation.slam;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import rsal.data.Covariance2d;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate.Quality;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.scanmatch.Walls;
 
@@ -115,6 +119,97 @@ class SlamTest {
         assertThat(run.slam().frameCount()).isEqualTo(5);
         assertThat(run.located()).hasSize(drive.truth().size());
         assertThat(run.poses().get(8).isNear(drive.truth().get(8), 0.3, 0.1)).isTrue();
+    }
+
+    @Test
+    void findsItsWayInAllOfItsMapWhenItMayKeepNoMore() {
+        Drive drive = drive(new SplittableRandom(3));
+        int around = 2 * (39 + 25 + 6); // steps
+        Slam once = run(Slam.Settings.DEFAULT, part(drive, 0, around, Pose2d.ORIGIN), new SplittableRandom(1))
+                .slam();
+        var settings = new Slam.Settings(25, 0.5, 0.35, Slam.Wheels.ROUGH, 10, true, once.frameCount());
+
+        Run run = run(settings, drive, new SplittableRandom(1));
+
+        assertThat(run.slam().frameCount()).isEqualTo(once.frameCount());
+        assertThat(drive.truth().getLast().distanceTo(drive.truth().get(around)))
+                .isGreaterThan(8);
+        assertThat(run.poses().getLast().isNear(drive.truth().getLast(), 0.5, 0.05))
+                .isTrue();
+        assertThat(run.slam().tracking().quality()).isEqualTo(Quality.LOCALIZED);
+    }
+
+    @Test
+    void isLessSureTheFartherItDrivesBlindly() {
+        var random = new SplittableRandom(5);
+        Drive drive = part(drive(random), 0, 20, Pose2d.ORIGIN);
+        Slam slam = run(Slam.Settings.DEFAULT, drive, random).slam();
+        assertThat(slam.tracking().quality()).isEqualTo(Quality.LOCALIZED);
+        double seeing = slam.tracking().covariance().positionDeviation();
+        assertThat(seeing).isBetween(0.005, 0.06);
+
+        Pose2d from = drive.odometry().getLast();
+        double before = seeing;
+        var words = new LinkedHashSet<Quality>();
+        for (int i = 1; i <= 40; i++) {
+            slam.add(from.compose(new Pose2d(0.25 * i, 0, 0)), new Walls().scan(Pose2d.ORIGIN, 0, random));
+            words.add(slam.tracking().quality());
+            double deviation = slam.tracking().covariance().positionDeviation();
+            assertThat(deviation).isGreaterThan(before);
+            before = deviation;
+        }
+        assertThat(before).isBetween(0.5, 5.0); // 10 m without seeing anything
+        assertThat(words).containsExactly(Quality.LOCALIZED, Quality.AMBIGUOUS, Quality.LOST);
+    }
+
+    @Test
+    void whatItMapsAfterABlindDriveIsNotSurerThanThatUntilALoopCloses() {
+        var random = new SplittableRandom(11);
+        Drive drive = drive(random);
+        var slam = new Slam(Slam.Settings.DEFAULT);
+        var deviations = new ArrayList<Double>();
+        for (int i = 0; i < drive.truth().size(); i++) {
+            boolean blind = i >= 30 && i < 36;
+            Walls walls = blind ? new Walls() : FLOOR;
+            slam.add(drive.odometry().get(i), walls.scan(drive.truth().get(i), 0.01, random));
+            deviations.add(slam.tracking().covariance().positionDeviation());
+        }
+
+        assertThat(deviations.get(29)).isLessThan(0.1);
+        assertThat(deviations.get(60)).isGreaterThan(0.15);
+        assertThat(deviations.getLast()).isLessThan(0.1);
+    }
+
+    @Test
+    void isLostWhenWhatItSeesDoesNotFitForLong() {
+        var random = new SplittableRandom(5);
+        Drive drive = part(drive(random), 0, 20, Pose2d.ORIGIN);
+        Slam slam = run(Slam.Settings.DEFAULT, drive, random).slam();
+        Pose2d here = drive.odometry().getLast();
+        var covered = new Walls().chain(0.2, -0.3, 0.25, 0.1, 0.15, 0.4);
+        for (int i = 0; i < 20; i++) {
+            slam.add(here, covered.scan(Pose2d.ORIGIN, 0, random));
+        }
+        assertThat(slam.tracking().quality()).isEqualTo(Quality.LOST);
+        assertThat(slam.tracking().confidence()).isLessThan(0.3);
+    }
+
+    @Test
+    void isUnsureAlongACorridorWithoutEndsAndStaysWhereTheWheelsSay() {
+        var random = new SplittableRandom(5);
+        var corridor = new Walls().chain(-100, -1, 100, -1).chain(-100, 1, 100, 1);
+        var slam = new Slam(Slam.Settings.DEFAULT.within(15));
+        var end = new Pose2d(0, 0, 0);
+        for (int i = 0; i < 40; i++) {
+            var place = new Pose2d(0.3 * i, 0, 0);
+            end = slam.pose(slam.add(place, corridor.scan(place, 0.01, random)));
+        }
+
+        assertThat(end.x()).isCloseTo(11.7, within(0.1));
+        Covariance2d covariance = slam.tracking().covariance();
+        assertThat(Math.sqrt(covariance.xx())).isGreaterThan(0.1);
+        assertThat(Math.sqrt(covariance.yy())).isLessThan(0.03);
+        assertThat(slam.tracking().quality()).isEqualTo(Quality.AMBIGUOUS);
     }
 
     @Test
