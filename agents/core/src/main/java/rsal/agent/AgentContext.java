@@ -34,7 +34,13 @@ public interface AgentContext {
     /// is running now.
     <M> void publish(Topic<M> topic, M message);
 
-    /// Tells of each message, on the agent's lane. A listener that throws ends the agent.
+    /// Tells one agent, itself too, if it listens, at this instant, after what is running now. Nobody learns whether
+    /// it did: who must know has a conversation ([rsal.agent.protocol]).
+    ///
+    /// @param to name of that agent
+    <M> void send(String to, Topic<M> topic, M message);
+
+    /// Tells of each message for all or for this agent, on its lane. A listener that throws ends the agent.
     <M> Subscription subscribe(Topic<M> topic, Consumer<? super Message<M>> listener);
 
     /// Tells of each reading of a device, on the agent's lane, when it is the agents' turn at that instant

@@ -179,10 +179,19 @@ final class Member implements AgentContext {
 
     @Override
     public <M> void publish(Topic<M> topic, M message) {
+        say(() -> society.publish(name(), topic, message));
+    }
+
+    @Override
+    public <M> void send(String to, Topic<M> topic, M message) {
+        say(() -> society.send(name(), to, topic, message));
+    }
+
+    private void say(Runnable something) {
         if (status == Society.Status.RUNNING) {
             countWhatItSetsOff();
             sent++;
-            society.publish(name(), topic, message);
+            something.run();
         }
     }
 
@@ -191,13 +200,17 @@ final class Member implements AgentContext {
         return new Ear<Message<M>>(listener) {
             @Override
             public void accept(Message<M> message) {
-                if (!message.sender().equals(name())) {
-                    for (Duration late : copies(message)) {
-                        if (late.isZero()) {
-                            super.accept(message);
-                        } else {
-                            hostLane.after(late, Phase.THINK, () -> hearLate(message));
-                        }
+                if (message.sender().equals(name())) {
+                    if (!message.isForAll()) { // it talks to itself, which nothing disturbs
+                        super.accept(message);
+                    }
+                    return;
+                }
+                for (Duration late : copies(message)) {
+                    if (late.isZero()) {
+                        super.accept(message);
+                    } else {
+                        hostLane.after(late, Phase.THINK, () -> hearLate(message));
                     }
                 }
             }
@@ -207,7 +220,7 @@ final class Member implements AgentContext {
                     hear(message);
                 }
             }
-        }.listenTo(society.listenersOf(topic)::add);
+        }.listenTo(ear -> society.channel(topic).add(name(), ear));
     }
 
     /// The same for all of this agent's listeners.

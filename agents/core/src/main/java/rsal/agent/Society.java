@@ -20,9 +20,8 @@ import rsal.time.Scheduler;
 /// hosts.
 ///
 /// What is said is heard at the same instant, after what is running now, by all who listen by then but the one
-/// who said it, in the order in which they subscribed, unless [#deliverBy] says otherwise. An agent that throws ends
-/// alone: its robot is told to stop, and
-/// the others learn why it went.
+/// who said it, in the order in which they subscribed, or by the one it is said to, unless [#deliverBy] says
+/// otherwise. An agent that throws ends alone: its robot is told to stop, and the others learn why it went.
 ///
 /// All calls on the run's thread.
 public final class Society implements AutoCloseable {
@@ -95,14 +94,28 @@ public final class Society implements AutoCloseable {
     /// @throws IllegalArgumentException when the message is not of the topic's type, or the topic's name is taken
     /// by messages of another type
     public <M> void publish(String sender, Topic<M> topic, M message) {
+        say(sender, "", topic, message);
+    }
+
+    /// Says something to one agent in a person's name. When none of that name listens, nobody hears it.
+    ///
+    /// @throws IllegalArgumentException as [#publish] does, and when the name is empty
+    public <M> void send(String sender, String to, Topic<M> topic, M message) {
+        if (to.isEmpty()) {
+            throw new IllegalArgumentException("(%s) was sent to nobody. Maybe publish it.".formatted(message));
+        }
+        say(sender, to, topic, message);
+    }
+
+    private <M> void say(String sender, String to, Topic<M> topic, M message) {
         if (!topic.type().isInstance(message)) {
             throw new IllegalArgumentException("Topic (%s) carries %s, not (%s)."
                     .formatted(topic.name(), topic.type().getSimpleName(), message));
         }
-        Listeners<Message<M>> listeners = listenersOf(topic);
-        var said = new Message<>(topic, sender, scheduler.instant(), message);
+        Channel<M> channel = channel(topic);
+        var said = new Message<>(topic, sender, to, scheduler.instant(), message);
         traffic.tell(said);
-        scheduler.execute(() -> listeners.tell(said));
+        scheduler.execute(() -> channel.tell(said));
     }
 
     /// Hears everything that is said, before those it is said to.
@@ -133,18 +146,18 @@ public final class Society implements AutoCloseable {
         return simulation;
     }
 
-    <M> Listeners<Message<M>> listenersOf(Topic<M> topic) {
-        Channel<?> channel = channels.computeIfAbsent(topic.name(), _ -> new Channel<>(topic, listeners()));
-        if (!channel.topic.equals(topic)) {
+    <M> Channel<M> channel(Topic<M> topic) {
+        Channel<?> channel = channels.computeIfAbsent(topic.name(), _ -> new Channel<>(topic, Society::listeners));
+        if (!channel.topic().equals(topic)) {
             throw new IllegalArgumentException("Topic (%s) carries %s, not %s. Maybe give yours another name."
                     .formatted(
                             topic.name(),
-                            channel.topic.type().getName(),
+                            channel.topic().type().getName(),
                             topic.type().getName()));
         }
         @SuppressWarnings("unchecked") // made for an equal topic
         var same = (Channel<M>) channel;
-        return same.listeners;
+        return same;
     }
 
     void changed(Member member) {
@@ -180,8 +193,6 @@ public final class Society implements AutoCloseable {
         ENDED,
         FAILED
     }
-
-    private record Channel<M>(Topic<M> topic, Listeners<Message<M>> listeners) {}
 
     private static final class Roster implements Directory {
         private final Listeners<Change> listeners = listeners();

@@ -14,6 +14,7 @@ import rsal.agent.Directory.Change;
 import rsal.agent.Society.Status;
 import rsal.agents.FakeRobot;
 import rsal.data.Twist2d;
+import rsal.device.Subscription;
 import rsal.time.Phase;
 
 class SocietyTest {
@@ -30,6 +31,42 @@ class SocietyTest {
         run.startListener("amy", words -> log.add("amy heard " + words));
         run.advance(2);
         assertThat(log).containsExactly("zoe heard bob: hi", "amy heard bob: hi");
+    }
+
+    @Test
+    void onlyTheOneItIsSentToHears() {
+        for (String name : List.of("zoe", "amy")) {
+            run.startListener(name, words -> log.add(name + " heard " + words));
+        }
+        run.start("bob", self -> {
+            self.subscribe(Run.WORDS, message -> log.add("bob heard himself: " + message.content()));
+            self.send("amy", Run.WORDS, "psst");
+            self.send("bob", Run.WORDS, "think");
+            self.send("nobody", Run.WORDS, "hello?");
+        });
+        run.advance(0);
+        assertThat(log).containsExactly("amy heard bob: psst", "bob heard himself: think");
+    }
+
+    @Test
+    void nothingIsSentToNobody() {
+        run.start("bob", self -> self.send("", Run.WORDS, "psst"));
+        run.advance(0);
+        assertThat(run.view("bob").state()).contains("psst").contains("nobody");
+    }
+
+    @Test
+    void oneThatListensNoMoreIsNotSentTo() {
+        run.start("amy", self -> {
+            Subscription ears = self.subscribe(Run.WORDS, message -> log.add(message.content()));
+            self.scheduler().after(Duration.ofMillis(100), ears::cancel);
+        });
+        run.start("bob", self -> {
+            self.send("amy", Run.WORDS, "one");
+            self.scheduler().after(Duration.ofMillis(200), () -> self.send("amy", Run.WORDS, "two"));
+        });
+        run.advance(1);
+        assertThat(log).containsExactly("one");
     }
 
     @Test

@@ -25,7 +25,7 @@ class MishapsTest {
     private final Mishaps mishaps = new Mishaps((message, listener) -> lost.add(message.sender() + " to " + listener));
 
     private static Message<Text> from(String sender) {
-        return new Message<>(Text.TOPIC, sender, Instant.EPOCH, new Text("hi"));
+        return new Message<>(Text.TOPIC, sender, "", Instant.EPOCH, new Text("hi"));
     }
 
     private static OfMessages all(double share, Mishap mishap) {

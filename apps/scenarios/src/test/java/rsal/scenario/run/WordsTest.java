@@ -39,7 +39,7 @@ class WordsTest {
     @ParameterizedTest
     @MethodSource("messages")
     void ourOwnMessagesReadAsSentences(Record content) {
-        var message = new Message<>(new Topic<>("any", Record.class), "follow-1", Instant.EPOCH, content);
+        var message = new Message<>(new Topic<>("any", Record.class), "follow-1", "", Instant.EPOCH, content);
         assertThat(Words.of(message)).doesNotContain("[", "=").isNotBlank();
     }
 

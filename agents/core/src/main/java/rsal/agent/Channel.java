@@ -1,0 +1,48 @@
+package rsal.agent;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import rsal.device.Listeners;
+import rsal.device.Subscription;
+
+/// Those who listen to a topic, in the order in which they subscribed. What is for one of them reaches that one
+/// without asking the others, so that a conversation costs the same in a team of a thousand.
+final class Channel<M> {
+    private final Topic<M> topic;
+    private final Supplier<Listeners<Message<M>>> none;
+    private final Listeners<Message<M>> all;
+    private final Map<String, Listeners<Message<M>>> byAgent = new HashMap<>();
+
+    /// @param none makes a set of listeners without any
+    Channel(Topic<M> topic, Supplier<Listeners<Message<M>>> none) {
+        this.topic = topic;
+        this.none = none;
+        this.all = none.get();
+    }
+
+    Topic<M> topic() {
+        return topic;
+    }
+
+    Subscription add(String agent, Consumer<? super Message<M>> listener) {
+        Listeners<Message<M>> own = byAgent.computeIfAbsent(agent, _ -> none.get());
+        Subscription amongAll = all.add(listener);
+        Subscription amongOwn = own.add(listener);
+        return () -> {
+            amongAll.cancel();
+            amongOwn.cancel();
+            if (own.isEmpty()) {
+                byAgent.remove(agent, own);
+            }
+        };
+    }
+
+    void tell(Message<M> said) {
+        Listeners<Message<M>> those = said.isForAll() ? all : byAgent.get(said.to());
+        if (those != null) {
+            those.tell(said);
+        }
+    }
+}
