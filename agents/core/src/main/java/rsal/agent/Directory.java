@@ -19,6 +19,7 @@ public interface Directory {
         return agents().stream().filter(e -> e.role().equals(role)).toList();
     }
 
+    /// Tells of each that comes, and of each that goes after its last words.
     Subscription onChange(Consumer<? super Change> listener);
 
     /// @param type key of its [AgentType]

@@ -169,7 +169,8 @@ public final class Society implements AutoCloseable {
     /// @param reason empty when it ended as it should
     void went(Member member, String reason) {
         host.end(member.name());
-        roster.went(member.entry(), reason);
+        roster.remove(member.entry());
+        scheduler.execute(() -> roster.went(member.entry(), reason)); // after its last words
         changed(member);
     }
 
@@ -215,8 +216,11 @@ public final class Society implements AutoCloseable {
             listeners.tell(new Change.Came(agent));
         }
 
-        void went(Entry agent, String reason) {
+        void remove(Entry agent) {
             agents = agents.stream().filter(other -> !other.equals(agent)).toList();
+        }
+
+        void went(Entry agent, String reason) {
             listeners.tell(new Change.Went(agent, reason));
         }
     }

@@ -1,6 +1,7 @@
 package rsal.agent;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -19,7 +20,27 @@ public final class Run {
     final Society society = new Society(
             scheduler, new PlainHostProvider().create(Arguments.defaults(List.of()), scheduler), Optional.empty());
 
-    void start(String name, Agent agent) {
+    /// All that was said, as `zoe -> amy: request: ...`, in order.
+    public List<String> transcript() {
+        var lines = new ArrayList<String>();
+        society.onMessage(said ->
+                lines.add(said.sender() + " -> " + (said.isForAll() ? "all" : said.to()) + ": " + said.content()));
+        return lines;
+    }
+
+    public void deliverBy(Delivery delivery) {
+        society.deliverBy(delivery);
+    }
+
+    public <M> void send(String sender, String to, Topic<M> topic, M message) {
+        society.send(sender, to, topic, message);
+    }
+
+    public void stop(String name) {
+        society.stop(name);
+    }
+
+    public void start(String name, Agent agent) {
         society.start(spec(name, agent, Optional.empty()));
     }
 

@@ -16,6 +16,7 @@ import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
+import rsal.agent.protocol.Act;
 import rsal.data.Pose2d;
 import rsal.device.SimulationControl;
 import rsal.scenario.RunPlan;
@@ -36,6 +37,7 @@ final class Agents implements AutoCloseable {
     private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
     private final Map<String, String> lastWords = new HashMap<>();
     private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
+    private final Conversations conversations = new Conversations();
     private Optional<Society> society = Optional.empty();
     private boolean closed;
 
@@ -121,6 +123,9 @@ final class Agents implements AutoCloseable {
                 journal.event("caught", message.sender(), words);
                 observer.heard(caught, simulation);
             }
+            case Act act
+            when !conversations.isNew(message.sender(), message.to(), act) ->
+                journal.hash(message.sender(), message.topic().name(), words);
             default -> journal.event("message", message.sender(), words);
         }
     }

@@ -10,6 +10,7 @@ import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
 import rsal.agent.message.Text;
+import rsal.agent.protocol.Act;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.Health;
@@ -31,6 +32,7 @@ final class Words {
             case Chase chase -> "%s goes for %s".formatted(chase.hunter(), chase.prey());
             case Hello hello -> of(hello);
             case Text text -> text.words();
+            case Act act -> "%s, %s".formatted(message.to(), act);
             default -> message.content().toString();
         };
     }

@@ -1,0 +1,22 @@
+package rsal.agent.protocol;
+
+/// The one way in which a conversation ended for the one who began it.
+public sealed interface Ending<A> {
+    /// It is done; this came of it.
+    record Informed<A>(A result) implements Ending<A> {}
+
+    /// The partner does not want to, or can't.
+    record Refused<A>(String why) implements Ending<A> {}
+
+    /// The partner tried.
+    record Failed<A>(String why) implements Ending<A> {}
+
+    /// One of the two said what the other did not expect.
+    record NotUnderstood<A>(String why) implements Ending<A> {}
+
+    /// Nothing is heard of the partner any more.
+    record Silent<A>(String why) implements Ending<A> {}
+
+    /// Whoever began it did not want it any more.
+    record Cancelled<A>() implements Ending<A> {}
+}

@@ -1,0 +1,24 @@
+package rsal.agent.protocol;
+
+/// A conversation with one partner that ends once, for the one who began it.
+record Talk<A>(Dialogue dialogue, Outcome<A> outcome) implements Conversation {
+    static <A> Talk<A> begin(
+            Desk desk, String to, Patience patience, Outcome<A> outcome, Performative opening, Object content) {
+        Dialogue dialogue = desk.begin(desk.newConversation(), to, patience, outcome);
+        dialogue.say(opening, content);
+        return new Talk<>(dialogue, outcome);
+    }
+
+    @Override
+    public String id() {
+        return dialogue.conversation();
+    }
+
+    @Override
+    public void cancel() {
+        if (!outcome.isTold()) {
+            dialogue.say(Performative.CANCEL, "");
+            outcome.end(new Ending.Cancelled<>());
+        }
+    }
+}
