@@ -3,6 +3,7 @@ package rsal.navigation.scanmatch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import java.util.SplittableRandom;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.RepeatedTest;
@@ -10,6 +11,7 @@ import org.junit.jupiter.api.RepetitionInfo;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
 import rsal.navigation.scanmatch.CorrelativeMatcher.Settings;
+import rsal.navigation.scanmatch.CorrelativeMatcher.Spot;
 import rsal.navigation.scanmatch.CorrelativeMatcher.Window;
 
 class CorrelativeMatcherTest {
@@ -49,6 +51,54 @@ class CorrelativeMatcherTest {
         assertThat(bounded.score())
                 .as("seed %d", repetition.getCurrentRepetition())
                 .isCloseTo(all.score(), Offset.offset(1e-9));
+    }
+
+    @Test
+    void missesNoHeadingHoweverFarPointsAre() {
+        var posts = new Walls();
+        for (int i = 0; i < 24; i++) {
+            double bearing = 0.4 * i - 0.002 * i * i; // each a gap of its own
+            double x = 28 * Math.cos(bearing);
+            double y = 28 * Math.sin(bearing);
+            posts.box(x - 0.3, y - 0.3, x + 0.3, y + 0.3);
+        }
+        var random = new SplittableRandom(1);
+        Cloud a = Cloud.of(posts.scan(Pose2d.ORIGIN, 0, random), 30);
+        double finest = 0.05 / 28;
+        var matcher = new CorrelativeMatcher(a, new Settings(0.05, 0.04, 2));
+        for (int i = 0; i < 5; i++) {
+            double theta = (500.3 + i * 7.25) * finest; // of 2 rad
+            Cloud turned = a.movedBy(new Pose2d(0, 0, -theta));
+
+            Match match = matcher.match(turned, Pose2d.ORIGIN, new Window(0.1, 2), 0.1)
+                    .orElseThrow();
+
+            assertThat(match.aFromB().theta()).isCloseTo(theta, Offset.offset(finest));
+            assertThat(match.score()).as("%s", theta).isGreaterThan(0.75);
+        }
+    }
+
+    @Test
+    void findsTheRivalOfAPlace() {
+        var random = new SplittableRandom(1);
+        var twice = new Walls().box(0, 0, 6, 4).box(1, 1, 1.4, 1.4).box(4.6, 2.6, 5, 3);
+        Cloud whole = Cloud.joined(List.of(
+                Cloud.of(twice.scan(new Pose2d(3, 1, Math.PI / 2), 0, random), 25)
+                        .movedBy(new Pose2d(3, 1, Math.PI / 2)),
+                Cloud.of(twice.scan(new Pose2d(3, 3, -Math.PI / 2), 0, random), 25)
+                        .movedBy(new Pose2d(3, 3, -Math.PI / 2))));
+        Cloud here = Cloud.of(twice.scan(new Pose2d(2.5, 2, 0.3), 0, random), 25);
+        var matcher = new CorrelativeMatcher(whole, new Settings(0.1, 0.1, 4));
+        var window = new Window(4, Math.PI);
+
+        Match best = matcher.match(here, new Pose2d(3, 2, 0), window, 0.3).orElseThrow();
+        Match rival = matcher.matchElsewhere(here, new Pose2d(3, 2, 0), window, 0.3, new Spot(best.aFromB(), 1, 0.3))
+                .orElseThrow();
+
+        List<Pose2d> both = List.of(best.aFromB(), rival.aFromB());
+        assertThat(both).anyMatch(pose -> pose.isNear(new Pose2d(2.5, 2, 0.3), 0.2, 0.05));
+        assertThat(both).anyMatch(pose -> pose.isNear(new Pose2d(3.5, 2, 0.3 - Math.PI), 0.2, 0.05));
+        assertThat(rival.score()).isLessThanOrEqualTo(best.score());
     }
 
     @Test
