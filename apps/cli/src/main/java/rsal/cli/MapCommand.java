@@ -27,6 +27,7 @@ import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.replay.Course;
+import rsal.navigation.slam.Merge;
 import rsal.navigation.slam.Relation;
 import rsal.navigation.slam.RelationError;
 import rsal.navigation.slam.Slam;
@@ -280,19 +281,32 @@ final class MapCommand extends Subcommand {
     }
 
     private void merge(Slam slam, Slam other, Robot robot) {
-        Optional<Pose2d> aligned;
+        Merge merged;
         try {
-            aligned = slam.merge(other);
+            merged = slam.merge(other);
         } catch (IllegalArgumentException e) {
             throw new InvalidSettings(
                     Location.of(robot.file()), String.valueOf(e.getMessage()), "Map fewer logs, or parts of them.");
         }
-        if (aligned.isEmpty()) {
-            throw new InvalidSettings(
-                    Location.of(robot.file()),
-                    "Its map has nothing in common with (%s) that can be told apart.".formatted(files.getFirst()),
-                    "Maybe the robots saw different places, or too little of the same.");
+        switch (merged) {
+            case Merge.Done _ -> {}
+            case Merge.Apart _ ->
+                throw new InvalidSettings(
+                        Location.of(robot.file()),
+                        "Its map has nothing in common with (%s) that can be told apart.".formatted(files.getFirst()),
+                        "Maybe the robots saw different places, or too little of the same.");
+            case Merge.Ambiguous(Pose2d one, Pose2d rival) ->
+                throw new InvalidSettings(
+                        Location.of(robot.file()),
+                        "Its map fits that of (%s) in two ways: moved by (%s), or by (%s)."
+                                .formatted(files.getFirst(), words(one), words(rival)),
+                        "Maybe the place looks the same from two sides; let the robots see more of what tells them"
+                                + " apart, or map the logs one by one.");
         }
+    }
+
+    private static String words(Pose2d pose) {
+        return "%.1f m, %.1f m, %.0f°".formatted(pose.x(), pose.y(), Math.toDegrees(pose.theta()));
     }
 
     private static Drawn drawn(Robot robot, Slam slam) {

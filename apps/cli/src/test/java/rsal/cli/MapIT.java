@@ -125,6 +125,18 @@ class MapIT {
         assertThat(folder.resolve("both/trajectory-2.txt")).isNotEmptyFile();
     }
 
+    @Test
+    void joinsNoMapsThatFitInTwoWaysButTellsBoth() throws Exception {
+        Files.writeString(folder.resolve("one.log"), RoomLog.twoSided(0, 40, Pose2d.ORIGIN));
+        Files.writeString(folder.resolve("other.log"), RoomLog.twoSided(5, 35, new Pose2d(30, -7, 2)));
+
+        Ended ended = rsal.run("map", "one.log", "other.log", "--out", "both");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.INVALID);
+        assertThat(ended.err()).contains("other.log", "in two ways", "°", "Maybe");
+        assertThat(folder.resolve("both")).doesNotExist();
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             map room.log                                          | --out              | 2

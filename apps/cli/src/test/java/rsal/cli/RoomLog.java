@@ -19,6 +19,19 @@ final class RoomLog {
             #################
             """);
 
+    /// Half a turn makes the same of it.
+    private static final DrawnMap TWO_SIDED = DrawnMap.grid(0.5, """
+            #####################
+            ####................#
+            #.a.................#
+            #.......##..........#
+            #...................#
+            #..........##.......#
+            #.................b.#
+            #................####
+            #####################
+            """);
+
     static final Pose2d START = ROOM.pose('a', 0);
 
     private RoomLog() {}
@@ -31,13 +44,23 @@ final class RoomLog {
     /// @param last step
     /// @param shift of the poses that it tells
     static String part(int first, int last, Pose2d shift) {
-        var rays = new Rays(ROOM.grid());
+        return log(ROOM, first, last, shift);
+    }
+
+    /// Likewise of a room that looks the same from both ends.
+    static String twoSided(int first, int last, Pose2d shift) {
+        return log(TWO_SIDED, first, last, shift);
+    }
+
+    private static String log(DrawnMap room, int first, int last, Pose2d shift) {
+        var rays = new Rays(room.grid());
         var log = new StringBuilder("# a robot in a room\n");
-        Pose2d to = ROOM.pose('b', 0);
+        Pose2d from = room.pose('a', 0);
+        Pose2d to = room.pose('b', 0);
         for (int i = first; i <= last; i++) {
             double share = i <= 20 ? i / 20.0 : (40 - i) / 20.0;
             var pose = new Pose2d(
-                    START.x() + share * (to.x() - START.x()), START.y() + share * (to.y() - START.y()), 0.15 * i);
+                    from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.15 * i);
             log.append("FLASER 181");
             for (int beam = 0; beam < 181; beam++) {
                 double range = rays.range(pose.compose(new Pose2d(0, 0, Math.toRadians(beam - 90))));

@@ -306,32 +306,31 @@ public final class Slam {
     /// Adds the map of another robot to this one, wherever it began: finds how they lie to each other
     /// ([Merging]), then fits both to what their scans have in common. The other stays as it is.
     ///
-    /// @return where the frame of the other's map came to be in this one's; empty, and nothing changes, when
-    /// the two have nothing in common that can be told apart
+    /// @return how they lie to each other; nothing changes when that can't be told, or not for sure
     /// @throws IllegalArgumentException when they hold too many scans together
-    public Optional<Pose2d> merge(Slam other) {
+    public Merge merge(Slam other) {
         if (frames.size() + other.frames.size() > settings.mostFrames()) {
             throw new IllegalArgumentException("The maps hold (%d) and (%d) scans; together at most (%d)."
                     .formatted(frames.size(), other.frames.size(), settings.mostFrames()));
         }
         if (frames.isEmpty() || other.frames.isEmpty()) {
-            return Optional.empty();
+            return new Merge.Apart();
         }
-        Optional<Pose2d> aligned = Merging.align(frames, poses, other.frames, other.poses);
-        aligned.ifPresent(mapFromOther -> {
-            int first = frames.size();
-            for (int i = 0; i < other.frames.size(); i++) {
-                Frame frame = other.frames.get(i);
-                frames.add(new Frame(
-                        frame.odomFromBase(), traveled + FAR + frame.traveled(), frame.scan(), frame.cloud()));
-                poses.add(mapFromOther.compose(other.poses.get(i)));
-            }
-            traveled += FAR + other.traveled;
-            other.relations.forEach(r -> relations.add(
-                    new Relation(r.from() + first, r.to() + first, r.fromFromTo(), r.covariance(), r.source())));
-            polish(2);
-        });
-        return aligned.map(_ -> poses.getLast().compose(other.poses.getLast().inverse()));
+        Merge merge = Merging.align(frames, poses, other.frames, other.poses);
+        if (!(merge instanceof Merge.Done(Pose2d mapFromOther))) {
+            return merge;
+        }
+        int first = frames.size();
+        for (int i = 0; i < other.frames.size(); i++) {
+            Frame frame = other.frames.get(i);
+            frames.add(new Frame(frame.odomFromBase(), traveled + FAR + frame.traveled(), frame.scan(), frame.cloud()));
+            poses.add(mapFromOther.compose(other.poses.get(i)));
+        }
+        traveled += FAR + other.traveled;
+        other.relations.forEach(r -> relations.add(
+                new Relation(r.from() + first, r.to() + first, r.fromFromTo(), r.covariance(), r.source())));
+        polish(2);
+        return new Merge.Done(poses.getLast().compose(other.poses.getLast().inverse()));
     }
 
     /// How many scans were kept.

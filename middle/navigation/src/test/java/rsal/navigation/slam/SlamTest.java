@@ -234,7 +234,10 @@ class SlamTest {
         var elsewhere = new Pose2d(-40, 12, 2.5);
         Run second = run(Slam.Settings.DEFAULT, part(drive, 50, 150, elsewhere), random);
 
-        Pose2d firstFromSecond = first.merge(second.slam()).orElseThrow();
+        Merge merge = first.merge(second.slam());
+
+        assertThat(merge).isInstanceOf(Merge.Done.class);
+        Pose2d firstFromSecond = ((Merge.Done) merge).mapFromOther();
 
         assertThat(firstFromSecond
                         .compose(second.poses().get(20))
@@ -243,6 +246,68 @@ class SlamTest {
         OccupancyGrid map = first.map(ScanMapper.Settings.of(0.1));
         assertThat(map.width() * map.resolution()).isBetween(26.0, 28.0);
         assertThat(map.isFree(1.2, 8)).isTrue(); // seen by the second alone
+    }
+
+    /// 10 m × 6 m; half a turn about its middle makes the same of it.
+    private static Walls halfTurned() {
+        return new Walls()
+                .box(0, 0, 10, 6)
+                .box(2, 1.5, 2.6, 2)
+                .box(7.4, 4, 8, 4.5)
+                .box(0, 4.5, 1, 6)
+                .box(9, 0, 10, 1.5);
+    }
+
+    private static Slam acrossTheRoom(Walls room, Pose2d start, Pose2d told, SplittableRandom random) {
+        var slam = new Slam(Slam.Settings.DEFAULT);
+        for (int i = 0; i < 20; i++) {
+            var way = new Pose2d(0.3 * i, 0, 0);
+            slam.add(told.compose(way), room.scan(start.compose(way), 0.01, random));
+        }
+        for (int i = 1; i <= 6; i++) {
+            var way = new Pose2d(5.7, 0, i * Math.PI / 6);
+            slam.add(told.compose(way), room.scan(start.compose(way), 0.01, random));
+        }
+        return slam;
+    }
+
+    @Test
+    void mapsThatFitInTwoWaysStayTwoAndBothWaysAreTold() {
+        var random = new SplittableRandom(4);
+        var start = new Pose2d(2, 3, 0.1);
+        Slam first = acrossTheRoom(halfTurned(), start, start, random);
+        var told = new Pose2d(-5, 2, 1);
+        Slam second = acrossTheRoom(halfTurned(), new Pose2d(8, 3.4, 3), told, random);
+        int before = first.frameCount();
+
+        Merge merge = first.merge(second);
+
+        assertThat(merge).isInstanceOf(Merge.Ambiguous.class);
+        var ambiguous = (Merge.Ambiguous) merge;
+        Pose2d one = ambiguous.mapFromOther().compose(told);
+        Pose2d other = ambiguous.rival().compose(told);
+        var right = new Pose2d(8, 3.4, 3);
+        var halfATurn = new Pose2d(2, 2.6, 3 - Math.PI);
+        assertThat(List.of(one, other))
+                .anyMatch(pose -> pose.isNear(right, 0.2, 0.05))
+                .anyMatch(pose -> pose.isNear(halfATurn, 0.2, 0.05));
+        assertThat(first.frameCount()).isEqualTo(before);
+    }
+
+    @Test
+    void aCabinetThatStandsOnOneSideOnlyTellsTheWaysApart() {
+        var random = new SplittableRandom(4);
+        var start = new Pose2d(2, 3, 0.1);
+        Walls room = halfTurned().box(4, 5.2, 5.4, 6);
+        Slam first = acrossTheRoom(room, start, start, random);
+        var told = new Pose2d(-5, 2, 1);
+        Slam second = acrossTheRoom(room, new Pose2d(8, 3.4, 3), told, random);
+
+        assertThat(first.merge(second))
+                .isInstanceOfSatisfying(
+                        Merge.Done.class,
+                        done -> assertThat(done.mapFromOther().compose(told).isNear(new Pose2d(8, 3.4, 3), 0.2, 0.05))
+                                .isTrue());
     }
 
     @Test
@@ -256,8 +321,8 @@ class SlamTest {
             other.add(new Pose2d(i, 0, 0), new Walls().chain(2, -1, 3, 0, 2, 1).scan(Pose2d.ORIGIN, 0.01, random));
         }
 
-        assertThat(first.merge(other)).isEmpty();
-        assertThat(first.merge(new Slam(Slam.Settings.DEFAULT))).isEmpty();
+        assertThat(first.merge(other)).isEqualTo(new Merge.Apart());
+        assertThat(first.merge(new Slam(Slam.Settings.DEFAULT))).isEqualTo(new Merge.Apart());
         assertThat(first.frameCount()).isEqualTo(first.poses().size());
     }
 

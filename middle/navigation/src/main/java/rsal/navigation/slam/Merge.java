@@ -1,0 +1,20 @@
+package rsal.navigation.slam;
+
+import rsal.data.Pose2d;
+
+/// What became of two maps that were to be one.
+public sealed interface Merge {
+    /// They are one now.
+    ///
+    /// @param mapFromOther where the frame of the other's map came to be
+    record Done(Pose2d mapFromOther) implements Merge {}
+
+    /// They fit in two ways about as well, as halves of a building do that look alike; they stay two.
+    ///
+    /// @param mapFromOther where the frame of the other's map may be
+    /// @param rival where else it may be
+    record Ambiguous(Pose2d mapFromOther, Pose2d rival) implements Merge {}
+
+    /// They have nothing in common that can be told apart; they stay two.
+    record Apart() implements Merge {}
+}
