@@ -6,6 +6,7 @@ module rsal.agents {
 
     exports rsal.agent;
     exports rsal.agent.message;
+    exports rsal.agent.presence;
     exports rsal.agent.protocol;
 
     uses rsal.agent.AgentHostProvider;

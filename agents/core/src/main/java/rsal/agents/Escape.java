@@ -4,6 +4,7 @@ import java.util.List;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
+import rsal.agent.presence.Presence;
 import rsal.behavior.Pilot;
 import rsal.device.Device;
 import rsal.settings.Arguments;

@@ -4,6 +4,7 @@ import java.util.List;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
+import rsal.agent.presence.Presence;
 import rsal.device.Device;
 import rsal.device.Navigator;
 import rsal.settings.Arguments;

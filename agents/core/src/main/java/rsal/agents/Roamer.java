@@ -5,6 +5,7 @@ import java.util.function.BiFunction;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
+import rsal.agent.presence.Presence;
 import rsal.behavior.Pilot;
 import rsal.device.Device;
 import rsal.robot.Robot;

@@ -6,6 +6,7 @@ import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
+import rsal.agent.presence.Presence;
 import rsal.device.Device;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Placement;

@@ -6,7 +6,7 @@ import rsal.agent.Topic;
 ///
 /// @param robot id of the sender's robot; empty when it has none
 /// @param kind of greeting
-/// @param to name of the agent it answers; empty for all
+/// @param to name of the agent it asks or answers; empty for all
 public record Hello(String robot, Kind kind, String to) {
     public static final Topic<Hello> TOPIC = new Topic<>("hello", Hello.class);
 
