@@ -41,7 +41,12 @@ public interface AgentContext {
     <M> void send(String to, Topic<M> topic, M message);
 
     /// Tells of each message for all or for this agent, on its lane. A listener that throws ends the agent.
-    <M> Subscription subscribe(Topic<M> topic, Consumer<? super Message<M>> listener);
+    default <M> Subscription subscribe(Topic<M> topic, Consumer<? super Message<M>> listener) {
+        return subscribe(topic, Interest.all(), listener);
+    }
+
+    /// Tells of those messages that it is interested in.
+    <M> Subscription subscribe(Topic<M> topic, Interest<M> interest, Consumer<? super Message<M>> listener);
 
     /// Tells of each reading of a device, on the agent's lane, when it is the agents' turn at that instant
     /// ([rsal.time.Phase#THINK]). A listener that throws ends the agent.
@@ -49,6 +54,10 @@ public interface AgentContext {
 
     /// Who else is there.
     Directory directory();
+
+    /// Lets the others know what it can do for them, until it withdraws that or ends. Offering something under the same
+    /// name again replaces it.
+    Subscription offer(Capability capability);
 
     /// This agent's own notes.
     Blackboard blackboard();

@@ -19,7 +19,18 @@ public interface Directory {
         return agents().stream().filter(e -> e.role().equals(role)).toList();
     }
 
-    /// Tells of each that comes, and of each that goes after its last words.
+    /// What a running agent offers, by name; empty for one that does not run.
+    List<Capability> capabilities(String agent);
+
+    /// Agents that offer something, in the order in which they started.
+    default List<Entry> offering(String capability) {
+        return agents().stream()
+                .filter(agent -> capabilities(agent.name()).stream()
+                        .anyMatch(offered -> offered.name().equals(capability)))
+                .toList();
+    }
+
+    /// Tells of each that comes, what it offers, and of each that goes after its last words.
     Subscription onChange(Consumer<? super Change> listener);
 
     /// @param type key of its [AgentType]
@@ -29,6 +40,11 @@ public interface Directory {
 
     sealed interface Change {
         record Came(Entry agent) implements Change {}
+
+        /// It offers something new, or something else under that name.
+        record Offered(Entry agent, Capability capability) implements Change {}
+
+        record Withdrew(Entry agent, Capability capability) implements Change {}
 
         /// @param reason empty when it ended as it should
         record Went(Entry agent, String reason) implements Change {}

@@ -4,6 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -196,31 +197,9 @@ final class Member implements AgentContext {
     }
 
     @Override
-    public <M> Subscription subscribe(Topic<M> topic, Consumer<? super Message<M>> listener) {
-        return new Ear<Message<M>>(listener) {
-            @Override
-            public void accept(Message<M> message) {
-                if (message.sender().equals(name())) {
-                    if (!message.isForAll()) { // it talks to itself, which nothing disturbs
-                        super.accept(message);
-                    }
-                    return;
-                }
-                for (Duration late : copies(message)) {
-                    if (late.isZero()) {
-                        super.accept(message);
-                    } else {
-                        hostLane.after(late, Phase.THINK, () -> hearLate(message));
-                    }
-                }
-            }
-
-            private void hearLate(Message<M> message) {
-                if (society.reaches(message, name())) {
-                    hear(message);
-                }
-            }
-        }.listenTo(ear -> society.channel(topic).add(name(), ear));
+    public <M> Subscription subscribe(Topic<M> topic, Interest<M> interest, Consumer<? super Message<M>> listener) {
+        return new MessageEar<>(interest, listener)
+                .listenTo(ear -> society.channel(topic).add(name(), ear));
     }
 
     /// The same for all of this agent's listeners.
@@ -246,6 +225,16 @@ final class Member implements AgentContext {
     @Override
     public Directory directory() {
         return directory;
+    }
+
+    @Override
+    public Subscription offer(Capability capability) {
+        if (status != Society.Status.RUNNING) {
+            return () -> {};
+        }
+        countWhatItSetsOff();
+        society.offer(entry, capability);
+        return () -> society.withdraw(entry, capability);
     }
 
     @Override
@@ -319,6 +308,61 @@ final class Member implements AgentContext {
         }
     }
 
+    /// Hears messages: those it wants, when they arrive.
+    private final class MessageEar<M> extends Ear<Message<M>> {
+        private final Interest<M> interest;
+        private final Map<String, Instant> heard = new HashMap<>(); // when last, by sender
+
+        MessageEar(Interest<M> interest, Consumer<? super Message<M>> listener) {
+            super(listener);
+            this.interest = interest;
+        }
+
+        @Override
+        public void accept(Message<M> message) {
+            act(message, this::take); // what it wants is decided by its own code
+        }
+
+        private void take(Message<M> message) {
+            boolean own = message.sender().equals(name());
+            if ((own && message.isForAll()) || !wants(message)) {
+                return;
+            }
+            if (own) { // it talks to itself, which nothing disturbs
+                super.accept(message);
+                return;
+            }
+            for (Duration late : copies(message)) {
+                if (late.isZero()) {
+                    super.accept(message);
+                } else {
+                    hostLane.after(late, Phase.THINK, () -> hearLate(message));
+                }
+            }
+        }
+
+        private boolean wants(Message<M> message) {
+            if (!interest.wanted().test(message)) {
+                return false;
+            }
+            if (interest.period().isZero()) {
+                return true;
+            }
+            Instant last = heard.get(message.sender());
+            if (last != null && message.time().isBefore(last.plus(interest.period()))) {
+                return false;
+            }
+            heard.put(message.sender(), message.time());
+            return true;
+        }
+
+        private void hearLate(Message<M> message) {
+            if (society.reaches(message, name())) {
+                hear(message);
+            }
+        }
+    }
+
     /// The host's lane, inside the fence.
     private final class Lane implements Scheduler {
         private void turn(Runnable task) {
@@ -370,6 +414,11 @@ final class Member implements AgentContext {
         @Override
         public List<Entry> agents() {
             return society.directory().agents();
+        }
+
+        @Override
+        public List<Capability> capabilities(String agent) {
+            return society.directory().capabilities(agent);
         }
 
         @Override

@@ -10,6 +10,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import rsal.device.Listeners;
 import rsal.device.SimulationControl;
@@ -142,6 +144,14 @@ public final class Society implements AutoCloseable {
         host.close();
     }
 
+    void offer(Directory.Entry agent, Capability capability) {
+        roster.offer(agent, capability);
+    }
+
+    void withdraw(Directory.Entry agent, Capability capability) {
+        roster.withdraw(agent, capability);
+    }
+
     Optional<SimulationControl> simulation() {
         return simulation;
     }
@@ -197,6 +207,7 @@ public final class Society implements AutoCloseable {
 
     private static final class Roster implements Directory {
         private final Listeners<Change> listeners = listeners();
+        private final Map<String, SortedMap<String, Capability>> offers = new HashMap<>(); // by agent and name
         private List<Entry> agents = List.of();
 
         @Override
@@ -205,8 +216,26 @@ public final class Society implements AutoCloseable {
         }
 
         @Override
+        public List<Capability> capabilities(String agent) {
+            return List.copyOf(
+                    offers.getOrDefault(agent, Collections.emptySortedMap()).values());
+        }
+
+        @Override
         public Subscription onChange(Consumer<? super Change> listener) {
             return listeners.add(listener);
+        }
+
+        void offer(Entry agent, Capability capability) {
+            offers.computeIfAbsent(agent.name(), _ -> new TreeMap<>()).put(capability.name(), capability);
+            listeners.tell(new Change.Offered(agent, capability));
+        }
+
+        void withdraw(Entry agent, Capability capability) {
+            SortedMap<String, Capability> own = offers.get(agent.name());
+            if (own != null && own.remove(capability.name(), capability)) {
+                listeners.tell(new Change.Withdrew(agent, capability));
+            }
         }
 
         void came(Entry agent) {
@@ -218,6 +247,7 @@ public final class Society implements AutoCloseable {
 
         void remove(Entry agent) {
             agents = agents.stream().filter(other -> !other.equals(agent)).toList();
+            offers.remove(agent.name());
         }
 
         void went(Entry agent, String reason) {

@@ -1,5 +1,8 @@
 package rsal.agent.message;
 
+import java.util.Optional;
+import java.util.function.Supplier;
+import rsal.agent.Interest;
 import rsal.agent.Topic;
 import rsal.data.Pose2d;
 
@@ -20,5 +23,21 @@ public record PoseReport(String robot, String role, Pose2d mapFromBase) {
     /// @param roleOrId of a robot
     public boolean isFrom(String roleOrId) {
         return role.equals(roleOrId) || robot.equals(roleOrId);
+    }
+
+    /// Interest in poses of robots of a role, or of the one with that id.
+    public static Interest<PoseReport> ofRobots(String roleOrId) {
+        return Interest.in(report -> report.isFrom(roleOrId));
+    }
+
+    /// Interest in poses nearer than that; in none while it does not know where it is itself.
+    ///
+    /// @param radius [m]
+    /// @param mapFromBase where it is now
+    public static Interest<PoseReport> within(double radius, Supplier<Optional<Pose2d>> mapFromBase) {
+        return Interest.in(report -> mapFromBase
+                .get()
+                .filter(here -> here.distanceTo(report.mapFromBase()) <= radius)
+                .isPresent());
     }
 }
