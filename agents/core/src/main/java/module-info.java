@@ -5,6 +5,7 @@ module rsal.agents {
     requires static org.jspecify;
 
     exports rsal.agent;
+    exports rsal.agent.bdi;
     exports rsal.agent.message;
     exports rsal.agent.presence;
     exports rsal.agent.protocol;
