@@ -78,7 +78,7 @@ public final class ScanMapper {
         this.surest = (float) settings.surest();
     }
 
-    /// A map just large enough for what the scans saw, with a margin of a few cells.
+    /// A map just large enough for what the scans saw, free or not, with a margin of a few cells.
     ///
     /// @throws IllegalArgumentException when it would have more than [#MOST_CELLS], or a pose is not finite
     public static OccupancyGrid draw(Iterable<PosedScan> scans, Settings settings) {
@@ -89,7 +89,7 @@ public final class ScanMapper {
         for (PosedScan posed : scans) {
             Pose2d mapFromLaser = mapFromLaser(posed);
             for (int i = -1; i < posed.scan().count(); i++) {
-                double reach = i < 0 ? 0 : hit(posed.scan(), i, settings);
+                double reach = i < 0 ? 0 : seen(posed.scan(), i, settings);
                 double direction = mapFromLaser.theta() + posed.scan().angle(Math.max(0, i));
                 double x = mapFromLaser.x() + reach * Math.cos(direction);
                 double y = mapFromLaser.y() + reach * Math.sin(direction);
@@ -125,6 +125,17 @@ public final class ScanMapper {
         return posed.mapFromBase().compose(posed.scan().baseFromLaser());
     }
 
+    /// How far a beam changes cells.
+    private static double seen(LaserScan scan, int beam, Settings settings) {
+        double hit = hit(scan, beam, settings);
+        return hit > 0 ? hit : isFreeing(scan, beam, settings) ? settings.freeUpTo() : 0;
+    }
+
+    /// Whether a beam that hits nothing near enough frees cells: not if it is NaN or too close.
+    private static boolean isFreeing(LaserScan scan, int beam, Settings settings) {
+        return scan.ranges()[beam] > settings.freeUpTo();
+    }
+
     /// Range of a beam that hit something near enough to be drawn, else 0.
     private static double hit(LaserScan scan, int beam, Settings settings) {
         double range = scan.ranges()[beam];
@@ -142,7 +153,7 @@ public final class ScanMapper {
                 int hit = cell(
                         mapFromLaser.x() + range * Math.cos(direction), mapFromLaser.y() + range * Math.sin(direction));
                 change(hit, (float) settings.hit());
-            } else if (scan.ranges()[i] > settings.freeUpTo()) { // not NaN, not too close
+            } else if (isFreeing(scan, i, settings)) {
                 free(mapFromLaser, direction, settings.freeUpTo() + settings.resolution());
             }
         }

@@ -3,6 +3,7 @@ package rsal.navigation.grid;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -62,6 +63,20 @@ class ScanMapperTest {
         assertThat(IntStream.range(0, map.width()))
                 .allMatch(column -> map.at(column, map.row(2.05)) == OccupancyGrid.UNKNOWN
                         && map.at(column, map.row(3.05)) == OccupancyGrid.UNKNOWN);
+    }
+
+    @Test
+    void aHallWhoseWallsAreTooFarIsFreeAsFarAsItIsSeen() {
+        var ranges = new float[360];
+        Arrays.fill(ranges, Float.POSITIVE_INFINITY);
+        var around = new LaserScan(Pose2d.ORIGIN, 0, Math.toRadians(1), 0, 4, ranges);
+
+        OccupancyGrid map = ScanMapper.draw(
+                List.of(new PosedScan(new Pose2d(0.05, 0.05, 0), around)), new Settings(0.1, 4, 4, 0.9, -0.4, 4));
+
+        assertThat(map.isFree(3.85, 0.05)).isTrue();
+        assertThat(map.isFree(0.05, -3.85)).isTrue();
+        assertThat(map.width()).isBetween(80, 100);
     }
 
     @Test
