@@ -8,7 +8,8 @@ import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.PoseEstimate.Quality;
 
 /// How sure a mapper is of where the robot is, against what it mapped around there. That a long way may bend the
-/// map, so that all of it is off where it began, is not in it: that is known only when a loop closes.
+/// map, so that all of it is off where it began, is not in it: that is known only when a loop closes. That a blind
+/// drive did so is told in a word ([#quality]), while the robot finds its way in what it mapped since.
 ///
 /// @param wheels how they err
 /// @param matched covariance of the last match, joined with what was known before; in the map's axes
@@ -61,7 +62,7 @@ public record Tracking(
     /// @param step how wheels err between two scans at least
     Tracking matched(Covariance2d covariance, Covariance2d step, double score) {
         if (strange) {
-            return new Tracking(wheels, covariance, covariance(), score, 0, 0, 0, true, false);
+            return new Tracking(wheels, covariance, whole(), score, 0, 0, 0, true, false);
         }
         Covariance2d before = matched.plus(driven()).plus(step);
         return new Tracking(wheels, Gauss.joined(before, covariance), ground, score, 0, 0, 0, true, false);
@@ -93,24 +94,28 @@ public record Tracking(
         return new Covariance2d(square, 0, 0, square, 0, heading * heading);
     }
 
-    /// Of x, y and heading, in the map's axes.
+    /// Of x, y and heading, in the map's axes, against what was mapped around the robot.
     public Covariance2d covariance() {
-        return matched.plus(ground).plus(driven());
+        return matched.plus(driven());
     }
 
-    /// How likely the place is right, 0–1: the score of the last match, and ever less by what was driven and seen
-    /// since.
+    /// Likewise against what was mapped before the robot drove blindly.
+    private Covariance2d whole() {
+        return covariance().plus(ground);
+    }
+
+    /// How likely the place is right, 0–1: the score of the last match, and ever less by what was driven blindly and
+    /// seen since.
     public double confidence() {
-        double off = covariance().positionDeviation() / POOR_METERS;
+        double off = whole().positionDeviation() / POOR_METERS;
         return score * Math.exp(-off * off - 2.0 * misses / MOST_MISSES);
     }
 
     /// [Quality#LOST] when scans don't match for long or the wheels alone led the robot too far,
-    /// [Quality#AMBIGUOUS] when they match but not in all directions, or in what was mapped after a blind drive.
+    /// [Quality#AMBIGUOUS] when they match but not in all directions, or with what was mapped after a blind drive.
     public Quality quality() {
-        Covariance2d covariance = covariance();
-        double place = covariance.positionDeviation();
-        double heading = Math.sqrt(covariance.thetaTheta());
+        double place = whole().positionDeviation();
+        double heading = Math.sqrt(whole().thetaTheta());
         if (misses >= MOST_MISSES || (!seeing && (place > POOR_METERS || heading > POOR_RADIANS))) {
             return Quality.LOST;
         }
