@@ -37,7 +37,6 @@ public final class Slam {
     private static final double TURNED = 0.15; // rad
     private static final CorrelativeMatcher.Settings SEARCH = new CorrelativeMatcher.Settings(0.05, 0.08, 4);
     private static final double MISFIT = 16; // square of a loop's error in deviations that is too much
-    private static final int MOST_STRAINED = 3; // relations that loops which are right don't bend more
     private static final double FAR = 1000; // m; between robots, as no way led from one to the other
     // how scans err beside what their points tell
     private static final double OWN_METERS = 0.02;
@@ -264,7 +263,7 @@ public final class Slam {
                         ? PoseGraph.fit(poses, relations).poses()
                         : PoseGraph.fitFromAfar(poses, relations).poses());
         fits++;
-        if (!near && strained(poses) > strained + MOST_STRAINED) {
+        if (!near && strained(poses) > strained) { // those that are right bend no others
             poses = before;
             relations.subList(known, relations.size()).clear();
         } else {
