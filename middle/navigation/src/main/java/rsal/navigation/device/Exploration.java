@@ -3,9 +3,10 @@ package rsal.navigation.device;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.explore.Division;
@@ -24,25 +25,42 @@ import rsal.time.Scheduler;
 /// where they start, in one frame, or each explores alone.
 ///
 /// Looks again every few seconds. A place that stays a frontier though a robot was there, or that can't be
-/// reached, is left alone.
+/// reached, is left alone ([LeftAlone]). Each robot is sent where its own body fits; how the map is drawn, the
+/// first of a team says for all.
 final class Exploration {
     static final Duration PERIOD = Duration.ofSeconds(3);
     private static final double SLACK = 1.2; // m; from a frontier to where a robot can stand
-    private static final double SAME = 0.7; // m; frontiers whose places are nearer are one
     private static final double LOYALTY = 2; // m of way that going on is cheaper than turning back
 
     private final Settings settings;
     private final List<Explorer> robots = new ArrayList<>();
-    private final List<Point2d> leftAlone = new ArrayList<>();
+    private final LeftAlone leftAlone = new LeftAlone();
     private Instant lastLook = Instant.MIN;
     private boolean looking;
 
     /// @param resolution of the map [m]
     /// @param shortest frontiers below are left out [m]
     /// @param view how far robots see [m]
-    /// @param bodyRadius of the circle that robots turn in [m]
-    /// @param clearance that ways keep
-    record Settings(double resolution, double shortest, double view, double bodyRadius, CostMap.Clearance clearance) {}
+    record Settings(double resolution, double shortest, double view) {}
+
+    /// How much room a robot needs.
+    ///
+    /// @param radius of the circle that it turns in [m]
+    /// @param clearance that its ways keep
+    record Body(double radius, CostMap.Clearance clearance) {
+        /// What it has for sure where it stands: to turn, and to be on its way at all.
+        private double room(double resolution) {
+            return Math.max(radius, clearance.radius()) + resolution;
+        }
+    }
+
+    /// What a robot saw from where it was.
+    record Seen(Body body, List<PosedScan> scans) {}
+
+    /// A robot that is to be sent somewhere.
+    ///
+    /// @param frontier to which it is on its way
+    record Ready(Body body, Point2d place, Optional<Point2d> frontier) {}
 
     /// What a robot is to do on a map; nothing when it has no goal.
     record Order(OccupancyGrid map, Wavefront ways, DistanceField toNotFree, Optional<Goal> goal) {}
@@ -65,9 +83,9 @@ final class Exploration {
         robots.add(robot);
     }
 
-    /// Doesn't send anyone to a frontier again.
-    void leaveAlone(Point2d frontier) {
-        leftAlone.add(frontier);
+    /// Doesn't send anyone to a frontier for now.
+    void leaveAlone(Point2d frontier, Instant now) {
+        leftAlone.add(frontier, now);
     }
 
     /// Called by each robot of the team, as any of them may leave the run; the first one counts. One look at a time:
@@ -78,15 +96,17 @@ final class Exploration {
         }
         lastLook = scheduler.instant();
         List<Explorer> ready = robots.stream().filter(Explorer::ready).toList();
-        List<PosedScan> seen = robots.stream().flatMap(r -> r.seen().stream()).toList();
-        if (ready.isEmpty() || seen.isEmpty()) {
+        List<Seen> seen = robots.stream().map(r -> new Seen(r.body(), r.seen())).toList();
+        leftAlone.follow(seen.stream().map(Seen::scans).toList());
+        if (ready.isEmpty() || seen.stream().allMatch(s -> s.scans().isEmpty())) {
             return;
         }
-        List<Point2d> places = ready.stream().map(Explorer::place).toList();
-        List<Optional<Point2d>> goals = ready.stream().map(Explorer::frontier).toList();
-        List<Point2d> alone = List.copyOf(leftAlone);
+        List<Ready> sent = ready.stream()
+                .map(r -> new Ready(r.body(), r.place(), r.frontier()))
+                .toList();
+        List<Point2d> alone = leftAlone.at(scheduler.instant());
         looking = true;
-        scheduler.compute(() -> orders(seen, places, goals, alone)).whenComplete((orders, error) -> {
+        scheduler.compute(() -> orders(settings, seen, sent, alone)).whenComplete((orders, error) -> {
             looking = false;
             for (int i = 0; i < ready.size(); i++) {
                 if (error != null) {
@@ -98,38 +118,42 @@ final class Exploration {
         });
     }
 
-    private List<Order> orders(
-            List<PosedScan> seen, List<Point2d> places, List<Optional<Point2d>> goals, List<Point2d> alone) {
-        double view = settings.view();
-        OccupancyGrid drawn = ScanMapper.draw(
-                seen, ScanMapper.Settings.of(settings.resolution()).upTo(view, view));
-        OccupancyGrid map = Trodden.free(drawn, trodden(seen, places), room());
+    /// @param alone frontiers to which nobody is sent
+    /// @return by robot that is ready
+    static List<Order> orders(Settings settings, List<Seen> seen, List<Ready> ready, List<Point2d> alone) {
+        OccupancyGrid map = map(settings, seen, ready);
         DistanceField toNotFree = DistanceField.toNotFree(map);
-        var ways = new Wavefront(CostMap.of(map, toNotFree, settings.clearance()));
-        List<Frontier> frontiers = Frontiers.of(map, settings.shortest()).stream()
-                .filter(f -> alone.stream().noneMatch(place -> place.distanceTo(f.place()) < SAME))
+        var waysOf = new HashMap<CostMap.Clearance, Wavefront>();
+        List<Wavefront> ways = ready.stream()
+                .map(robot -> waysOf.computeIfAbsent(
+                        robot.body().clearance(), c -> new Wavefront(CostMap.of(map, toNotFree, c))))
                 .toList();
-        var reaches = new Reach[places.size()][frontiers.size()];
-        var costs = new double[places.size()][frontiers.size()];
-        for (int robot = 0; robot < places.size(); robot++) {
-            Optional<NavigationFunction> from = ways.everywhere(places.get(robot), SLACK);
+        List<Frontier> frontiers = Frontiers.of(map, settings.shortest()).stream()
+                .filter(f -> alone.stream().noneMatch(place -> LeftAlone.isSame(place, f.place())))
+                .toList();
+        var reaches = new Reach[ready.size()][frontiers.size()];
+        var costs = new double[ready.size()][frontiers.size()];
+        for (int robot = 0; robot < ready.size(); robot++) {
+            Optional<NavigationFunction> from =
+                    ways.get(robot).everywhere(ready.get(robot).place(), SLACK);
             for (int i = 0; i < frontiers.size(); i++) {
                 Point2d place = frontiers.get(i).place();
                 Reach reach = from.map(f -> reach(map, f, place)).orElse(Reach.none(place));
                 reaches[robot][i] = reach;
-                boolean going = goals.get(robot)
-                        .filter(goal -> goal.distanceTo(place) < SAME)
+                boolean going = ready.get(robot)
+                        .frontier()
+                        .filter(goal -> LeftAlone.isSame(goal, place))
                         .isPresent();
                 costs[robot][i] = reach.cost() - (going ? LOYALTY : 0);
             }
         }
-        List<Optional<Integer>> chosen = Division.assign(frontiers, costs, view);
+        List<Optional<Integer>> chosen = Division.assign(frontiers, costs, settings.view());
         var orders = new ArrayList<Order>();
-        for (int robot = 0; robot < places.size(); robot++) {
+        for (int robot = 0; robot < ready.size(); robot++) {
             Reach[] own = reaches[robot];
             orders.add(new Order(
                     map,
-                    ways,
+                    ways.get(robot),
                     toNotFree,
                     chosen.get(robot)
                             .map(i -> new Goal(own[i].stand(), frontiers.get(i).place()))));
@@ -137,14 +161,27 @@ final class Exploration {
         return orders;
     }
 
-    private static List<Point2d> trodden(List<PosedScan> seen, List<Point2d> places) {
-        return Stream.concat(seen.stream().map(scan -> scan.mapFromBase().position()), places.stream())
-                .toList();
-    }
-
-    /// That a robot has for sure where it stands: to turn, and to be on its way at all.
-    private double room() {
-        return Math.max(settings.bodyRadius(), settings.clearance().radius()) + settings.resolution();
+    private static OccupancyGrid map(Settings settings, List<Seen> seen, List<Ready> ready) {
+        double view = settings.view();
+        List<PosedScan> scans =
+                seen.stream().flatMap(robot -> robot.scans().stream()).toList();
+        OccupancyGrid map = ScanMapper.draw(
+                scans, ScanMapper.Settings.of(settings.resolution()).upTo(view, view));
+        var trodden = new LinkedHashMap<Double, List<Point2d>>(); // by room
+        for (Seen robot : seen) {
+            robot.scans()
+                    .forEach(scan -> trodden.computeIfAbsent(
+                                    robot.body().room(settings.resolution()), _ -> new ArrayList<>())
+                            .add(scan.mapFromBase().position()));
+        }
+        for (Ready robot : ready) {
+            trodden.computeIfAbsent(robot.body().room(settings.resolution()), _ -> new ArrayList<>())
+                    .add(robot.place());
+        }
+        for (var room : trodden.entrySet()) {
+            map = Trodden.free(map, room.getValue(), room.getKey());
+        }
+        return map;
     }
 
     /// The nearest place to a frontier where the robot can get.

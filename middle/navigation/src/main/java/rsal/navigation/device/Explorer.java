@@ -31,17 +31,25 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private final SlamLocalizer localizer;
     private final PathNavigator navigator;
     private final Exploration team;
+    private final Exploration.Body body;
     private final Scheduler scheduler;
     private @Nullable GoalHandle<Navigator.Progress, Navigator.Result> drive;
     private @Nullable Point2d frontier;
     private double nearest;
     private Instant since = Instant.MIN;
 
-    Explorer(DeviceInfo info, SlamLocalizer localizer, PathNavigator navigator, Exploration team, Scheduler scheduler) {
+    Explorer(
+            DeviceInfo info,
+            SlamLocalizer localizer,
+            PathNavigator navigator,
+            Exploration team,
+            Exploration.Body body,
+            Scheduler scheduler) {
         super(info);
         this.localizer = localizer;
         this.navigator = navigator;
         this.team = team;
+        this.body = body;
         this.scheduler = scheduler;
     }
 
@@ -58,6 +66,10 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
                         .filter(estimate -> !estimate.time().isBefore(oldest))
                         .isPresent()
                 && !localizer.map().isEmpty();
+    }
+
+    Exploration.Body body() {
+        return body;
     }
 
     List<PosedScan> seen() {
@@ -94,7 +106,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
             nearest = left;
             since = scheduler.instant();
         } else if (since.plus(LONGEST).isBefore(scheduler.instant())) {
-            team.leaveAlone(goal.frontier());
+            team.leaveAlone(goal.frontier(), scheduler.instant());
             frontier = null;
             return;
         }
@@ -111,7 +123,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         if (ended.equals(drive) && !(result instanceof Navigator.Result.Cancelled)) {
             drive = null;
             frontier = null;
-            team.leaveAlone(goal);
+            team.leaveAlone(goal, scheduler.instant());
         }
     }
 

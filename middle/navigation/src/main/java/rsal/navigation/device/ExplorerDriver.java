@@ -80,25 +80,22 @@ public final class ExplorerDriver implements DeviceDriver {
                     .formatted(context.robot().id()));
         }
         Exploration team = context.mapFromBase().isPresent()
-                ? teams.of(context.scheduler().run(), _ -> team(context, arguments))
-                : team(context, arguments);
+                ? teams.of(context.scheduler().run(), _ -> team(arguments))
+                : team(arguments);
+        Footprint footprint = context.robot().model().footprint();
         var explorer = new Explorer(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 localizer,
                 navigator,
                 team,
+                new Exploration.Body(footprint.circumscribedRadius(), Ways.clearance(footprint, arguments)),
                 context.scheduler());
         explorer.start();
         return explorer;
     }
 
-    private static Exploration team(Context context, Arguments arguments) {
-        Footprint footprint = context.robot().model().footprint();
+    private static Exploration team(Arguments arguments) {
         return new Exploration(new Exploration.Settings(
-                arguments.number("resolution"),
-                arguments.number("shortest"),
-                arguments.number("view"),
-                footprint.circumscribedRadius(),
-                Ways.clearance(footprint, arguments)));
+                arguments.number("resolution"), arguments.number("shortest"), arguments.number("view")));
     }
 }

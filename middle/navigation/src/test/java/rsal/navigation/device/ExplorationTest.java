@@ -1,0 +1,75 @@
+package rsal.navigation.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import rsal.data.LaserScan;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.navigation.device.Exploration.Body;
+import rsal.navigation.device.Exploration.Ready;
+import rsal.navigation.device.Exploration.Seen;
+import rsal.navigation.grid.ScanMapper.PosedScan;
+import rsal.navigation.scanmatch.Walls;
+import rsal.navigation.wavefront.CostMap.Clearance;
+
+class ExplorationTest {
+    private static final Exploration.Settings SETTINGS = new Exploration.Settings(0.1, 0.6, 4);
+    private static final Body SMALL = new Body(0.25, new Clearance(0.3, 0.5, 1));
+    private static final Body LARGE = new Body(0.6, new Clearance(0.7, 0.9, 1));
+
+    /// A room of 5 m × 4 m with a door of 1 m, which leads on.
+    private static final Walls ROOM = new Walls()
+            .chain(5, 1.5, 5, 0, 0, 0, 0, 4, 5, 4, 5, 2.5)
+            .chain(5, 1.5, 12, 1.5)
+            .chain(5, 2.5, 12, 2.5);
+
+    private static List<PosedScan> around(Pose2d place) {
+        var random = new SplittableRandom(1);
+        Pose2d turned = place.compose(new Pose2d(0, 0, Math.PI));
+        return List.of(
+                new PosedScan(place, ROOM.scan(place, 0, random)), new PosedScan(turned, ROOM.scan(turned, 0, random)));
+    }
+
+    @Test
+    void eachRobotIsSentWhereItsOwnBodyFits() {
+        var small = new Point2d(1.5, 2.6);
+        var large = new Point2d(3.5, 2);
+        for (boolean largeFirst : new boolean[] {true, false}) {
+            var seen = List.of(new Seen(SMALL, around(new Pose2d(3.2, 2, 0))), new Seen(LARGE, List.of()));
+            var ready = largeFirst
+                    ? List.of(new Ready(LARGE, large, Optional.empty()), new Ready(SMALL, small, Optional.empty()))
+                    : List.of(new Ready(SMALL, small, Optional.empty()), new Ready(LARGE, large, Optional.empty()));
+
+            List<Exploration.Order> orders = Exploration.orders(SETTINGS, seen, ready, List.of());
+
+            assertThat(orders.get(largeFirst ? 0 : 1).goal()).isEmpty();
+            assertThat(orders.get(largeFirst ? 1 : 0).goal())
+                    .hasValueSatisfying(goal -> assertThat(goal.stand().x()).isGreaterThan(5));
+        }
+    }
+
+    @Test
+    void inAHallWiderThanTheLaserSeesThereIsSomewhereToGo() {
+        var ranges = new float[360];
+        Arrays.fill(ranges, Float.POSITIVE_INFINITY);
+        var nothing = new LaserScan(Pose2d.ORIGIN, -Math.PI, Math.toRadians(1), 0, 4, ranges);
+        var place = new Pose2d(20, 20, 0);
+        var seen = new Seen(SMALL, List.of(new PosedScan(place, nothing)));
+
+        Exploration.Order order = Exploration.orders(
+                        SETTINGS,
+                        List.of(seen),
+                        List.of(new Ready(SMALL, place.position(), Optional.empty())),
+                        List.of())
+                .getFirst();
+
+        assertThat(order.goal())
+                .hasValueSatisfying(goal ->
+                        assertThat(goal.frontier().distanceTo(place.position())).isBetween(3.0, 4.3));
+    }
+}
