@@ -3,7 +3,8 @@ package rsal.navigation.wavefront;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 
-/// What the way to one goal costs from everywhere on a map. Immutable; made by [Wavefront#everywhere].
+/// What the way to a goal, or the nearest of several, costs from everywhere on a map. Immutable; made by
+/// [Wavefront#everywhere].
 public final class NavigationFunction {
     private final OccupancyGrid grid;
     private final Wave wave;

@@ -80,7 +80,8 @@ final class Wave {
         touched(cell);
     }
 
-    /// Starts from a cell that is open and spreads alike in every direction.
+    /// Starts from a cell that is open and spreads alike in every direction; from several when told so before it
+    /// spreads.
     void start(int source) {
         start(source, null);
     }

@@ -84,13 +84,25 @@ public final class Wavefront {
 
     /// What the way to a goal costs from everywhere; empty when the robot can be nowhere within `slack` [m] of it.
     public Optional<NavigationFunction> everywhere(Point2d goal, double slack) {
-        int goalCell =
-                grid.contains(grid.column(goal.x()), grid.row(goal.y())) ? nearest(goal, slack, map::isOpen) : -1;
-        if (goalCell < 0) {
+        return everywhere(List.of(goal), slack);
+    }
+
+    /// What the way to the nearest of several goals costs from everywhere; goals of which the robot can be nowhere
+    /// within `slack` [m] have no part in it, and it is empty when none is left.
+    public Optional<NavigationFunction> everywhere(List<Point2d> goals, double slack) {
+        var wave = new Wave(map);
+        boolean started = false;
+        for (Point2d goal : goals) {
+            int cell =
+                    grid.contains(grid.column(goal.x()), grid.row(goal.y())) ? nearest(goal, slack, map::isOpen) : -1;
+            if (cell >= 0) {
+                wave.start(cell);
+                started = true;
+            }
+        }
+        if (!started) {
             return Optional.empty();
         }
-        var wave = new Wave(map);
-        wave.start(goalCell);
         wave.spread(-1);
         return Optional.of(new NavigationFunction(grid, wave));
     }

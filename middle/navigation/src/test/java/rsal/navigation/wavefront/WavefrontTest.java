@@ -179,6 +179,21 @@ class WavefrontTest {
     }
 
     @Test
+    void tellsWhatTheWayToTheNearestOfSeveralGoalsCosts() {
+        OccupancyGrid grid = ROOMS.grid();
+        var wavefront = new Wavefront(costs(grid, NARROW));
+        List<Point2d> goals = List.of(ROOMS.place('a'), new Point2d(99, 0), ROOMS.place('b'), ROOMS.place('a'));
+        NavigationFunction toAny = wavefront.everywhere(goals, 0).orElseThrow();
+        NavigationFunction toA = wavefront.everywhere(goals.getFirst(), 0).orElseThrow();
+        NavigationFunction toB = wavefront.everywhere(goals.get(2), 0).orElseThrow();
+        for (int cell = 0; cell < grid.cells().length; cell++) {
+            Point2d place = grid.middle(cell);
+            assertThat(toAny.cost(place)).as("%s", place).isEqualTo(Math.min(toA.cost(place), toB.cost(place)));
+        }
+        assertThat(wavefront.everywhere(List.of(), 1)).isEmpty();
+    }
+
+    @Test
     void leadsThroughTheDoorAndKeepsOffTheWalls() {
         CostMap map = costs(ROOMS.grid(), NARROW);
         Path2d path = found(map, ROOMS.place('a'), ROOMS.place('b')).path();
