@@ -18,6 +18,7 @@ module rsal.navigation {
     exports rsal.navigation.scanmatch;
     exports rsal.navigation.slam;
     exports rsal.navigation.snd;
+    exports rsal.navigation.spread;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;
 

@@ -1,0 +1,217 @@
+package rsal.navigation.spread;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.navigation.spread.Misplaced.Reason;
+import rsal.navigation.wavefront.NavigationFunction;
+import rsal.navigation.wavefront.Wavefront;
+
+/// Where the middle of a robot can be on a map with some clearance to all that is not free, and get from each place
+/// to each: one connected part of it. Of the map's outermost cells nothing counts as known.
+///
+/// Ways lead along sides and diagonals of cells, as planners count them ([Wavefront]), so that they are at most 8 %
+/// longer than a taut string. Immutable.
+public final class Ground {
+    private static final double ESCAPE = 1; // m; so far from where it can be a robot may start, as for planners
+
+    private final Parts parts;
+    private final int part;
+    private final int[] cells;
+
+    private Ground(Parts parts, int part) {
+        this.parts = parts;
+        this.part = part;
+        this.cells = parts.cells(part);
+    }
+
+    /// The largest connected part of a map.
+    ///
+    /// @param clearance least distance to the next cell that is not free [m]: a robot's radius
+    /// @throws IllegalArgumentException when the clearance is no distance, or there is no place with so much of it
+    public static Ground largest(OccupancyGrid map, double clearance) {
+        var parts = new Parts(map, clearance);
+        return new Ground(parts, orNowhere(parts, parts.largest()));
+    }
+
+    /// The part that can be reached from a place, which may be up to 1 m off it.
+    ///
+    /// @param clearance as for the [#largest]
+    /// @throws IllegalArgumentException likewise, or when a robot can be nowhere near the start
+    public static Ground around(OccupancyGrid map, double clearance, Point2d start) {
+        var parts = new Parts(map, clearance);
+        orNowhere(parts, parts.largest());
+        int own = parts.of(start);
+        int part = own == Parts.NONE ? parts.nearest(start, ESCAPE) : own;
+        if (part == Parts.NONE) {
+            throw new IllegalArgumentException(
+                    ("From the start %s nothing can be reached: no place within %s m of it has (%s) m of clearance."
+                                    + " Maybe it is meant for another map, or the clearance is too large.")
+                            .formatted(text(start), number(ESCAPE), number(clearance)));
+        }
+        return new Ground(parts, part);
+    }
+
+    /// The part in which most of some places are, of several the larger one; the largest when none is in any.
+    ///
+    /// @param clearance as for the [#largest]
+    /// @throws IllegalArgumentException likewise
+    public static Ground holding(OccupancyGrid map, double clearance, List<Point2d> places) {
+        var parts = new Parts(map, clearance);
+        int best = orNowhere(parts, parts.largest());
+        var held = new int[parts.count()];
+        for (Point2d place : places) {
+            int part = parts.of(place);
+            if (part != Parts.NONE) {
+                held[part]++;
+            }
+        }
+        for (int part = 0; part < held.length; part++) {
+            boolean larger = held[part] == held[best] && parts.size(part) > parts.size(best);
+            best = held[part] > held[best] || larger ? part : best;
+        }
+        return new Ground(parts, best);
+    }
+
+    private static int orNowhere(Parts parts, int part) {
+        if (part == Parts.NONE) {
+            OccupancyGrid map = parts.map();
+            double most = 0;
+            for (int cell = 0; cell < map.cells().length; cell++) {
+                most = Math.max(most, parts.toNotFree().at(cell) - map.resolution() / 2);
+            }
+            throw new IllegalArgumentException(
+                    ("No place on the map has a clearance of (%s) m; the most there is are %s m. Maybe the clearance is"
+                                    + " too large, or too little of the map is free.")
+                            .formatted(number(parts.clearance()), number(most)));
+        }
+        return part;
+    }
+
+    /// Least distance to the next cell that is not free [m].
+    public double clearance() {
+        return parts.clearance();
+    }
+
+    /// How large it is [m²].
+    public double area() {
+        double side = parts.map().resolution();
+        return cells.length * side * side;
+    }
+
+    public boolean contains(Point2d place) {
+        return parts.of(place) == part;
+    }
+
+    /// Measures how evenly some places are spread over it.
+    ///
+    /// @throws IllegalArgumentException when one is not on it, or there is none
+    public Evenness measure(List<Point2d> places) {
+        check(places).stream().findFirst().ifPresent(wrong -> {
+            throw new IllegalArgumentException(wrong.why());
+        });
+        NavigationFunction nearest = new Wavefront(parts.open())
+                .everywhere(places, 0)
+                .orElseThrow(() -> new IllegalArgumentException("No place (0) is spread over anything."));
+        OccupancyGrid map = parts.map();
+        double sum = 0;
+        double squares = 0;
+        double greatest = 0;
+        for (int cell : cells) {
+            double distance = nearest.cost(map.middle(cell));
+            sum += distance;
+            squares += distance * distance;
+            greatest = Math.max(greatest, distance);
+        }
+        return new Evenness(sum / cells.length, Math.sqrt(squares / cells.length), greatest);
+    }
+
+    /// Looks at places that somebody gave: which of them are not on it, and why. From each of the others a robot can
+    /// get to each.
+    ///
+    /// @return in their order; empty when all will do
+    public List<Misplaced> check(List<Point2d> places) {
+        var wrong = new ArrayList<Misplaced>();
+        for (int i = 0; i < places.size(); i++) {
+            Point2d place = places.get(i);
+            if (!contains(place)) {
+                Reason reason = reason(place);
+                wrong.add(new Misplaced(i, place, reason, why(i, place, reason)));
+            }
+        }
+        return List.copyOf(wrong);
+    }
+
+    private Reason reason(Point2d place) {
+        OccupancyGrid map = parts.map();
+        if (!map.contains(map.column(place.x()), map.row(place.y()))) {
+            return Reason.OUTSIDE;
+        }
+        return parts.of(place) != Parts.NONE
+                ? Reason.CUT_OFF
+                : switch (map.at(map.column(place.x()), map.row(place.y()))) {
+                    case OccupancyGrid.OCCUPIED -> Reason.OCCUPIED;
+                    case OccupancyGrid.UNKNOWN -> Reason.UNKNOWN;
+                    default -> Reason.TOO_NEAR;
+                };
+    }
+
+    private String why(int index, Point2d place, Reason reason) {
+        double clear = Math.max(
+                0, parts.toNotFree().at(place.x(), place.y()) - parts.map().resolution() / 2);
+        String what = switch (reason) {
+            case OUTSIDE -> "is outside the map";
+            case OCCUPIED -> "is in a wall";
+            case UNKNOWN -> "is where the map knows nothing";
+            case TOO_NEAR ->
+                "is (%s) m from what is not free, nearer than (%s) m".formatted(number(clear), number(clearance()));
+            case CUT_OFF -> "cannot be reached from the others with (%s) m of clearance".formatted(number(clearance()));
+        };
+        String instead = Double.isFinite(place.x()) && Double.isFinite(place.y())
+                ? " Maybe the nearest place that will do is meant, %s.".formatted(text(nearest(place)))
+                : "";
+        return "Place %d, %s, %s.%s".formatted(index + 1, text(place), what, instead);
+    }
+
+    private Point2d nearest(Point2d place) {
+        OccupancyGrid map = parts.map();
+        int nearest = cells[0];
+        double least = Double.POSITIVE_INFINITY;
+        for (int cell : cells) {
+            double distance = place.distanceTo(map.middle(cell));
+            if (distance < least) {
+                least = distance;
+                nearest = cell;
+            }
+        }
+        return map.middle(nearest);
+    }
+
+    OccupancyGrid map() {
+        return parts.map();
+    }
+
+    /// Numbers of its cells, row by row. Not to be written to.
+    int[] cells() {
+        return cells;
+    }
+
+    boolean isIn(int cell) {
+        return parts.isIn(cell, part);
+    }
+
+    /// Whether a passage through the cell is wide enough for two robots: it has twice the clearance.
+    boolean isRoomy(int cell) {
+        return parts.toNotFree().at(cell) - parts.map().resolution() / 2 >= 2 * clearance();
+    }
+
+    private static String text(Point2d place) {
+        return "(%s, %s)".formatted(number(place.x()), number(place.y()));
+    }
+
+    private static String number(double value) {
+        return String.format(Locale.ROOT, "%.2f", value);
+    }
+}

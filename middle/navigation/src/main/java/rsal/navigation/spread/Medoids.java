@@ -1,0 +1,222 @@
+package rsal.navigation.spread;
+
+import java.util.Arrays;
+import java.util.random.RandomGenerator;
+
+/// Chooses some of a few thousand [Patches] such that the squares of all ways to the nearest are least, knowing the
+/// ways between all.
+///
+/// Seeds are drawn far from each other: D. Arthur, S. Vassilvitskii, k-means++: The Advantages of Careful Seeding
+/// (SODA 2007), with ways in place of straight distances. Then one is swapped for another as long as that helps
+/// (L. Kaufman, P. Rousseeuw, Finding Groups in Data, 1990: PAM), eagerly and with what removing each loses kept at
+/// hand (E. Schubert, P. Rousseeuw, Fast and eager k-medoids clustering, Information Systems 101, 2021,
+/// algorithm 3). Swaps lead out of where S. Lloyd's steps (Least squares quantization in PCM, 1982) get stuck: a place
+/// too many in one part of the floor and one too few in another.
+///
+/// Not safe for several threads at once.
+final class Medoids {
+    /// Memory and time grow with its square: 16 MB.
+    static final int MOST = 2000;
+
+    private static final int MOST_ROUNDS = 50;
+
+    private final int size;
+    private final double[] weights;
+    private final float[] squares; // by pair
+    private final float beyond; // more than any
+    private final float[] nearest;
+    private final float[] second;
+    private final int[] nearestOf;
+
+    /// @param patches at most [#MOST]
+    Medoids(Patches patches) {
+        this.size = patches.count();
+        this.weights = new double[size];
+        this.squares = new float[size * size];
+        this.nearest = new float[size];
+        this.second = new float[size];
+        this.nearestOf = new int[size];
+        var flood = new Flood(patches);
+        float most = 0;
+        for (int from = 0; from < size; from++) {
+            weights[from] = patches.weight(from);
+            flood.clear();
+            flood.source(from, 0);
+            flood.flood();
+            for (int to = 0; to < size; to++) {
+                float distance = flood.distance(to);
+                squares[from * size + to] = distance * distance;
+                most = Math.max(most, distance * distance);
+            }
+        }
+        this.beyond = 2 * most + 1;
+    }
+
+    /// Draws seeds.
+    ///
+    /// @param may who may be chosen: at least so many
+    int[] seed(int number, boolean[] may, RandomGenerator random) {
+        var chosen = new int[number];
+        Arrays.fill(nearest, 1);
+        for (int i = 0; i < number; i++) {
+            chosen[i] = draw(may, random);
+            int row = chosen[i] * size;
+            for (int to = 0; to < size; to++) {
+                nearest[to] = i == 0 ? squares[row + to] : Math.min(nearest[to], squares[row + to]);
+            }
+        }
+        return chosen;
+    }
+
+    /// By weight and the square of what is nearest.
+    private int draw(boolean[] may, RandomGenerator random) {
+        double total = 0;
+        for (int i = 0; i < size; i++) {
+            total += may[i] ? weights[i] * nearest[i] : 0;
+        }
+        double left = random.nextDouble() * total;
+        int last = 0;
+        for (int i = 0; i < size; i++) {
+            if (may[i] && nearest[i] > 0) {
+                last = i;
+                left -= weights[i] * nearest[i];
+                if (left < 0) {
+                    return i;
+                }
+            }
+        }
+        return last;
+    }
+
+    /// Draws different patches by their weight alone.
+    int[] anywhere(int number, RandomGenerator random) {
+        var chosen = new int[number];
+        var may = new boolean[size];
+        Arrays.fill(may, true);
+        Arrays.fill(nearest, 1);
+        for (int i = 0; i < number; i++) {
+            chosen[i] = draw(may, random);
+            nearest[chosen[i]] = 0;
+        }
+        return chosen;
+    }
+
+    /// Swaps while that helps.
+    ///
+    /// @param chosen changed
+    /// @param may who may be chosen
+    /// @return the sum of squares in the end
+    double swap(int[] chosen, boolean[] may) {
+        var losses = new double[chosen.length];
+        var changes = new double[chosen.length];
+        double sum = look(chosen, losses);
+        int sinceLast = 0;
+        for (int i = 0; sinceLast < size && i < MOST_ROUNDS * size; i++, sinceLast++) {
+            int candidate = i % size;
+            if (!may[candidate]) {
+                continue;
+            }
+            double change = change(candidate, losses, changes);
+            int best = 0;
+            for (int k = 1; k < chosen.length; k++) {
+                best = changes[k] < changes[best] ? k : best;
+            }
+            if (change + changes[best] < -1e-7 * sum) {
+                chosen[best] = candidate;
+                sum = look(chosen, losses);
+                sinceLast = 0;
+            }
+        }
+        return sum;
+    }
+
+    /// What adding a candidate changes, and what removing each of the chosen then changes besides.
+    private double change(int candidate, double[] losses, double[] changes) {
+        System.arraycopy(losses, 0, changes, 0, losses.length);
+        int row = candidate * size;
+        double change = 0;
+        for (int to = 0; to < size; to++) {
+            float square = squares[row + to];
+            if (square < nearest[to]) {
+                change += weights[to] * ((double) square - nearest[to]);
+                changes[nearestOf[to]] += weights[to] * ((double) nearest[to] - second[to]);
+            } else if (square < second[to]) {
+                changes[nearestOf[to]] += weights[to] * ((double) square - second[to]);
+            }
+        }
+        return change;
+    }
+
+    /// Finds the two nearest of the chosen for everyone.
+    ///
+    /// @param losses by chosen what removing it would add
+    private double look(int[] chosen, double[] losses) {
+        assign(chosen);
+        Arrays.fill(losses, 0);
+        double sum = 0;
+        for (int to = 0; to < size; to++) {
+            sum += weights[to] * nearest[to];
+            losses[nearestOf[to]] += weights[to] * ((double) second[to] - nearest[to]);
+        }
+        return sum;
+    }
+
+    private void assign(int[] chosen) {
+        Arrays.fill(nearest, beyond);
+        Arrays.fill(second, beyond);
+        for (int k = 0; k < chosen.length; k++) {
+            int row = chosen[k] * size;
+            for (int to = 0; to < size; to++) {
+                float square = squares[row + to];
+                if (square < nearest[to]) {
+                    second[to] = nearest[to];
+                    nearest[to] = square;
+                    nearestOf[to] = k;
+                } else if (square < second[to]) {
+                    second[to] = square;
+                }
+            }
+        }
+    }
+
+    /// Lloyd's steps, with the exact medoid of each region in place of its mean, until nothing changes.
+    ///
+    /// @param chosen changed
+    void lloyd(int[] chosen) {
+        boolean changed = true;
+        for (int round = 0; changed && round < MOST_ROUNDS; round++) {
+            assign(chosen);
+            changed = false;
+            for (int k = 0; k < chosen.length; k++) {
+                int medoid = medoid(k, chosen[k]);
+                changed |= medoid != chosen[k];
+                chosen[k] = medoid;
+            }
+        }
+    }
+
+    private int medoid(int region, int current) {
+        int best = current;
+        double least = spent(region, current, Double.POSITIVE_INFINITY);
+        for (int candidate = 0; candidate < size; candidate++) {
+            if (nearestOf[candidate] == region) {
+                double sum = spent(region, candidate, least);
+                if (sum < least) {
+                    least = sum;
+                    best = candidate;
+                }
+            }
+        }
+        return best;
+    }
+
+    private double spent(int region, int from, double atMost) {
+        double sum = 0;
+        for (int to = 0; to < size && sum <= atMost; to++) {
+            if (nearestOf[to] == region) {
+                sum += weights[to] * squares[from * size + to];
+            }
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,154 @@
+package rsal.navigation.spread;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.navigation.grid.RandomMaps;
+import rsal.navigation.spread.Misplaced.Reason;
+import rsal.testkit.DrawnMap;
+
+class GroundTest {
+    private static final DrawnMap ROOMS = DrawnMap.grid(0.5, """
+            ####################
+            #..........#.......#
+            #..a.......#....s..#
+            #..........#.......#
+            #w.........#########
+            #..........#???????#
+            #....b.....#???????#
+            #..........#???????#
+            ####################""");
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+    void agreesWithLookingAtAllCellsAndWays(long seed) {
+        var random = new SplittableRandom(seed);
+        OccupancyGrid map =
+                RandomMaps.of(random, random.nextInt(6, 18), random.nextInt(6, 18), 0.3 * random.nextDouble());
+        double clearance = random.nextInt(3) * 0.03;
+        var slow = new SlowWays(map, clearance);
+        if (slow.count() == 0) {
+            assertThatThrownBy(() -> Ground.largest(map, clearance)).isInstanceOf(IllegalArgumentException.class);
+            return;
+        }
+        int[] chosen = IntStream.generate(() -> random.nextInt(slow.count()))
+                .limit(random.nextInt(1, 5))
+                .toArray();
+        var ground = Ground.around(map, clearance, slow.place(chosen[0]));
+        Evenness right = slow.measure(chosen);
+        Evenness measured =
+                ground.measure(IntStream.of(chosen).mapToObj(slow::place).toList());
+
+        assertThat(ground.area()).as("seed %d", seed).isCloseTo(slow.count() * 0.0025, within(1e-9));
+        assertThat(Ground.largest(map, clearance).area()).as("seed %d", seed).isEqualTo(ground.area());
+        assertThat(measured.mean()).as("seed %d", seed).isCloseTo(right.mean(), within(0.03 * right.mean() + 1e-9));
+        assertThat(measured.rms()).as("seed %d", seed).isCloseTo(right.rms(), within(0.03 * right.rms() + 1e-9));
+        assertThat(measured.greatest())
+                .as("seed %d", seed)
+                .isCloseTo(right.greatest(), within(0.03 * right.greatest()));
+    }
+
+    @Test
+    void isThePartThatCanBeReachedFromAPlace() {
+        var large = Ground.largest(ROOMS.grid(), 0.3);
+        var small = Ground.around(ROOMS.grid(), 0.3, ROOMS.place('s'));
+        assertThat(large.contains(ROOMS.place('a'))).isTrue();
+        assertThat(large.contains(ROOMS.place('s'))).isFalse();
+        assertThat(small.contains(ROOMS.place('s'))).isTrue();
+        assertThat(small.contains(ROOMS.place('a'))).isFalse();
+        assertThat(small.area()).isLessThan(large.area());
+    }
+
+    @Test
+    void aRobotMayStartALittleTooNearToAWall() {
+        var ground = Ground.around(ROOMS.grid(), 0.6, ROOMS.place('w'));
+        assertThat(ground.contains(ROOMS.place('w'))).isFalse();
+        assertThat(ground.contains(ROOMS.place('a'))).isTrue();
+    }
+
+    @Test
+    void saysWhyPlacesWontDo() {
+        List<Point2d> given = List.of(
+                ROOMS.place('a'),
+                ROOMS.place('s'),
+                ROOMS.place('w'),
+                new Point2d(7.75, 1.25),
+                new Point2d(0.1, 1),
+                new Point2d(99, 1),
+                new Point2d(Double.NaN, 1),
+                ROOMS.place('b'));
+        var ground = Ground.holding(ROOMS.grid(), 0.6, given);
+
+        List<Misplaced> wrong = ground.check(given);
+
+        assertThat(wrong)
+                .extracting(Misplaced::index, Misplaced::reason)
+                .containsExactly(
+                        tuple(1, Reason.CUT_OFF),
+                        tuple(2, Reason.TOO_NEAR),
+                        tuple(3, Reason.UNKNOWN),
+                        tuple(4, Reason.OCCUPIED),
+                        tuple(5, Reason.OUTSIDE),
+                        tuple(6, Reason.OUTSIDE));
+        assertThat(wrong.get(1).why())
+                .isEqualTo("Place 3, (0.75, 2.25), is (0.25) m from what is not free, nearer than (0.60) m. Maybe the"
+                        + " nearest place that will do is meant, (1.25, 2.25).");
+        assertThat(wrong.getFirst().why()).contains("cannot be reached from the others with (0.60) m of clearance");
+        assertThat(ground.check(List.of(ROOMS.place('a'), ROOMS.place('b')))).isEmpty();
+    }
+
+    @Test
+    void holdsMostOfThePlacesGiven() {
+        List<Point2d> given = List.of(ROOMS.place('s'));
+        assertThat(Ground.holding(ROOMS.grid(), 0.3, given).check(given)).isEmpty();
+        assertThat(Ground.holding(ROOMS.grid(), 0.3, List.of()).contains(ROOMS.place('a')))
+                .isTrue();
+        assertThat(Ground.holding(ROOMS.grid(), 0.3, List.of(ROOMS.place('s'), ROOMS.place('a')))
+                        .contains(ROOMS.place('a')))
+                .as("the larger one of two that hold as many")
+                .isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {-0.1, Double.NaN, Double.POSITIVE_INFINITY})
+    void refusesAClearanceThatIsNoDistance(double clearance) {
+        assertThatThrownBy(() -> Ground.largest(ROOMS.grid(), clearance))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("The clearance (%s)".formatted(clearance))
+                .hasMessageContaining("Maybe");
+    }
+
+    @Test
+    void tellsHowMuchClearanceThereIs() {
+        assertThatThrownBy(() -> Ground.largest(ROOMS.grid(), 4))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("clearance of (4.00) m")
+                .hasMessageContaining("the most there is are 1.75 m")
+                .hasMessageContaining("Maybe");
+        assertThatThrownBy(() -> Ground.around(ROOMS.grid(), 0.3, new Point2d(40, 40)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("From the start (40.00, 40.00) nothing can be reached")
+                .hasMessageContaining("Maybe");
+    }
+
+    @Test
+    void measuresNoPlacesThatAreNotOnIt() {
+        var ground = Ground.largest(ROOMS.grid(), 0.3);
+        assertThatThrownBy(() -> ground.measure(List.of()))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("No place");
+        assertThatThrownBy(() -> ground.measure(List.of(ROOMS.place('s'))))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("cannot be reached");
+    }
+}

@@ -1,0 +1,73 @@
+package rsal.navigation.spread;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.OccupancyGrid;
+import rsal.navigation.grid.RandomMaps;
+
+class PatchesTest {
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void ofSingleCellsAreAsFarApartAsTheWaysBetween(long seed) {
+        var random = new SplittableRandom(seed);
+        OccupancyGrid map = RandomMaps.of(random, 15, 12, 0.3 * random.nextDouble());
+        var slow = new SlowWays(map, 0);
+        var ground = Ground.around(map, 0, slow.place(0));
+        var patches = new Patches(ground, 1);
+        int source = random.nextInt(slow.count());
+        var flood = new Flood(patches);
+        flood.source(patches.of(map.cell(slow.place(source))), 7);
+        flood.flood();
+        var sums = new double[8];
+        flood.squares(sums);
+        double unit = map.resolution() / Patches.FINENESS;
+
+        assertThat(patches.count()).isEqualTo(slow.count());
+        assertThat(Math.sqrt(sums[7] / slow.count()) * unit)
+                .as("seed %d", seed)
+                .isCloseTo(slow.measure(source).rms(), within(1e-3));
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void areConnectedAndHoldEveryCell(long seed) {
+        var random = new SplittableRandom(seed);
+        OccupancyGrid map = RandomMaps.of(random, 60, 50, 0.4 * random.nextDouble());
+        var ground = Ground.largest(map, 0);
+        var patches = new Patches(ground, random.nextInt(2, 12));
+        var flood = new Flood(patches);
+        flood.source(0, 0);
+        flood.flood();
+        int cells = 0;
+        for (int patch = 0; patch < patches.count(); patch++) {
+            cells += patches.weight(patch);
+            assertThat(patches.of(patches.place(patch))).as("seed %d", seed).isEqualTo(patch);
+            assertThat(flood.owner(patch)).as("seed %d", seed).isZero();
+        }
+        assertThat(cells).as("seed %d", seed).isEqualTo(ground.cells().length);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void belongToTheNearestSourceWheneverItWasAdded(long seed) {
+        var random = new SplittableRandom(seed);
+        var ground = Ground.largest(RandomMaps.of(random, 40, 30, 0.2), 0);
+        var patches = new Patches(ground, 1);
+        var atOnce = new Flood(patches);
+        var oneByOne = new Flood(patches);
+        for (int i = 0; i < 5; i++) {
+            int source = random.nextInt(patches.count());
+            atOnce.source(source, i);
+            oneByOne.source(source, i);
+            oneByOne.flood();
+        }
+        atOnce.flood();
+        for (int patch = 0; patch < patches.count(); patch++) {
+            assertThat(oneByOne.distance(patch)).as("seed %d", seed).isEqualTo(atOnce.distance(patch));
+        }
+    }
+}
