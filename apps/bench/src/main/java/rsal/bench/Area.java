@@ -36,6 +36,7 @@ public record Area(String name, List<Bench> benches) {
                                 new BarnBench(),
                                 new OfficeBench(),
                                 new MappingBench(),
-                                new ExploreBench())));
+                                new ExploreBench())),
+                new Area("scenarios", List.of(new SpreadBench())));
     }
 }
