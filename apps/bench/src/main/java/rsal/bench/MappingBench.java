@@ -12,10 +12,12 @@ import rsal.navigation.slam.Slam;
 /// Mapping public logs whose odometry is made to err as [Drive#WHEELS] do; each repeat with a seed of its own.
 ///
 /// Names are `slam.<log>.<what>`. What: `meters` and `degrees`, how far the relation of a scan to the next is off the
-/// one in the log on average; `near.meters`, that of scans within 2 m that do not follow on each other; `seconds`, of
+/// one in the log on average; `near.meters` and `near.degrees`, that of scans within 2 m that do not follow on each
+/// other; `wheels.meters` and `wheels.degrees`, how far off the wheels alone are from a scan to the next; `seconds`, of
 /// this thread for the whole log.
 final class MappingBench implements Bench {
-    private static final List<String> KINDS = List.of("meters", "degrees", "near.meters", "seconds");
+    private static final List<String> KINDS =
+            List.of("meters", "degrees", "near.meters", "near.degrees", "wheels.meters", "wheels.degrees", "seconds");
     private static final double NEAR = 2; // m
 
     private static String name(String log, String kind) {
@@ -56,10 +58,17 @@ final class MappingBench implements Bench {
             RelationError next = RelationError.ofNext(right, judged);
             values[0][repeat] = next.meters();
             values[1][repeat] = Math.toDegrees(next.radians());
-            values[2][repeat] = RelationError.ofNear(right, judged, NEAR).meters();
-            values[3][repeat] = seconds;
+            RelationError near = RelationError.ofNear(right, judged, NEAR);
+            values[2][repeat] = near.meters();
+            values[3][repeat] = Math.toDegrees(near.radians());
+            List<Pose2d> told =
+                    driven.stops().stream().map(Course.Stop::odomFromBase).toList();
+            RelationError wheels = RelationError.ofNext(right, told);
+            values[4][repeat] = wheels.meters();
+            values[5][repeat] = Math.toDegrees(wheels.radians());
+            values[6][repeat] = seconds;
         }
-        List<String> units = List.of("m", "deg", "m", "s");
+        List<String> units = List.of("m", "deg", "m", "deg", "m", "deg", "s");
         for (int kind = 0; kind < KINDS.size(); kind++) {
             assignment.tell(Result.less(name(name, KINDS.get(kind)), units.get(kind), values[kind]));
         }
