@@ -16,6 +16,7 @@ module rsal.agents {
     provides rsal.agent.AgentHostProvider with
             rsal.agent.plain.PlainHostProvider;
     provides rsal.agent.AgentType with
+            rsal.agents.Dispersion.Type,
             rsal.agents.Escape.Type,
             rsal.agents.Follow.Type,
             rsal.agents.Nav.Type,

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.SortedMap;
 import rsal.data.Pose2d;
 
@@ -14,6 +15,8 @@ import rsal.data.Pose2d;
 /// equally far do not change over again and again. Same reports, same answer, whoever asks.
 final class Assignment {
     static final double LOYALTY = 0.8;
+
+    static final double LONGER = 1.05;
 
     private static final double EVENNESS = 1e6; // m, longer than all ways together
 
@@ -50,6 +53,92 @@ final class Assignment {
                     candidates.get(columnOf[row] % candidates.size()).getKey());
         }
         return preyOf;
+    }
+
+    /// One place of its own for each robot, or as many as there are places: of all that make the longest way at most
+    /// [#LONGER] times as long as it must be, one with the least sum of ways.
+    ///
+    /// @param costs of all places for each robot; +∞ where no way leads
+    /// @return place by robot; without robots that get none they can reach
+    static Map<String, Integer> even(NavigableMap<String, double[]> costs) {
+        if (costs.isEmpty()) {
+            return Map.of();
+        }
+        List<String> robots = List.copyOf(costs.keySet());
+        double[][] cost = robots.stream().map(costs::get).toArray(double[][]::new);
+        boolean crowded = cost.length > cost[0].length;
+        double[][] square = crowded ? turned(cost) : cost;
+        int[] columnOf = pair(discouraging(square, LONGER * shortestLongest(square)));
+        var placeOf = new LinkedHashMap<String, Integer>();
+        for (int row = 0; row < columnOf.length; row++) {
+            int robot = crowded ? columnOf[row] : row;
+            int place = crowded ? row : columnOf[row];
+            if (cost[robot][place] < Double.POSITIVE_INFINITY) {
+                placeOf.put(robots.get(robot), place);
+            }
+        }
+        return placeOf;
+    }
+
+    private static double[][] turned(double[][] cost) {
+        var turned = new double[cost[0].length][cost.length];
+        for (int row = 0; row < cost.length; row++) {
+            for (int column = 0; column < cost[row].length; column++) {
+                turned[column][row] = cost[row][column];
+            }
+        }
+        return turned;
+    }
+
+    /// The least that the longest way of an assignment can be, where all that can get something do.
+    private static double shortestLongest(double[][] cost) {
+        double[] ways = Arrays.stream(cost)
+                .flatMapToDouble(Arrays::stream)
+                .filter(Double::isFinite)
+                .sorted()
+                .distinct()
+                .toArray();
+        if (ways.length == 0) {
+            return 0;
+        }
+        int most = tooLong(cost, ways[ways.length - 1]);
+        int least = 0;
+        int enough = ways.length - 1;
+        while (least < enough) {
+            int middle = (least + enough) / 2;
+            if (tooLong(cost, ways[middle]) <= most) {
+                enough = middle;
+            } else {
+                least = middle + 1;
+            }
+        }
+        return ways[enough];
+    }
+
+    /// How many ways are longer than a bound in the assignment that has fewest of them.
+    private static int tooLong(double[][] cost, double bound) {
+        var longer = new double[cost.length][];
+        for (int row = 0; row < cost.length; row++) {
+            longer[row] =
+                    Arrays.stream(cost[row]).map(way -> way > bound ? 1 : 0).toArray();
+        }
+        int[] columnOf = pair(longer);
+        int count = 0;
+        for (int row = 0; row < columnOf.length; row++) {
+            count += longer[row][columnOf[row]] > 0 ? 1 : 0;
+        }
+        return count;
+    }
+
+    /// The same costs, where ways over a bound cost more than all others together.
+    private static double[][] discouraging(double[][] cost, double bound) {
+        var discouraging = new double[cost.length][];
+        for (int row = 0; row < cost.length; row++) {
+            discouraging[row] = Arrays.stream(cost[row])
+                    .map(way -> way == Double.POSITIVE_INFINITY ? 1e3 * EVENNESS : way > bound ? way + EVENNESS : way)
+                    .toArray();
+        }
+        return discouraging;
     }
 
     /// The column of its own for each row that makes the sum of costs least: shortest augmenting paths (Kuhn, "The

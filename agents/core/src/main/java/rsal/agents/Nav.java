@@ -24,7 +24,9 @@ public final class Nav implements Agent {
         Robot robot = Body.of(self);
         var driver = new Driver(self, robot.require(Navigator.class));
         new Errands(self, robot.id(), driver, () -> {}, () -> {}).begin();
-        new Reporter(self, robot, arguments, _ -> {}).begin();
+        var reporter = new Reporter(self, robot, arguments, _ -> {});
+        reporter.begin();
+        Travel.begin(self, robot, reporter);
         Presence.begin(self);
         self.state("waiting for a goal");
     }

@@ -33,9 +33,12 @@ final class Sightings {
 
     /// Where a robot is, in the map; empty when nothing is known of it.
     Optional<Pose2d> of(String robot) {
-        return blackboard
-                .read(PoseReport.TOPIC, robot)
-                .map(note -> note.content().mapFromBase());
+        return report(robot).map(PoseReport::mapFromBase);
+    }
+
+    /// What a robot said last; empty when nothing is known of it.
+    Optional<PoseReport> report(String robot) {
+        return blackboard.read(PoseReport.TOPIC, robot).map(Blackboard.Note::content);
     }
 
     /// Where they are, in the map, by id.

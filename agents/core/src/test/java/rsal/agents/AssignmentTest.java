@@ -45,6 +45,68 @@ class AssignmentTest {
     }
 
     @Test
+    void placesAreSharedSoThatNobodyGoesMuchFartherThanItMustAndAllTogetherAsLittleAsThatAllows() {
+        for (long seed = 0; seed < 300; seed++) {
+            var random = new Random(seed);
+            int robots = 1 + random.nextInt(5);
+            int places = 1 + random.nextInt(5);
+            var costs = new TreeMap<String, double[]>();
+            for (int robot = 0; robot < robots; robot++) {
+                costs.put("r" + robot, random.doubles(places, 0, 10).toArray());
+            }
+            Map<String, Integer> placeOf = Assignment.even(costs);
+            double[] ways = placeOf.entrySet().stream()
+                    .mapToDouble(entry -> costs.get(entry.getKey())[entry.getValue()])
+                    .toArray();
+            assertThat(placeOf.values()).as("seed %d", seed).doesNotHaveDuplicates();
+            assertThat(ways).as("seed %d", seed).hasSize(Math.min(robots, places));
+            double[][] all = costs.values().toArray(double[][]::new);
+            double longest = leastLongest(all, 0, 0, Math.max(0, robots - places));
+            assertThat(Arrays.stream(ways).max().orElseThrow()).isLessThanOrEqualTo(1.05 * longest + 1e-9);
+            assertThat(Arrays.stream(ways).sum())
+                    .as("seed %d", seed)
+                    .isCloseTo(leastSum(all, 0, 0, Math.max(0, robots - places), 1.05 * longest), within(1e-9));
+        }
+    }
+
+    /// @param idle how many rows may be left out
+    private static double leastLongest(double[][] cost, int row, int used, int idle) {
+        if (row == cost.length) {
+            return 0;
+        }
+        double best = idle > 0 ? leastLongest(cost, row + 1, used, idle - 1) : Double.POSITIVE_INFINITY;
+        for (int column = 0; column < cost[row].length; column++) {
+            if ((used & 1 << column) == 0) {
+                double rest = leastLongest(cost, row + 1, used | 1 << column, idle);
+                best = Math.min(best, Math.max(cost[row][column], rest));
+            }
+        }
+        return best;
+    }
+
+    private static double leastSum(double[][] cost, int row, int used, int idle, double bound) {
+        if (row == cost.length) {
+            return 0;
+        }
+        double best = idle > 0 ? leastSum(cost, row + 1, used, idle - 1, bound) : Double.POSITIVE_INFINITY;
+        for (int column = 0; column < cost[row].length; column++) {
+            if ((used & 1 << column) == 0 && cost[row][column] <= bound) {
+                best = Math.min(best, cost[row][column] + leastSum(cost, row + 1, used | 1 << column, idle, bound));
+            }
+        }
+        return best;
+    }
+
+    @Test
+    void placesThatCannotBeReachedAreLeftToOthers() {
+        double never = Double.POSITIVE_INFINITY;
+        var costs = new TreeMap<>(
+                Map.of("a", new double[] {1, never}, "b", new double[] {2, never}, "c", new double[] {never, never}));
+        assertThat(Assignment.even(costs)).isEqualTo(Map.of("a", 0));
+        assertThat(Assignment.even(new TreeMap<>())).isEmpty();
+    }
+
+    @Test
     void eachPreyHasOneHunterBeforeAnyHasTwo() {
         var preyOf = Assignment.nearest(
                 line("h1", 0, "h2", 1, "h3", 2, "h4", 3), line("p1", 4, "p2", 100, "p3", 200), Map.of());

@@ -364,7 +364,7 @@ public final class ScenarioSchema {
                 switch (parameter.kind()) {
                     case NUMBER -> "number";
                     case INTEGER -> "integer";
-                    case TEXT, ROBOTS -> "string";
+                    case TEXT, ROBOTS, PLACES -> "string";
                     case FLAG -> "boolean";
                 });
         if (Double.isFinite(parameter.min())) {

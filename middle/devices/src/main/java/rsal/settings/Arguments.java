@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import rsal.data.Point2d;
 
 /// Values for a list of parameters, checked, with fallbacks filled in. Asking for what was not declared is a
 /// mistake of the code.
@@ -58,6 +59,11 @@ public final class Arguments {
 
     public String text(String name) {
         return (String) value(name);
+    }
+
+    /// Places in the map [m].
+    public List<Point2d> places(String name) {
+        return Places.read(text(name)).orElseThrow(); // its parameter has accepted it
     }
 
     public boolean flag(String name) {

@@ -30,7 +30,9 @@ public record Parameter(
         TEXT,
         FLAG,
         /// A text that names robots of the scenario, by their role or one by its id.
-        ROBOTS
+        ROBOTS,
+        /// A text that names places in the map [m], as [Places] reads it.
+        PLACES
     }
 
     public Parameter {
@@ -66,6 +68,11 @@ public record Parameter(
         return new Parameter(name, Kind.ROBOTS, Optional.of(fallback), -inf(), inf(), others, "", description);
     }
 
+    /// None when nothing is given.
+    public static Parameter places(String name, String description) {
+        return new Parameter(name, Kind.PLACES, Optional.of(""), -inf(), inf(), List.of(), "", description);
+    }
+
     public static Parameter flag(String name, boolean fallback, String description) {
         return new Parameter(name, Kind.FLAG, Optional.of(fallback), -inf(), inf(), List.of(), "", description);
     }
@@ -82,12 +89,13 @@ public record Parameter(
             case NUMBER -> value instanceof Number n ? (Object) n.doubleValue() : value;
             case INTEGER ->
                 value instanceof Integer || value instanceof Long ? (Object) ((Number) value).longValue() : value;
-            case TEXT, FLAG, ROBOTS -> value;
+            case TEXT, FLAG, ROBOTS, PLACES -> value;
         };
         boolean right = switch (kind) {
             case NUMBER -> converted instanceof Double d && Double.isFinite(d);
             case INTEGER -> converted instanceof Long;
             case TEXT, ROBOTS -> converted instanceof String;
+            case PLACES -> converted instanceof String s && Places.read(s).isPresent();
             case FLAG -> converted instanceof Boolean;
         };
         if (!right) {
@@ -114,7 +122,7 @@ public record Parameter(
                 case INTEGER -> value = Long.parseLong(typed);
                 case FLAG ->
                     value = typed.equals("true") ? (Object) true : typed.equals("false") ? (Object) false : typed;
-                case TEXT, ROBOTS -> {}
+                case TEXT, ROBOTS, PLACES -> {}
             }
         } catch (NumberFormatException _) {
             // stays a text, which accept refuses with the right words
@@ -129,6 +137,7 @@ public record Parameter(
             case INTEGER -> "a whole number";
             case TEXT -> options.isEmpty() ? "a text" : "one of " + String.join(", ", options);
             case FLAG -> "true or false";
+            case PLACES -> "places as x y; x y [m]";
             case ROBOTS -> "a role of robots or the id of one" + besides();
         };
         if (min > -inf() && max < inf()) {

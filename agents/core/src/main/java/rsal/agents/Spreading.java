@@ -1,0 +1,181 @@
+package rsal.agents;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.AgentContext;
+import rsal.agent.message.GoalReached;
+import rsal.agent.message.NewGoal;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.PoseRequest;
+import rsal.agent.presence.Roll;
+import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.Request;
+import rsal.agents.Travel.Costs;
+import rsal.agents.Travel.Places;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.settings.Arguments;
+
+/// Spreads a team over places: asks each robot what the ways there would cost it, gives each one place by the
+/// [Assignment] that is best for all, and sends it there. Robots that can't tell costs are taken to drive straight;
+/// those
+/// that do not answer are left out, and their place is given to another.
+final class Spreading {
+    private static final Duration TO_SETTLE = Duration.ofSeconds(2); // until localizers have told where robots are
+    private static final Duration TO_ANSWER = Duration.ofMillis(500);
+    private static final Duration BETWEEN = Duration.ofSeconds(1); // changes that come together are one
+
+    private final AgentContext self;
+    private final String robots;
+    private final List<Pose2d> mapFromPlaces;
+    private final Duration interval;
+    private final Roll roll;
+    private final Sightings sightings;
+    private final Request<Places, Costs> costs;
+    private final Map<String, Integer> placeOf = new HashMap<>(); // by robot
+    private final Map<String, String> endings = new HashMap<>(); // of their last drive, by robot
+    private @Nullable Round round;
+    private boolean due;
+
+    Spreading(AgentContext self, Arguments arguments) {
+        this.self = self;
+        this.robots = arguments.text(Dispersion.ROBOTS.name());
+        this.mapFromPlaces = arguments.places(Dispersion.PLACES.name()).stream()
+                .map(place -> new Pose2d(place.x(), place.y(), 0))
+                .toList();
+        this.interval = arguments.seconds(Dispersion.DISPERSION_INTERVAL.name());
+        Duration ping = arguments.seconds(Dispersion.PING_INTERVAL.name());
+        this.roll = new Roll(self, ping, ping.multipliedBy(3), _ -> disperseSoon(BETWEEN));
+        this.sightings = new Sightings(self.blackboard());
+        this.costs = Travel.service(self);
+    }
+
+    void begin() {
+        if (mapFromPlaces.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "Agent (%s) has no places to spread robots over. Maybe set (places).".formatted(self.name()));
+        }
+        self.subscribe(PoseReport.TOPIC, message -> sightings.note(message.content()));
+        self.subscribe(GoalReached.TOPIC, message -> note(message.content()));
+        roll.begin();
+        disperseSoon(TO_SETTLE);
+        if (!interval.isZero()) {
+            self.scheduler().every(interval, this::disperse);
+        }
+        self.state("looking who is there");
+    }
+
+    private void disperseSoon(Duration delay) {
+        if (!due) {
+            due = true;
+            self.scheduler().after(delay, () -> {
+                due = false;
+                disperse();
+            });
+        }
+    }
+
+    /// Asks all where they are, and those who answer what ways would cost.
+    private void disperse() {
+        self.publish(PoseRequest.TOPIC, new PoseRequest(NewGoal.ALL));
+        self.scheduler().after(TO_ANSWER, this::askForCosts);
+    }
+
+    /// Allots the places when all have answered or are silent.
+    private void askForCosts() {
+        var next = new Round();
+        round = next;
+        for (Roll.Member member : roll.present()) {
+            sightings.report(member.robot()).filter(this::isOurs).ifPresent(report -> next.ask(member.name(), report));
+        }
+        next.allotWhenAllHaveAnswered();
+    }
+
+    private boolean isOurs(PoseReport report) {
+        return robots.equals(NewGoal.ALL) || report.isFrom(robots);
+    }
+
+    private void allot(NavigableMap<String, double[]> costsByRobot) {
+        Map<String, Integer> allotted = Assignment.even(costsByRobot);
+        allotted.forEach((robot, place) -> {
+            boolean same = place.equals(placeOf.get(robot));
+            boolean stays = same && endings.getOrDefault(robot, "").matches("|reached");
+            if (!stays) {
+                placeOf.put(robot, place);
+                endings.put(robot, "");
+                self.publish(NewGoal.TOPIC, new NewGoal(robot, mapFromPlaces.get(place)));
+            }
+        });
+        placeOf.keySet().retainAll(allotted.keySet());
+        tell();
+    }
+
+    private void note(GoalReached end) {
+        Integer place = placeOf.get(end.robot());
+        if (place != null && mapFromPlaces.get(place).equals(end.mapFromGoal())) {
+            endings.put(end.robot(), end.ending());
+            tell();
+        }
+    }
+
+    private void tell() {
+        long there = placeOf.keySet().stream()
+                .filter(robot -> endings.getOrDefault(robot, "").equals("reached"))
+                .count();
+        self.state("%d of %d robots are at their place".formatted(there, placeOf.size()));
+    }
+
+    /// One time of asking.
+    private final class Round {
+        private final NavigableMap<String, double[]> costsByRobot = new TreeMap<>();
+        private final List<String> waitingFor = new ArrayList<>();
+
+        void ask(String agent, PoseReport report) {
+            boolean knowsWays = self.directory().capabilities(agent).contains(Travel.CAPABILITY);
+            if (!knowsWays) {
+                costsByRobot.put(report.robot(), straight(report.mapFromBase().position()));
+                return;
+            }
+            waitingFor.add(agent);
+            costs.ask(agent, new Places(mapFromPlaces), ending -> answered(agent, report, ending));
+        }
+
+        private void answered(String agent, PoseReport report, Ending<Costs> ending) {
+            costs(report, ending).ifPresent(own -> costsByRobot.put(report.robot(), own));
+            waitingFor.remove(agent);
+            allotWhenAllHaveAnswered();
+        }
+
+        private Optional<double[]> costs(PoseReport report, Ending<Costs> ending) {
+            return switch (ending) {
+                case Ending.Informed<Costs>(Costs told) ->
+                    Optional.of(told.costs().stream()
+                            .mapToDouble(Double::doubleValue)
+                            .toArray());
+                case Ending.Silent<Costs> _, Ending.Cancelled<Costs> _ -> Optional.empty();
+                case Ending.Refused<Costs> _, Ending.Failed<Costs> _, Ending.NotUnderstood<Costs> _ ->
+                    Optional.of(straight(report.mapFromBase().position()));
+            };
+        }
+
+        private double[] straight(Point2d from) {
+            return mapFromPlaces.stream()
+                    .mapToDouble(place -> place.position().distanceTo(from))
+                    .toArray();
+        }
+
+        void allotWhenAllHaveAnswered() {
+            if (waitingFor.isEmpty() && this.equals(round)) {
+                round = null;
+                allot(costsByRobot);
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+package rsal.agents;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.CompletionStage;
+import java.util.stream.Collectors;
+import rsal.agent.AgentContext;
+import rsal.agent.Capability;
+import rsal.agent.protocol.Request;
+import rsal.agent.protocol.Request.Asked;
+import rsal.data.Pose2d;
+import rsal.device.Planner;
+import rsal.robot.Robot;
+
+/// What ways cost a robot: tells others who ask, by the robot's planner. Asking moves nothing.
+final class Travel {
+    /// Of those who can tell.
+    static final Capability CAPABILITY = Capability.of("way-costs");
+
+    private final AgentContext self;
+    private final Planner planner;
+    private final Reporter reporter;
+
+    private Travel(AgentContext self, Planner planner, Reporter reporter) {
+        this.self = self;
+        this.planner = planner;
+        this.reporter = reporter;
+    }
+
+    /// The service by which one asks: [Places] → [Costs].
+    static Request<Places, Costs> service(AgentContext self) {
+        return new Request<>(self, CAPABILITY.name(), Places.class, Costs.class);
+    }
+
+    /// From now on answers whoever asks, if the robot has a planner.
+    static void begin(AgentContext self, Robot robot, Reporter reporter) {
+        Optional<Planner> planner = robot.find(Planner.class);
+        planner.ifPresent(device -> {
+            var travel = new Travel(self, device, reporter);
+            service(self).answer(travel::answer);
+            self.offer(CAPABILITY);
+        });
+    }
+
+    private void answer(Asked<Places, Costs> asked) {
+        Optional<Pose2d> mapFromBase = reporter.mapFromBase();
+        if (mapFromBase.isEmpty()) {
+            asked.refuse("I don't know where I am.");
+            return;
+        }
+        if (asked.what().mapFromPlaces().isEmpty()) {
+            asked.inform(new Costs(List.of()));
+            return;
+        }
+        List<Pose2d> places = asked.what().mapFromPlaces();
+        var told = new TreeMap<Integer, Double>(); // cost by number of the place
+        for (int i = 0; i < places.size(); i++) {
+            int number = i;
+            cost(mapFromBase.get(), places.get(i))
+                    .thenAccept(cost -> self.scheduler().execute(() -> {
+                        told.put(number, cost);
+                        if (told.size() == places.size()) {
+                            asked.inform(new Costs(List.copyOf(told.values())));
+                        }
+                    }));
+        }
+    }
+
+    private CompletionStage<Double> cost(Pose2d mapFromBase, Pose2d mapFromPlace) {
+        return planner.plan(mapFromBase, mapFromPlace).handle((result, error) -> switch (result) {
+            case Planner.Result.Found found when error == null -> found.cost();
+            case null, default -> Double.POSITIVE_INFINITY;
+        });
+    }
+
+    /// Where somebody might go, in the map.
+    record Places(List<Pose2d> mapFromPlaces) {
+        Places {
+            mapFromPlaces = List.copyOf(mapFromPlaces);
+            if (!mapFromPlaces.stream().allMatch(Pose2d::isFinite)) {
+                throw new IllegalArgumentException("Ways lead to places, not to %s.".formatted(mapFromPlaces));
+            }
+        }
+
+        @Override
+        public String toString() {
+            return mapFromPlaces.stream().map(Words::place).collect(Collectors.joining(", "));
+        }
+    }
+
+    /// What the ways there cost [m, more where it is narrow], in the order of the places; +∞ where none leads.
+    record Costs(List<Double> costs) {
+        Costs {
+            costs = List.copyOf(costs);
+        }
+
+        @Override
+        public String toString() {
+            return costs.stream()
+                    .map(cost -> String.format(Locale.ROOT, "%.1f", cost))
+                    .collect(Collectors.joining(", "));
+        }
+    }
+}
