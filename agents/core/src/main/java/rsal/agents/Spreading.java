@@ -3,10 +3,13 @@ package rsal.agents;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
@@ -39,8 +42,12 @@ final class Spreading {
     private final Roll roll;
     private final Sightings sightings;
     private final Request<Places, Costs> costs;
+    private final Request<NewGoal, GoalReached> drives;
     private final Map<String, Integer> placeOf = new HashMap<>(); // by robot
-    private final Map<String, String> endings = new HashMap<>(); // of their last drive, by robot
+    private final Map<String, String> agentOf = new HashMap<>(); // by robot
+    private final Set<String> arrived = new HashSet<>();
+    private final Map<String, Set<Integer>> vain = new HashMap<>(); // places where robots could not get
+    private final Set<String> failed = new HashSet<>(); // to get to their place
     private @Nullable Round round;
     private boolean due;
 
@@ -55,6 +62,7 @@ final class Spreading {
         this.roll = new Roll(self, ping, ping.multipliedBy(3), _ -> disperseSoon(BETWEEN));
         this.sightings = new Sightings(self.blackboard());
         this.costs = Travel.service(self);
+        this.drives = Errands.service(self);
     }
 
     void begin() {
@@ -63,7 +71,6 @@ final class Spreading {
                     "Agent (%s) has no places to spread robots over. Maybe set (places).".formatted(self.name()));
         }
         self.subscribe(PoseReport.TOPIC, message -> sightings.note(message.content()));
-        self.subscribe(GoalReached.TOPIC, message -> note(message.content()));
         roll.begin();
         disperseSoon(TO_SETTLE);
         if (!interval.isZero()) {
@@ -103,32 +110,51 @@ final class Spreading {
     }
 
     private void allot(NavigableMap<String, double[]> costsByRobot) {
+        costsByRobot.forEach((robot, costs) -> {
+            for (int place : vain.getOrDefault(robot, Set.of())) {
+                costs[place] = Double.POSITIVE_INFINITY;
+            }
+        });
         Map<String, Integer> allotted = Assignment.even(costsByRobot);
+        vain.keySet().retainAll(allotted.keySet()); // who gets nothing may try all of them again
         allotted.forEach((robot, place) -> {
-            boolean same = place.equals(placeOf.get(robot));
-            boolean stays = same && endings.getOrDefault(robot, "").matches("|reached");
-            if (!stays) {
-                placeOf.put(robot, place);
-                endings.put(robot, "");
-                self.publish(NewGoal.TOPIC, new NewGoal(robot, mapFromPlaces.get(place)));
+            boolean goesThere = place.equals(placeOf.get(robot)) && !failed.contains(robot);
+            if (!goesThere) {
+                send(robot, place);
             }
         });
         placeOf.keySet().retainAll(allotted.keySet());
         tell();
     }
 
-    private void note(GoalReached end) {
-        Integer place = placeOf.get(end.robot());
-        if (place != null && mapFromPlaces.get(place).equals(end.mapFromGoal())) {
-            endings.put(end.robot(), end.ending());
-            tell();
+    private void send(String robot, int place) {
+        placeOf.put(robot, place);
+        failed.remove(robot);
+        arrived.remove(robot);
+        var order = new NewGoal(robot, mapFromPlaces.get(place));
+        drives.ask(Objects.requireNonNull(agentOf.get(robot)), order, ending -> ended(robot, place, ending));
+    }
+
+    private void ended(String robot, int place, Ending<GoalReached> ending) {
+        if (!Integer.valueOf(place).equals(placeOf.get(robot))) {
+            return; // it goes elsewhere by now
         }
+        switch (ending) {
+            case Ending.Informed<GoalReached> _ -> arrived.add(robot);
+            case Ending.Silent<GoalReached> _ -> {
+                failed.add(robot);
+                disperseSoon(Duration.ZERO);
+            }
+            default -> {
+                failed.add(robot);
+                vain.computeIfAbsent(robot, _ -> new HashSet<>()).add(place);
+            }
+        }
+        tell();
     }
 
     private void tell() {
-        long there = placeOf.keySet().stream()
-                .filter(robot -> endings.getOrDefault(robot, "").equals("reached"))
-                .count();
+        long there = placeOf.keySet().stream().filter(arrived::contains).count();
         self.state("%d of %d robots are at their place".formatted(there, placeOf.size()));
     }
 
@@ -138,6 +164,7 @@ final class Spreading {
         private final List<String> waitingFor = new ArrayList<>();
 
         void ask(String agent, PoseReport report) {
+            agentOf.put(report.robot(), agent);
             boolean knowsWays = self.directory().capabilities(agent).contains(Travel.CAPABILITY);
             if (!knowsWays) {
                 costsByRobot.put(report.robot(), straight(report.mapFromBase().position()));

@@ -14,7 +14,8 @@ import rsal.data.Pose2d;
 import rsal.device.Planner;
 import rsal.robot.Robot;
 
-/// What ways cost a robot: tells others who ask, by the robot's planner. Asking moves nothing.
+/// What ways cost a robot: tells others who ask, by the robot's planner. Asking moves nothing. A way that ends near a
+/// place because the robot does not fit there leads nowhere: it would not be driven either.
 final class Travel {
     /// Of those who can tell.
     static final Capability CAPABILITY = Capability.of("way-costs");
@@ -70,7 +71,7 @@ final class Travel {
 
     private CompletionStage<Double> cost(Pose2d mapFromBase, Pose2d mapFromPlace) {
         return planner.plan(mapFromBase, mapFromPlace).handle((result, error) -> switch (result) {
-            case Planner.Result.Found found when error == null -> found.cost();
+            case Planner.Result.Found found when found.offGoal() == 0 -> found.cost();
             case null, default -> Double.POSITIVE_INFINITY;
         });
     }
@@ -99,7 +100,7 @@ final class Travel {
         @Override
         public String toString() {
             return costs.stream()
-                    .map(cost -> String.format(Locale.ROOT, "%.1f", cost))
+                    .map(cost -> cost.isInfinite() ? "no way" : String.format(Locale.ROOT, "%.1f", cost))
                     .collect(Collectors.joining(", "));
         }
     }

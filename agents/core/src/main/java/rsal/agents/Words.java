@@ -27,4 +27,13 @@ final class Words {
             case Result.Stuck _ -> "stuck";
         };
     }
+
+    /// As [rsal.agent.message.GoalReached] says it.
+    static String reason(Result result) {
+        return switch (result) {
+            case Result.Reached _, Result.Cancelled _ -> "";
+            case Result.NoPath(String why) -> why;
+            case Result.Stuck stuck -> stuck.why();
+        };
+    }
 }

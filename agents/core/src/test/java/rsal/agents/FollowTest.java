@@ -132,7 +132,7 @@ class FollowTest {
         h1.navigator.reach();
         scene.advance(0);
         assertThat(h1.navigator.goals).containsExactly(at(10), at(-5), at(11));
-        assertThat(scene.said("h1", GoalReached.TOPIC)).containsExactly(new GoalReached("h1", at(-5), "reached"));
+        assertThat(scene.said("h1", GoalReached.TOPIC)).containsExactly(new GoalReached("h1", at(-5), "reached", ""));
         assertThat(scene.state("h1")).isEqualTo("hunting p1");
     }
 

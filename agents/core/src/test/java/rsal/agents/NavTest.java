@@ -31,7 +31,7 @@ class NavTest {
         r1.navigator.reach();
         scene.advance(0);
         assertThat(scene.said("r1", GoalReached.TOPIC))
-                .containsExactly(new GoalReached("r1", new Pose2d(3, -1, 0), "reached"));
+                .containsExactly(new GoalReached("r1", new Pose2d(3, -1, 0), "reached", ""));
         assertThat(scene.state("r1")).isEqualTo("(3.0, -1.0): reached");
     }
 

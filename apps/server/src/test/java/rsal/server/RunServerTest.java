@@ -341,7 +341,7 @@ class RunServerTest {
             assertThat(post("goal", inACorner).status()).isEqualTo(200);
             RunEvent event = awaitEvent(server.run(), "unreached");
             assertThat(event.subject()).isEqualTo("courier-1");
-            assertThat(event.text()).isEqualTo("can't get to (18.40, -6.40, 0°): no path");
+            assertThat(event.text()).startsWith("can't get to (18.40, -6.40, 0°): no path. ");
         }
 
         @Test

@@ -6,6 +6,20 @@ import rsal.data.Pose2d;
 /// A robot's drive to a place has ended.
 ///
 /// @param ending `reached`, `cancelled`, `no path` or `stuck`
-public record GoalReached(String robot, Pose2d mapFromGoal, String ending) {
+/// @param why it did not get there, for people; empty when it did or was cancelled
+public record GoalReached(String robot, Pose2d mapFromGoal, String ending, String why) {
     public static final Topic<GoalReached> TOPIC = new Topic<>("goal-reached", GoalReached.class);
+
+    public boolean reached() {
+        return ending.equals("reached");
+    }
+
+    public boolean cancelled() {
+        return ending.equals("cancelled");
+    }
+
+    /// `stuck. A box is ahead.`
+    public String words() {
+        return why.isEmpty() ? ending : ending + ". " + why;
+    }
 }

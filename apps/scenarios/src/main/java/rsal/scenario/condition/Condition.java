@@ -44,6 +44,20 @@ public sealed interface Condition {
         }
     }
 
+    /// `allArrived(robot)`: all that are not gone have reached the places where they were sent last.
+    record AllArrived(String role) implements Condition {
+        @Override
+        public boolean holds(Facts facts) {
+            int there = facts.robots(role) - facts.gone(role);
+            return there > 0 && facts.arrived(role) >= there;
+        }
+
+        @Override
+        public String toString() {
+            return "allArrived(" + role + ")";
+        }
+    }
+
     record And(Condition left, Condition right) implements Condition {
         @Override
         public boolean holds(Facts facts) {

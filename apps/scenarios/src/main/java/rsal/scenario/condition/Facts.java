@@ -17,6 +17,9 @@ public interface Facts {
     /// How many robots of a role have been caught so far.
     int caught(String role);
 
+    /// How many robots of a role have reached the place where they were sent last.
+    int arrived(String role);
+
     /// How many robots of a role are gone now, by a fault.
     int gone(String role);
 

@@ -15,9 +15,10 @@ import rsal.settings.Suggestion;
 /// ```
 /// condition  = both {"or" both}
 /// both       = single {"and" single}
-/// single     = "not" single | "(" condition ")" | "allCaught" "(" role ")" | quantity relation number
+/// single     = "not" single | "(" condition ")" | ("allCaught" | "allArrived") "(" role ")"
+///            | quantity relation number
 /// quantity   = "time" | "collisions" | "wallCollisions" | "faults" | "lostMessages"
-///            | ("caught" | "gone") "(" role ")"
+///            | ("caught" | "arrived" | "gone") "(" role ")"
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
 /// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "distance" ["(" role ")"]
 ///            | function "(" signal ["(" role ")"] ")"
@@ -33,7 +34,8 @@ public final class Grammar {
             Pattern.compile("\\s*(?:(?<word>\\p{Alpha}[\\w-]*)|(?<number>-?\\d+(?:\\.\\d+)?)|(?<sign>[<>=!]=?|[()]))");
     private static final List<String> QUANTITIES =
             Arrays.stream(Quantity.Kind.values()).map(Quantity.Kind::word).toList();
-    private static final List<String> PREDICATES = Stream.of(List.of("allCaught"), QUANTITIES, List.of("not"))
+    private static final List<String> PREDICATES = Stream.of(
+                    List.of("allCaught", "allArrived"), QUANTITIES, List.of("not"))
             .flatMap(List::stream)
             .toList();
     private static final List<String> MEASURES =
@@ -108,6 +110,9 @@ public final class Grammar {
             }
             if (takes("allCaught")) {
                 return new Condition.AllCaught(role());
+            }
+            if (takes("allArrived")) {
+                return new Condition.AllArrived(role());
             }
             return comparison();
         } finally {

@@ -11,6 +11,7 @@ public record Quantity(Kind kind, String role) {
         COLLISIONS("collisions", false),
         WALL_COLLISIONS("wallCollisions", false),
         CAUGHT("caught", true),
+        ARRIVED("arrived", true),
         GONE("gone", true),
         FAULTS("faults", false),
         LOST_MESSAGES("lostMessages", false);
@@ -39,6 +40,7 @@ public record Quantity(Kind kind, String role) {
             case COLLISIONS -> facts.collisions();
             case WALL_COLLISIONS -> facts.wallCollisions();
             case CAUGHT -> facts.caught(role);
+            case ARRIVED -> facts.arrived(role);
             case GONE -> facts.gone(role);
             case FAULTS -> facts.faults();
             case LOST_MESSAGES -> facts.lostMessages();

@@ -13,6 +13,7 @@ import rsal.agent.Message;
 import rsal.agent.Society;
 import rsal.agent.message.Caught;
 import rsal.agent.message.GoalReached;
+import rsal.agent.message.Hello;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
@@ -112,11 +113,18 @@ final class Agents implements AutoCloseable {
         }
         String words = Words.of(message);
         switch (message.content()) {
+            case Hello hello
+            when hello.kind() == Hello.Kind.PING || hello.kind() == Hello.Kind.PONG ->
+                journal.hash(message.sender(), message.topic().name(), words);
             case PoseReport _, PoseRequest _ ->
                 journal.hash(message.sender(), message.topic().name(), words);
-            case NewGoal _ -> journal.event("goal", message.sender(), words);
+            case NewGoal order -> {
+                journal.event("goal", message.sender(), words);
+                observer.heard(order);
+            }
             case GoalReached end -> {
                 journal.event("goal", message.sender(), words);
+                observer.heard(end);
                 ended(end);
             }
             case Caught caught -> {
@@ -126,6 +134,11 @@ final class Agents implements AutoCloseable {
             case Act act
             when !conversations.isNew(message.sender(), message.to(), act) ->
                 journal.hash(message.sender(), message.topic().name(), words);
+            case Act act
+            when act.content() instanceof NewGoal order -> {
+                journal.event("goal", message.sender(), words);
+                observer.heard(order);
+            }
             default -> journal.event("message", message.sender(), words);
         }
     }
@@ -133,15 +146,15 @@ final class Agents implements AutoCloseable {
     /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled has given way
     /// to another, maybe to the same place again.
     private void ended(GoalReached end) {
-        if (end.ending().equals("cancelled") || !end.mapFromGoal().equals(mapFromAsked.get(end.robot()))) {
+        if (end.cancelled() || !end.mapFromGoal().equals(mapFromAsked.get(end.robot()))) {
             return;
         }
         mapFromAsked.remove(end.robot());
-        if (!end.ending().equals("reached")) {
+        if (!end.reached()) {
             journal.event(
                     "unreached",
                     end.robot(),
-                    "can't get to %s: %s".formatted(Words.of(end.mapFromGoal()), end.ending()));
+                    "can't get to %s: %s".formatted(Words.of(end.mapFromGoal()), end.words()));
         }
     }
 

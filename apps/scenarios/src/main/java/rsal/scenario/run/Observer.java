@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -15,6 +16,8 @@ import java.util.Set;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.message.Caught;
+import rsal.agent.message.GoalReached;
+import rsal.agent.message.NewGoal;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.Stamped;
@@ -38,6 +41,8 @@ final class Observer implements Facts {
     private final Map<String, RobotRecord> records = new LinkedHashMap<>();
     private final Set<String> caught = new LinkedHashSet<>();
     private final Map<Measured, OptionalDouble> firstTimes = new HashMap<>();
+    private final Map<String, Pose2d> sentTo = new HashMap<>(); // by robot, or ALL
+    private final Set<String> arrived = new HashSet<>(); // where they were sent last
     private int contacts;
     private RunPlan.@Nullable Stop decided;
     private Duration endsAt = Duration.ZERO;
@@ -143,6 +148,24 @@ final class Observer implements Facts {
         }
     }
 
+    /// Robots are sent somewhere.
+    void heard(NewGoal order) {
+        if (order.robot().equals(NewGoal.ALL)) {
+            sentTo.replaceAll((_, _) -> order.mapFromGoal());
+            arrived.clear();
+        }
+        sentTo.put(order.robot(), order.mapFromGoal());
+        arrived.remove(order.robot());
+    }
+
+    /// A drive has ended.
+    void heard(GoalReached end) {
+        boolean newest = end.mapFromGoal().equals(sentTo.getOrDefault(end.robot(), sentTo.get(NewGoal.ALL)));
+        if (newest && end.reached()) {
+            arrived.add(end.robot());
+        }
+    }
+
     /// A robot has come. Robots that leave count on, as they were last.
     void joined(String robot, String role) {
         records.computeIfAbsent(robot, _ -> new RobotRecord(role)).placed();
@@ -194,6 +217,11 @@ final class Observer implements Facts {
     @Override
     public int caught(String role) {
         return among(caught, role);
+    }
+
+    @Override
+    public int arrived(String role) {
+        return among(arrived, role);
     }
 
     @Override

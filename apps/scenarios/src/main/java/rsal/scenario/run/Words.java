@@ -21,19 +21,28 @@ final class Words {
     private Words() {}
 
     static String of(Message<?> message) {
-        return switch (message.content()) {
+        return message.content() instanceof Act act ? of(message.to(), act) : content(message.content());
+    }
+
+    /// `nav-1, request: nav-1, go to (1.00, 2.00, 0°)`
+    private static String of(String to, Act act) {
+        String about = content(act.content());
+        return "%s, %s".formatted(to, act.performative()) + (about.isEmpty() ? "" : ": " + about);
+    }
+
+    private static String content(Object content) {
+        return switch (content) {
             case PoseReport report -> "%s is at %s".formatted(report.robot(), of(report.mapFromBase()));
             case PoseRequest request -> "%s, where are you?".formatted(request.robot());
             case NewGoal goal -> "%s, go to %s".formatted(goal.robot(), of(goal.mapFromGoal()));
-            case GoalReached end -> "%s: %s at %s".formatted(end.robot(), end.ending(), of(end.mapFromGoal()));
+            case GoalReached end -> "%s at %s: %s".formatted(end.robot(), of(end.mapFromGoal()), end.words());
             case Caught caught ->
                 String.format(
                         Locale.ROOT, "%s is caught by %s at %.2f m", caught.prey(), caught.hunter(), caught.distance());
             case Chase chase -> "%s goes for %s".formatted(chase.hunter(), chase.prey());
             case Hello hello -> of(hello);
             case Text text -> text.words();
-            case Act act -> "%s, %s".formatted(message.to(), act);
-            default -> message.content().toString();
+            default -> content.toString();
         };
     }
 

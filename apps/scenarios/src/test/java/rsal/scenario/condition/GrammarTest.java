@@ -42,6 +42,11 @@ class GrammarTest {
         }
 
         @Override
+        public int arrived(String role) {
+            return role.equals("hunter") ? 1 : 0;
+        }
+
+        @Override
         public int gone(String role) {
             return role.equals("hunter") ? 1 : 0;
         }
@@ -70,6 +75,9 @@ class GrammarTest {
         "collisions > 2, true",
         "wallCollisions > 1, false",
         "caught(prey) >= 1, true",
+        "arrived(hunter) == 1, true",
+        "allArrived(hunter), true",
+        "allArrived(prey), false",
         "gone(hunter) == 1, true",
         "gone(prey) > 0, false",
         "faults > 3, true",

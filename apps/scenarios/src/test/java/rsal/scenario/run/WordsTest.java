@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -18,6 +19,9 @@ import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
 import rsal.agent.message.Text;
+import rsal.agent.protocol.Act;
+import rsal.agent.protocol.Performative;
+import rsal.agent.protocol.Side;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 
@@ -28,7 +32,7 @@ class WordsTest {
         return List.of(
                 new Caught("prey-1", "hunter-1", 1.234),
                 new Chase("hunter-1", "prey-1"),
-                new GoalReached("hunter-1", PLACE, "stuck"),
+                new GoalReached("hunter-1", PLACE, "stuck", "A box is ahead."),
                 new Hello("hunter-1", Hello.Kind.PONG, "prey-1"),
                 new NewGoal("hunter-1", PLACE),
                 new PoseReport("hunter-1", "hunter", PLACE),
@@ -41,6 +45,24 @@ class WordsTest {
     void ourOwnMessagesReadAsSentences(Record content) {
         var message = new Message<>(new Topic<>("any", Record.class), "follow-1", "", Instant.EPOCH, content);
         assertThat(Words.of(message)).doesNotContain("[", "=").isNotBlank();
+    }
+
+    @Test
+    void whatIsSaidInConversationsSaysToWhom() {
+        var content = new Act(
+                Performative.REQUEST,
+                "fipa-request",
+                "x",
+                Side.INITIATOR,
+                1,
+                0,
+                Optional.empty(),
+                new NewGoal("r1", PLACE));
+        var request = new Message<>(new Topic<>("go", Act.class), "zoe", "nav-1", Instant.EPOCH, content);
+        assertThat(Words.of(request)).isEqualTo("nav-1, request: r1, go to (1.00, -2.50, 90°)");
+        var agree = new Act(Performative.AGREE, "fipa-request", "x", Side.PARTICIPANT, 1, 1, Optional.empty(), "");
+        assertThat(Words.of(new Message<>(new Topic<>("go", Act.class), "nav-1", "zoe", Instant.EPOCH, agree)))
+                .isEqualTo("zoe, agree");
     }
 
     @Test
