@@ -45,7 +45,8 @@ import rsal.settings.Suggestion;
             MapCommand.class,
             DoctorCommand.class,
             BenchCommand.class,
-            TestCommand.class
+            TestCommand.class,
+            HelpCommand.class
         })
 public final class Main implements Runnable {
     @Spec
@@ -68,11 +69,11 @@ public final class Main implements Runnable {
     /// @param stdout where results go
     static CommandLine commandLine(OutputStream stdout) {
         var commandLine = new CommandLine(new Main());
+        Words.register(commandLine);
         return commandLine
                 .setOut(new PrintWriter(stdout, false, StandardCharsets.UTF_8))
                 .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
                 .setColorScheme(Help.defaultColorScheme(Terminal.colors()))
-                .setCaseInsensitiveEnumValuesAllowed(true)
                 .setUsageHelpWidth(110)
                 .setUsageHelpLongOptionsMaxWidth(30)
                 .setExitCodeExceptionMapper(_ -> Exit.INTERNAL)

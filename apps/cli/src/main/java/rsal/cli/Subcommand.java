@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import tools.jackson.databind.MapperFeature;
 import tools.jackson.databind.json.JsonMapper;
@@ -35,6 +36,13 @@ abstract class Subcommand implements Callable<Integer> {
             Logging.tellMore();
         }
         return run();
+    }
+
+    /// @throws ParameterException unless it is right; the message names the option and its value
+    final void check(boolean right, String message) {
+        if (!right) {
+            throw new ParameterException(spec.commandLine(), message);
+        }
     }
 
     final PrintWriter out() {

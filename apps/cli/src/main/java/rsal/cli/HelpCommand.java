@@ -1,0 +1,33 @@
+package rsal.cli;
+
+import java.util.Optional;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import rsal.settings.Suggestion;
+
+/// `rsal help`
+@Command(name = "help", description = "Tell what commands there are, or what one of them takes.")
+final class HelpCommand extends Subcommand {
+    @Parameters(paramLabel = "COMMAND", arity = "0..1", description = "Left out: all of them.")
+    private Optional<String> command = Optional.empty();
+
+    @Override
+    int run() {
+        CommandLine all = spec.commandLine().getParent();
+        CommandLine asked = command.isEmpty() ? all : all.getSubcommands().get(command.get());
+        if (asked == null) {
+            String name = command.orElseThrow();
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "There is no command (%s). %s"
+                            .formatted(
+                                    name,
+                                    Suggestion.among(name, all.getSubcommands().keySet())));
+        }
+        asked.usage(out(), all.getColorScheme());
+        out().flush();
+        return Exit.SUCCESS;
+    }
+}
