@@ -1,10 +1,11 @@
 package rsal.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -16,7 +17,6 @@ import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.data.Covariance2d;
 import rsal.data.OccupancyGrid;
@@ -54,6 +54,9 @@ import rsal.time.AllowedToReadWallClock;
         })
 @AllowedToReadWallClock("Tells how long updates take.")
 final class LocalizeCommand extends Subcommand {
+    private static final int MOST_PARTICLES = 1_000_000;
+    private static final double OFF_MAP = 5; // m; how far off a map a start may be
+
     @Parameters(index = "0", paramLabel = "LOG", description = "The log's file.")
     private String file = "";
 
@@ -66,6 +69,9 @@ final class LocalizeCommand extends Subcommand {
             paramLabel = "MAP.yaml",
             description = "Writes the map of --map-from-half, its image beside it.")
     private @Nullable String saveMap;
+
+    @Option(names = "--force", description = "Overwrite the files of --save-map if they are there.")
+    private boolean force;
 
     @ArgGroup
     private @Nullable Start start;
@@ -269,33 +275,20 @@ final class LocalizeCommand extends Subcommand {
 
     @Override
     int run() throws IOException {
-        if (seeds < 1
-                || scans < 1
-                || beams < 5
-                || !(maxRange > 0)
-                || minParticles < 20
-                || maxParticles < minParticles) {
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "--seeds and --scans must be at least 1, --beams 5, --min-particles 20, --max-particles as many;"
-                            + " --max-range more than 0.");
-        }
-        if (!recorded.isFieldOfViewPossible()) {
-            throw new ParameterException(spec.commandLine(), "--field-of-view must be above 0° and at most 360°.");
-        }
-        if (start != null && start.pose != null && !Arrays.stream(start.pose).allMatch(Double::isFinite)) {
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "--pose takes three finite numbers, as 3.2 -1.5 90; not (%s)."
-                            .formatted(Arrays.toString(start.pose)));
-        }
+        checkOptions();
+        Optional<Destination> target = Optional.ofNullable(saveMap).map(this::target);
         Optional<OdometryModel> noise = recorded.noise();
         CarmenLog log = recorded.read(file);
         Course course = recorded.course(log, file);
         if (course.stops().isEmpty()) {
             throw LogOptions.nothingKnown(file, "odometry", log);
         }
-        var localizationMap = new LocalizationMap(grid(course), 0.1, 0.05);
+        LogOptions.checkReturns(file, course);
+        target.ifPresent(Destination::prepareExisting);
+        OccupancyGrid grid = grid(course);
+        checkStart(grid);
+        target.ifPresent(folder -> save(grid, folder));
+        var localizationMap = new LocalizationMap(grid, 0.1, 0.05);
         if (map.fromHalf) {
             course = course.only(i -> i % 2 == 1);
         }
@@ -324,6 +317,49 @@ final class LocalizeCommand extends Subcommand {
             tell(log, summary);
         }
         return Exit.SUCCESS;
+    }
+
+    private void checkOptions() {
+        check(seeds >= 1, "--seeds must be at least 1, not (%d).".formatted(seeds));
+        check(scans >= 1, "--scans must be at least 1, not (%d).".formatted(scans));
+        check(beams >= 5, "--beams must be at least 5, not (%d).".formatted(beams));
+        check(maxRange > 0, "--max-range must be more than 0 m, not (%s).".formatted(maxRange));
+        check(minParticles >= 20, "--min-particles must be at least 20, not (%d).".formatted(minParticles));
+        check(
+                maxParticles >= minParticles && maxParticles <= MOST_PARTICLES,
+                "--max-particles must be from --min-particles (%d) to %d, not (%d)."
+                        .formatted(minParticles, MOST_PARTICLES, maxParticles));
+        check(
+                start == null || start.pose == null || Arrays.stream(start.pose).allMatch(Double::isFinite),
+                "--pose takes three finite numbers, as 3.2 -1.5 90; not (%s).".formatted(start == null ? "" : Arrays.toString(start.pose)));
+        check(
+                saveMap == null || map.fromHalf,
+                "--save-map goes with --map-from-half: with --map no other map is made.");
+        check(saveMap == null || saveMap.endsWith(".yaml"), "--save-map (%s) must end with .yaml.".formatted(saveMap));
+        recorded.checkOptions();
+    }
+
+    private Destination target(String yaml) {
+        Path folder = Destination.path(yaml).toAbsolutePath().getParent();
+        return Destination.of(String.valueOf(folder), List.of(fileName(yaml), imageName(yaml)), force);
+    }
+
+    /// A robot is not expected far off the map, where nothing could tell where it is.
+    private void checkStart(OccupancyGrid grid) {
+        if (start == null || start.pose == null) {
+            return;
+        }
+        double x = start.pose[0];
+        double y = start.pose[1];
+        double right = grid.originX() + grid.width() * grid.resolution();
+        double top = grid.originY() + grid.height() * grid.resolution();
+        if (x < grid.originX() - OFF_MAP || x > right + OFF_MAP || y < grid.originY() - OFF_MAP || y > top + OFF_MAP) {
+            throw new InvalidSettings(
+                    Location.of("--pose"),
+                    "The start (%s, %s) is far off the map, which reaches from (%.1f, %.1f) to (%.1f, %.1f)."
+                            .formatted(x, y, grid.originX(), grid.originY(), right, top),
+                    "Poses are in meters in the map's frame, as the 'origin' of its YAML says.");
+        }
     }
 
     private List<Replay.Step> follow(
@@ -368,20 +404,23 @@ final class LocalizeCommand extends Subcommand {
         } catch (IllegalArgumentException e) {
             throw new InvalidSettings(Location.of(file), String.valueOf(e.getMessage()), "");
         }
-        if (saveMap != null) {
-            save(drawn, saveMap);
-        }
         return drawn;
     }
 
-    private void save(OccupancyGrid drawn, String yaml) throws IOException {
-        if (!yaml.endsWith(".yaml")) {
-            throw new ParameterException(spec.commandLine(), "(%s) must end with .yaml.".formatted(yaml));
-        }
-        Path target = Path.of(yaml);
-        String image = String.valueOf(target.getFileName()).replaceFirst("\\.yaml$", ".pgm");
-        Files.write(target.resolveSibling(image), RosMap.pgm(drawn));
-        Files.writeString(target, RosMap.yaml(drawn, image));
+    private void save(OccupancyGrid drawn, Destination folder) {
+        String yaml = String.valueOf(saveMap);
+        var contents = new LinkedHashMap<String, byte[]>();
+        contents.put(imageName(yaml), RosMap.pgm(drawn));
+        contents.put(fileName(yaml), RosMap.yaml(drawn, imageName(yaml)).getBytes(StandardCharsets.UTF_8));
+        folder.write(contents);
+    }
+
+    private static String fileName(String yaml) {
+        return String.valueOf(Destination.path(yaml).getFileName());
+    }
+
+    private static String imageName(String yaml) {
+        return fileName(yaml).replaceFirst("\\.yaml$", ".pgm");
     }
 
     private static @Nullable Double known(double value) {
@@ -427,12 +466,7 @@ final class LocalizeCommand extends Subcommand {
     }
 
     private void tell(CarmenLog log, Summary summary) {
-        if (log.skipped().total() > 0) {
-            err().println("Skipped of the log: " + log.skipped().counts());
-            log.skipped().first().stream()
-                    .limit(3)
-                    .forEach(place -> err().println("  %s:%d: %s".formatted(file, place.line(), place.what())));
-        }
+        LogOptions.tellSkipped(err(), file, log);
         if (summary.seeds > 1 && summary.judged > 0) {
             out().println(("%d runs: %.0f%% converged within 10 scans, %.0f%% at all; from there on rmse %s m, of the"
                             + " worst run %s m, 95%% below %s m, heading %s°; falsely sure at %.2f%% of scans; %.2f ms"

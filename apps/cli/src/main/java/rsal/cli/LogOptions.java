@@ -1,10 +1,13 @@
 package rsal.cli;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -20,6 +23,9 @@ import rsal.settings.Location;
 
 /// What commands that follow recorded logs have in common.
 final class LogOptions {
+    private static final double MANY = 0.1; // share of scans skipped that nobody should miss
+    private static final double TOO_MANY = 0.5; // likewise, that leaves too little to go by
+
     @Spec(Spec.Target.MIXEE)
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private CommandSpec spec;
@@ -60,8 +66,12 @@ final class LogOptions {
         return noReference && reference == null;
     }
 
-    boolean isFieldOfViewPossible() {
-        return fieldOfView > 0 && fieldOfView <= 360;
+    void checkOptions() {
+        if (!(fieldOfView > 0 && fieldOfView <= 360)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--field-of-view must be above 0° and at most 360°, not (%s).".formatted(fieldOfView));
+        }
     }
 
     /// How the wheels are to err; empty when they are not.
@@ -86,11 +96,19 @@ final class LogOptions {
                         .formatted(odometryNoise));
     }
 
+    /// @throws InvalidSettings when it can't be read, or most of its scans can't be used
     CarmenLog read(String file) {
         try {
-            return CarmenLog.read(
+            CarmenLog log = CarmenLog.read(
                     Path.of(file),
                     new LogReader.Options(Math.toRadians(fieldOfView), LogReader.Options.DEFAULT.rangeMax()));
+            if (skippedShare(log) > TOO_MANY) {
+                throw new InvalidSettings(
+                        Location.of(file),
+                        "Most of its scans can't be used: %s.".formatted(skippedText(log)),
+                        whereSkipped(log));
+            }
+            return log;
         } catch (BrokenLog e) {
             throw new InvalidSettings(new Location(file, e.line(), 1), e.reason(), "");
         } catch (NoSuchFileException | InvalidPathException _) {
@@ -123,10 +141,77 @@ final class LogOptions {
     ///
     /// @param what of scans is missing
     static InvalidSettings nothingKnown(String file, String what, CarmenLog log) {
+        if (log.scans().isEmpty() && log.skipped().scans() > 0) {
+            return new InvalidSettings(
+                    Location.of(file),
+                    "None of its scans can be used: %s.".formatted(skippedText(log)),
+                    whereSkipped(log));
+        }
         return new InvalidSettings(
                 Location.of(file),
-                "There is no scan in it whose %s is known; skipped: %s."
-                        .formatted(what, log.skipped().counts()),
+                log.scans().isEmpty()
+                        ? "There is no scan in it%s.".formatted(among(log))
+                        : "There is no scan in it whose %s is known%s.".formatted(what, among(log)),
                 "FLASER and ROBOTLASER1 tell it; RAWLASER1 needs ODOM before it.");
+    }
+
+    private static String among(CarmenLog log) {
+        return log.skipped().total() == 0 ? "" : "; skipped: " + skippedText(log);
+    }
+
+    /// @throws InvalidSettings when no beam of any scan hit anything, so that there is nothing to go by
+    static void checkReturns(String file, Course course) {
+        boolean hit = course.stops().stream()
+                .map(Course.Stop::scan)
+                .anyMatch(scan -> IntStream.range(0, scan.count()).anyMatch(scan::isHit));
+        if (!hit) {
+            throw new InvalidSettings(
+                    Location.of(file),
+                    "No beam of any of its %d scans hit anything."
+                            .formatted(course.stops().size()),
+                    "Maybe its ranges are in another unit: they must be in meters, below %.0f."
+                            .formatted(LogReader.Options.DEFAULT.rangeMax()));
+        }
+    }
+
+    /// Tells people what of a log was not used, and makes sure that they see when it is much.
+    static void tellSkipped(PrintWriter err, String file, CarmenLog log) {
+        if (log.skipped().total() == 0) {
+            return;
+        }
+        err.println((skippedShare(log) > MANY ? "WARNING: much of (%s) was skipped: %s" : "Skipped of (%s): %s")
+                .formatted(file, skippedText(log)));
+        log.skipped().first().stream()
+                .limit(3)
+                .forEach(place -> err.println("  %s:%d: %s".formatted(file, place.line(), place.what())));
+    }
+
+    private static double skippedShare(CarmenLog log) {
+        int skipped = log.skipped().scans();
+        return skipped == 0 ? 0 : (double) skipped / (skipped + log.scans().size());
+    }
+
+    /// `18 of 20 scans; 17 back in time, 2 cut short`.
+    private static String skippedText(CarmenLog log) {
+        int scans = log.skipped().scans();
+        int others = log.skipped().total() - scans;
+        String reasons = log.skipped().counts().entrySet().stream()
+                .map(reason -> "%d %s".formatted(reason.getValue(), reason.getKey()))
+                .collect(Collectors.joining(", "));
+        return "%s%s (%s)"
+                .formatted(
+                        scans == 0
+                                ? "no scan"
+                                : "%d of %d scans"
+                                        .formatted(scans, scans + log.scans().size()),
+                        others == 0 ? "" : ", %d other messages".formatted(others),
+                        reasons);
+    }
+
+    private static String whereSkipped(CarmenLog log) {
+        return log.skipped().first().stream()
+                .findFirst()
+                .map(place -> "The first is in line %d: %s".formatted(place.line(), place.what()))
+                .orElse("");
     }
 }

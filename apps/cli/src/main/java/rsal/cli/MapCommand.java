@@ -2,9 +2,6 @@ package rsal.cli;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -14,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -121,11 +119,11 @@ final class MapCommand extends Subcommand {
 
     @Override
     int run() throws IOException {
-        if (!(resolution >= 0.005 && resolution <= 10 && maxRange > 0 && recorded.isFieldOfViewPossible())) {
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "--resolution must be 0.005 to 10 m, --max-range more than 0, --field-of-view at most 360°.");
-        }
+        check(
+                resolution >= 0.005 && resolution <= 10,
+                "--resolution must be 0.005 to 10 m, not (%s).".formatted(resolution));
+        check(maxRange > 0, "--max-range must be more than 0 m, not (%s).".formatted(maxRange));
+        recorded.checkOptions();
         if (knownPoses && (files.size() > 1 || recorded.hasNoise())) {
             throw new ParameterException(
                     spec.commandLine(), "--known-poses goes with one log and without --odometry-noise.");
@@ -138,9 +136,9 @@ final class MapCommand extends Subcommand {
             throw new ParameterException(spec.commandLine(), "--reference goes with one log.");
         }
         long start = System.nanoTime();
-        Path folder = folder();
-        checkFree(folder);
+        Destination folder = Destination.of(out, fileNames(), force);
         List<Robot> robots = robots();
+        folder.prepare();
         Slam slam;
         var contents = new LinkedHashMap<String, byte[]>();
         OccupancyGrid grid;
@@ -181,7 +179,7 @@ final class MapCommand extends Subcommand {
         contents.put("map.pgm", RosMap.pgm(grid));
         contents.put("map.yaml", text(RosMap.yaml(grid, "map.pgm")));
         contents.put("picture.png", MapPicture.png(grid, slam));
-        write(folder, contents);
+        folder.write(contents);
         double seconds = Duration.ofNanos(System.nanoTime() - start).toMillis() / 1e3;
         var result = new Result(
                 drawn,
@@ -192,6 +190,7 @@ final class MapCommand extends Subcommand {
                 contents.keySet().stream()
                         .map(f -> folder.resolve(f).toString())
                         .toList());
+        robots.forEach(robot -> LogOptions.tellSkipped(err(), robot.file(), robot.log()));
         if (json) {
             printJson(result);
         } else {
@@ -213,30 +212,13 @@ final class MapCommand extends Subcommand {
         return files.size() == 1 ? "trajectory.txt" : "trajectory-%d.txt".formatted(log + 1);
     }
 
-    private Path folder() {
-        try {
-            return Path.of(out);
-        } catch (InvalidPathException e) {
-            throw new ParameterException(spec.commandLine(), "(%s) can't be a folder.".formatted(out), e);
+    private List<String> fileNames() {
+        var names = new ArrayList<>(List.of("map.yaml", "map.pgm", "picture.png"));
+        if (!knownPoses) {
+            names.add("residuals.csv");
+            IntStream.range(0, files.size()).forEach(i -> names.add(trajectoryName(i)));
         }
-    }
-
-    private void checkFree(Path folder) {
-        if (Files.exists(folder) && !Files.isDirectory(folder)) {
-            throw new InvalidSettings(Location.of(out), "This is a file, not a folder to write to.", "");
-        }
-        var names = new ArrayList<>(List.of("map.yaml", "map.pgm", "picture.png", "residuals.csv"));
-        for (int i = 0; i < files.size(); i++) {
-            names.add(trajectoryName(i));
-        }
-        for (String name : names) {
-            if (!force && Files.exists(folder.resolve(name))) {
-                throw new InvalidSettings(
-                        Location.of(folder.resolve(name).toString()),
-                        "The file is there already.",
-                        "Name another folder, or overwrite it by '--force'.");
-            }
-        }
+        return names;
     }
 
     private List<Robot> robots() {
@@ -249,6 +231,7 @@ final class MapCommand extends Subcommand {
             if (course.stops().isEmpty() || (knownPoses && course.posed().isEmpty())) {
                 throw LogOptions.nothingKnown(file, knownPoses ? "pose" : "odometry", log);
             }
+            LogOptions.checkReturns(file, course);
             robots.add(new Robot(
                     file,
                     log,
@@ -394,25 +377,10 @@ final class MapCommand extends Subcommand {
         return text.getBytes(StandardCharsets.UTF_8);
     }
 
-    private static void write(Path folder, Map<String, byte[]> contents) {
-        try {
-            Files.createDirectories(folder);
-            for (var file : contents.entrySet()) {
-                Files.write(folder.resolve(file.getKey()), file.getValue());
-            }
-        } catch (IOException e) {
-            throw new InvalidSettings(
-                    Location.of(folder.toString()), "It can't be written: %s.".formatted(e.getMessage()), "");
-        }
-    }
-
     private void tell(Result result) {
         for (Drawn log : result.logs()) {
             out().println("%s: %d scans, %d kept, %d places known again"
                     .formatted(log.log(), log.scans(), log.kept(), log.loops()));
-            if (!log.skipped().isEmpty()) {
-                err().println("Skipped of (%s): %s".formatted(log.log(), log.skipped()));
-            }
             tell("wheels, scan to scan", log.odometry());
             tell("map, scan to scan", log.next());
             tell("map, scans within %.0f m".formatted(NEAR), log.near());

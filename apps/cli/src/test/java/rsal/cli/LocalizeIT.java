@@ -94,7 +94,7 @@ class LocalizeIT {
         Ended ended = rsal.run("localize", "bad.log", "--map-from-half", "--scans", "2");
 
         assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
-        assertThat(ended.err()).contains("cut short=1", "bad.log:1:");
+        assertThat(ended.err()).contains("1 of 42 scans (1 cut short)", "bad.log:1:");
     }
 
     @Test
@@ -106,6 +106,64 @@ class LocalizeIT {
         assertThat(ended.out()).contains("seed 2: never converged", "2 runs: 0% converged", "0% at all", "rmse - m");
     }
 
+    @Test
+    void aSavedMapIsNotOverwrittenUnasked() throws Exception {
+        String[] line = {"localize", "room.log", "--map-from-half", "--scans", "2", "--save-map", "mine.yaml"};
+        Files.writeString(folder.resolve("mine.pgm"), "dear to me");
+
+        Ended refused = rsal.run(line);
+        assertThat(refused.code()).isEqualTo(Exit.INVALID);
+        assertThat(refused.err()).contains("mine.pgm", "--force");
+        assertThat(folder.resolve("mine.pgm")).hasContent("dear to me");
+        assertThat(folder.resolve("mine.yaml")).doesNotExist();
+
+        var forced = new java.util.ArrayList<>(java.util.List.of(line));
+        forced.add("--force");
+        assertThat(rsal.run(forced.toArray(String[]::new)).code()).isEqualTo(Exit.SUCCESS);
+        assertThat(folder.resolve("mine.yaml")).isNotEmptyFile();
+    }
+
+    @Test
+    void aLogThatHasNoReturnsTellsNothing() throws Exception {
+        String nothing = RoomLog.whole().replaceAll("FLASER 181( \\S+){181}", "FLASER 181" + " 81.91".repeat(181));
+        Files.writeString(folder.resolve("void.log"), nothing);
+
+        Ended localize = rsal.run("localize", "void.log", "--map", "office", "--pose", "0", "0", "0");
+        assertThat(localize.code()).isEqualTo(Exit.INVALID);
+        assertThat(localize.err()).contains("void.log", "No beam of any of its 41 scans hit anything");
+        assertThat(rsal.run("map", "void.log", "--out", "void").code()).isEqualTo(Exit.INVALID);
+        assertThat(folder.resolve("void")).doesNotExist();
+    }
+
+    @Test
+    void manyScansThatCannotBeUsedAreNotMissed() throws Exception {
+        var lines = new java.util.ArrayList<>(RoomLog.whole().lines().toList());
+        for (int i = 4; i < 10; i++) {
+            lines.set(i, "FLASER 3 1 2");
+        }
+        Files.write(folder.resolve("holes.log"), lines);
+        Ended warned = rsal.run("localize", "holes.log", "--map-from-half", "--scans", "2");
+        assertThat(warned.code()).as(warned.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(warned.err())
+                .contains("WARNING", "6 of 41 scans (6 cut short)")
+                .doesNotContain("{");
+
+        for (int i = 4; i < 30; i++) {
+            lines.set(i, "FLASER 3 1 2");
+        }
+        Files.write(folder.resolve("holes.log"), lines);
+        Ended refused = rsal.run("localize", "holes.log", "--map-from-half");
+        assertThat(refused.code()).isEqualTo(Exit.INVALID);
+        assertThat(refused.err()).contains("Most of its scans can't be used", "26 of 41 scans", "line 5");
+    }
+
+    @Test
+    void odometryThatIsSkippedIsNoScan() throws Exception {
+        Files.writeString(folder.resolve("odom.log"), "ODOM 1 2\n" + RoomLog.whole());
+        Ended ended = rsal.run("localize", "odom.log", "--map-from-half", "--scans", "2");
+        assertThat(ended.err()).contains("no scan, 1 other messages").doesNotContain("WARNING");
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             localize room.log                                            | --map                 | 2
@@ -115,6 +173,17 @@ class LocalizeIT {
             localize room.log --map-from-half --odometry-noise Infinity,1,1 | (Infinity,1,1)     | 2
             localize room.log --map-from-half --pose NaN 0 0             | NaN                   | 2
             localize room.log --map-from-half --seeds 0                  | --seeds               | 2
+            localize room.log --map-from-half --seeds abc                | (abc) is not a whole  | 2
+            localize room.log --map-from-half --beams 0                  | --beams must be at least 5, not (0) | 2
+            localize room.log --map-from-half --min-particles 6000       | --min-particles (6000) | 2
+            localize room.log --map-from-half --max-range -1             | --max-range must be   | 2
+            localize room.log --map-from-half --max-range far            | (far) is not a number | 2
+            localize room.log --map-from-half --field-of-view 400        | not (400.0)           | 2
+            localize room.log --map-from-half --model beam5              | Maybe (beam)          | 2
+            localize room.log --map office --save-map x.yaml             | no other map          | 2
+            localize room.log --map-from-half --save-map x.png           | must end with .yaml   | 2
+            localize room.log --map-from-half --save-map nix/x.yaml      | There is no such folder | 3
+            localize room.log --map-from-half --pose 4000 1 0            | far off the map       | 3
             localize none.log --map-from-half                            | none.log              | 3
             localize room.log --map none.yaml                            | none.yaml             | 3
             localize room.log --map-from-half --reference none.log       | none.log              | 3

@@ -146,6 +146,9 @@ class MapIT {
             map room.log room.log --out x --known-poses           | --known-poses      | 2
             map room.log --out x --known-poses --no-reference     | --no-reference     | 2
             map room.log room.log --out x --reference room.log    | --reference        | 2
+            map room.log --out x --seed 1.5                       | (1.5) is not a whole | 2
+            map room.log --out x --max-range 0                    | --max-range must be | 2
+            map room.log --out /proc/x                            | /proc/x: Nothing can be written | 3
             map none.log --out x                                  | none.log           | 3
             map room.log --out room.log                           | not a folder       | 3
             map room.log --out x --reference none.log             | none.log           | 3

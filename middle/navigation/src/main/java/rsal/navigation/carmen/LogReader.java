@@ -35,10 +35,11 @@ import rsal.navigation.carmen.LogEntry.Scan;
 /// * **Mount.** A laser is where the log has it beside the robot; a `FLASER` only if it was moved straight ahead,
 ///   as in many logs the first of its poses is not the laser's but a corrected one of the robot.
 ///
-/// A message that does not say what its kind promises is skipped, and counted by reason; a file that is cut short
-/// or damaged is a [BrokenLog].
+/// A message that does not say what its kind promises is skipped, and counted by reason; so is the last line of a
+/// plain file that was cut within it. A packed file that is cut short or damaged is a [BrokenLog].
 public final class LogReader {
     static final int RESTART = 3;
+    private static final List<String> SCANS = List.of("FLASER", "RAWLASER1", "ROBOTLASER1");
     private static final int MOST_READINGS = 100_000;
     private static final double FARTHEST_MOUNT = 1.5; // m
     private static final double FARTHEST = 1e6; // m, rad
@@ -69,6 +70,7 @@ public final class LogReader {
     private final List<Skipped.Place> first = new ArrayList<>();
     private final Clock clock = new Clock();
     private int otherKinds;
+    private int skippedScans;
     private int understood;
 
     private LogReader(Lines lines, Options options, Consumer<? super LogEntry> entries) {
@@ -99,7 +101,7 @@ public final class LogReader {
                     "There is no message of CARMEN in it (ODOM, FLASER, RAWLASER1, ROBOTLASER1, PARAM)."
                             + " Maybe it is another kind of file.");
         }
-        return new Skipped(reader.counts, reader.first, reader.otherKinds);
+        return new Skipped(reader.counts, reader.skippedScans, reader.first, reader.otherKinds);
     }
 
     private void read() throws IOException {
@@ -117,9 +119,14 @@ public final class LogReader {
                     entries.accept(entry);
                 }
             } catch (Misread e) {
+                skippedScans += isScan(line) ? 1 : 0;
                 skip(lines.cutShort() ? "cut short" : e.reason(), String.valueOf(e.getMessage()));
             }
         }
+    }
+
+    private static boolean isScan(String line) {
+        return SCANS.stream().anyMatch(line.stripLeading()::startsWith);
     }
 
     private void skip(String reason, String what) {

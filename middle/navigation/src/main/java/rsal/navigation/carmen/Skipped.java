@@ -6,9 +6,10 @@ import java.util.Map;
 /// What of a log was not used, and why.
 ///
 /// @param counts how many messages by reason, in the order in which the reasons turned up
+/// @param scans how many of these messages were scans
 /// @param first the first of them, at most [#TOLD], with line and value
 /// @param otherKinds lines of kinds that are not read, comments among them
-public record Skipped(Map<String, Integer> counts, List<Place> first, int otherKinds) {
+public record Skipped(Map<String, Integer> counts, int scans, List<Place> first, int otherKinds) {
     /// How many are told one by one.
     public static final int TOLD = 20;
 
