@@ -16,13 +16,15 @@ import java.util.function.Consumer;
 /// @param results told of each as soon as it is known
 /// @param plots told of each picture of them
 /// @param notes told what is left out and why
+/// @param progress told how far something is that takes long, perhaps many times a second and by several threads
 public record Assignment(
         Set<String> wanted,
         int repeats,
         Optional<Path> data,
         Consumer<Result> results,
         Consumer<Plot> plots,
-        Consumer<String> notes) {
+        Consumer<String> notes,
+        Consumer<String> progress) {
     public Assignment {
         wanted = Set.copyOf(wanted);
     }
@@ -42,6 +44,13 @@ public record Assignment(
 
     void show(Plot plot) {
         plots.accept(plot);
+    }
+
+    /// Tells how far something is.
+    ///
+    /// @param what of it is done; told of `of`
+    void reach(String name, int what, int of) {
+        progress.accept("%s: %d of %d".formatted(name, what, of));
     }
 
     /// A file of the public data; when it isn't there, those who asked are told that something is left out.

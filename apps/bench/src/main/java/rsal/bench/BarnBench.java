@@ -195,7 +195,7 @@ final class BarnBench implements Bench {
     private static List<List<Run>> measure(Avoidance avoidance, List<BarnWorld> worlds, Assignment assignment) {
         var repeats = new ArrayList<List<Run>>();
         for (int repeat = 0; repeat < assignment.repeats(); repeat++) {
-            repeats.add(runs(avoidance, worlds, repeat));
+            repeats.add(runs(avoidance, worlds, repeat, assignment));
         }
         for (What what : What.values()) {
             double[] values = repeats.stream().mapToDouble(what::of).toArray();
@@ -262,7 +262,7 @@ final class BarnBench implements Bench {
         return runs.stream().mapToDouble(value).average().orElse(0);
     }
 
-    private static List<Run> runs(Avoidance avoidance, List<BarnWorld> worlds, int repeat) {
+    private static List<Run> runs(Avoidance avoidance, List<BarnWorld> worlds, int repeat, Assignment assignment) {
         int cores = Runtime.getRuntime().availableProcessors();
         try (var workers = Executors.newFixedThreadPool(
                 cores, Thread.ofPlatform().daemon().name("barn-", 1).factory())) {
@@ -278,6 +278,10 @@ final class BarnBench implements Bench {
             var runs = new ArrayList<Run>();
             for (Future<Run> future : futures) {
                 runs.add(future.get());
+                assignment.reach(
+                        "barn.%s, worlds".formatted(lower(avoidance)),
+                        repeat * worlds.size() + runs.size(),
+                        assignment.repeats() * worlds.size());
             }
             return runs;
         } catch (ExecutionException e) {

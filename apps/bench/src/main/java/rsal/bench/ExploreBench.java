@@ -55,6 +55,7 @@ final class ExploreBench implements Bench {
             var threads = Thread.ofPlatform().daemon().name("explore-", 1).factory();
             try (var worker = Executors.newSingleThreadExecutor(threads);
                     var run = new ExploreRun(robots, repeat + 1, worker)) {
+                assignment.reach(name(robots, "runs"), repeat, assignment.repeats());
                 List<Reached> course = run.run(ENOUGH, LONGEST);
                 share[repeat] = course.getLast().share();
                 minutes[repeat] = course.getLast().minutes();

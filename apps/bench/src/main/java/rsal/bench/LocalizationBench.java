@@ -117,7 +117,7 @@ final class LocalizationBench implements Bench {
         for (String log : PublicLogs.NAMES) {
             if (OF_LOGS.stream().anyMatch(what -> assignment.wants(name(log) + what))) {
                 PublicLogs.course(log, assignment).ifPresent(course -> {
-                    List<List<Replay.Step>> runs = onLog(course);
+                    List<List<Replay.Step>> runs = onLog(name(log), course, assignment);
                     assignment.tell(judge(name(log), runs));
                     overTime.addAll(errorsOverTime(log, runs));
                 });
@@ -299,7 +299,7 @@ final class LocalizationBench implements Bench {
     }
 
     /// Steps of each run.
-    private static List<List<Replay.Step>> onLog(Course course) {
+    private static List<List<Replay.Step>> onLog(String name, Course course, Assignment assignment) {
         var map = new LocalizationMap(
                 ScanMapper.draw(course.only(i -> i % 2 == 0).posed(), ScanMapper.Settings.of(0.05)), 0.1, 0.05);
         Course rest = course.only(i -> i % 2 == 1);
@@ -310,6 +310,7 @@ final class LocalizationBench implements Bench {
             Course driven = rest.only(i -> i >= first && i < first + SCANS).drifting(Drive.WHEELS, random);
             var amcl = new Amcl(map, Settings.of(150, 5000), random);
             runs.add(Replay.run(driven, amcl, new Replay.Look(60, 30), () -> 0));
+            assignment.reach(name + "runs", seed, SEEDS);
         }
         return runs;
     }

@@ -47,7 +47,13 @@ final class MappingBench implements Bench {
             var watch = new Stopwatch();
             var slam = new Slam(Slam.Settings.DEFAULT);
             var located = new ArrayList<Slam.Located>();
-            driven.stops().forEach(stop -> located.add(slam.add(stop.odomFromBase(), stop.scan())));
+            for (Course.Stop stop : driven.stops()) {
+                located.add(slam.add(stop.odomFromBase(), stop.scan()));
+                assignment.reach(
+                        "slam.%s, scans of repeat %d".formatted(PublicLogs.label(name), repeat + 1),
+                        located.size(),
+                        driven.stops().size());
+            }
             slam.polish(2);
             double seconds = watch.thread();
             List<Pose2d> right = course.stops().stream()

@@ -50,6 +50,7 @@ final class OfficeBench implements Bench {
             var threads = Thread.ofPlatform().daemon().name("office-", 1).factory();
             try (var worker = Executors.newSingleThreadExecutor(threads);
                     var run = new OfficeRun(Map.of("local", planner), repeat, worker)) {
+                assignment.reach(name(planner, "runs"), repeat, assignment.repeats());
                 List<Errand> errands = run.run(GOALS);
                 List<Errand> ended = errands.stream().filter(Errand::reached).toList();
                 reached[repeat] = (double) ended.size() / errands.size();

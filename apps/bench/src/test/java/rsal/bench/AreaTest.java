@@ -22,7 +22,7 @@ class AreaTest {
     @Test
     void tellsWhatIsLeftOutForWantOfData(@TempDir Path temp) throws IOException {
         var notes = new ArrayList<String>();
-        var assignment = new Assignment(Set.of("a"), 1, Optional.of(temp), _ -> {}, _ -> {}, notes::add);
+        var assignment = new Assignment(Set.of("a"), 1, Optional.of(temp), _ -> {}, _ -> {}, notes::add, _ -> {});
         assertThat(assignment.data("logs/some.log")).isEmpty();
         assertThat(notes).singleElement().asString().contains("logs/some.log", "--data");
         Files.createDirectory(temp.resolve("logs"));
@@ -40,7 +40,8 @@ class AreaTest {
     void whatIsNotWantedIsNotMeasured() {
         var results = new ArrayList<Object>();
         for (Area area : Area.all()) {
-            area.measure(new Assignment(Set.of(), 1, Optional.empty(), results::add, results::add, results::add));
+            area.measure(
+                    new Assignment(Set.of(), 1, Optional.empty(), results::add, results::add, results::add, _ -> {}));
         }
         assertThat(results).isEmpty();
     }

@@ -1,12 +1,15 @@
 package rsal.cli;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -15,6 +18,8 @@ import rsal.bench.Area;
 import rsal.bench.Assignment;
 import rsal.bench.Plot;
 import rsal.bench.Result;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
 import rsal.settings.Suggestion;
 
 /// `rsal bench`
@@ -63,10 +68,7 @@ final class BenchCommand extends Subcommand {
 
     @Override
     int run() {
-        if (repeats < 1) {
-            throw new ParameterException(
-                    spec.commandLine(), "'--repeat' must be at least 1, not (%d).".formatted(repeats));
-        }
+        check(repeats >= 1, "--repeat must be at least 1, not (%d).".formatted(repeats));
         if (area.isEmpty()) {
             Area.all().forEach(a -> out().println(a.name()));
             out().flush();
@@ -78,26 +80,52 @@ final class BenchCommand extends Subcommand {
         if (wanted.isEmpty()) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "Nothing in area (%s) has (%s) in its name. It has: %s."
-                            .formatted(chosen.name(), only, String.join(", ", chosen.names())));
+                    "Nothing in area (%s) has (%s) in its name. Names begin with %s."
+                            .formatted(chosen.name(), only, String.join(", ", beginnings(chosen))));
         }
+        Optional<Path> publicData = publicData();
         Optional<BenchPage> report = page.map(BenchPage::at);
         var results = new ArrayList<Result>();
+        var progress = new BenchProgress(err(), wanted.size());
         var plots = new ArrayList<Plot>();
         chosen.measure(new Assignment(
                 Set.copyOf(wanted),
                 repeats,
-                data.or(() -> Optional.ofNullable(System.getenv("RSAL_DATA")).map(Path::of)),
+                publicData,
                 result -> {
                     results.add(result);
-                    err().println("%d/%d %s".formatted(results.size(), wanted.size(), result.name()));
+                    progress.measured(result.name());
                 },
                 plots::add,
-                err()::println));
+                err()::println,
+                progress::reached));
+        progress.end();
+        if (results.isEmpty()) {
+            throw new Unreachable("Nothing was measured, for want of data.");
+        }
         var machine = machine();
         report.ifPresent(written -> written.write(chosen.name(), results, plots, machine));
         print(results, machine);
         return Exit.SUCCESS;
+    }
+
+    private Optional<Path> publicData() {
+        String variable = System.getenv("RSAL_DATA");
+        Optional<Path> named = data.or(
+                () -> Optional.ofNullable(variable).filter(v -> !v.isEmpty()).map(Destination::path));
+        named.filter(folder -> !Files.isDirectory(folder)).ifPresent(folder -> {
+            throw new InvalidSettings(
+                    Location.of(data.isPresent() ? "--data" : "RSAL_DATA"),
+                    "There is no folder (%s).".formatted(folder),
+                    "It is to have the folders logs, maps and barn.");
+        });
+        return named;
+    }
+
+    private static Set<String> beginnings(Area area) {
+        return area.names().stream()
+                .map(name -> name.substring(0, name.indexOf('.') + 1))
+                .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     private Area chosen(String name) {
