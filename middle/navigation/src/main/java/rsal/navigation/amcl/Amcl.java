@@ -3,6 +3,7 @@ package rsal.navigation.amcl;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.random.RandomGenerator;
+import org.jspecify.annotations.Nullable;
 import rsal.data.Angles;
 import rsal.data.ParticleCloud;
 import rsal.data.Pose2d;
@@ -42,6 +43,9 @@ public final class Amcl {
     private static final double NEARLY = 0.35; // rad, likewise
     private static final double SURE = 0.9; // of the belief
     private static final double PRECISE = 0.5; // m, standard deviation
+    private static final int BLIND_AND_SURE = 5; // updates in a row without anything seen
+    private static final int BLIND_AND_LOST = 30; // likewise
+    private static final double BLIND_TRUST = 0.97; // that is left by each of them
 
     /// @param minParticles tracked with at least
     /// @param maxParticles never more than
@@ -121,6 +125,8 @@ public final class Amcl {
     private int outlasted; // rivals that were found in so many searches have all been ruled out
     private boolean trusted; // no other place has been as good since it was last lost
     private double shortShare;
+    private int blind; // updates in a row in which nothing was seen
+    private @Nullable Hypothesis newest; // where it was at the last update
 
     /// Knows nothing yet: starts anywhere on the map.
     public Amcl(LocalizationMap map, Settings settings, RandomGenerator random) {
@@ -188,7 +194,7 @@ public final class Amcl {
         if (beams.count() > 0) {
             weigh(beams);
         }
-        PoseEstimate clustered = clusters.estimate(particles);
+        PoseEstimate clustered = seen(clusters.estimate(particles), way, beams.count() > 0);
         Pose2d pose = refinement.refine(beams, clustered.mapFromBase(), clustered.covariance());
         lost = beams.count() > 0 ? !fits(beams, pose) : lost;
         trusted &= !lost;
@@ -203,6 +209,7 @@ public final class Amcl {
             lookElsewhere(beams, pose);
         }
         PoseEstimate estimate = judged(clustered, pose);
+        newest = estimate.hypotheses().getFirst();
         if (particles.effectiveCount() < particles.count / 2.0 || wrongSize()) {
             resample();
         }
@@ -243,15 +250,36 @@ public final class Amcl {
         }
     }
 
+    /// Particles that scatter while nothing is seen fall into clusters, each of which is narrower than what is known:
+    /// then the wheels alone tell, from where something was seen last.
+    private PoseEstimate seen(PoseEstimate clustered, Pose2d way, boolean something) {
+        blind = something ? 0 : blind + 1;
+        Hypothesis before = newest;
+        if (something || before == null) {
+            return clustered;
+        }
+        Pose2d pose = before.mapFromBase().compose(way);
+        var grown = before.covariance()
+                .plus(settings.odometry()
+                        .covariance(way)
+                        .turned(before.mapFromBase().theta()));
+        var moved = new Hypothesis(before.weight(), pose, grown);
+        return new PoseEstimate(pose, grown, List.of(moved), clustered.confidence(), clustered.quality());
+    }
+
     private PoseEstimate judged(PoseEstimate clustered, Pose2d pose) {
         var clusters = new ArrayList<>(clustered.hypotheses());
         Hypothesis first = clusters.getFirst();
         clusters.set(0, new Hypothesis(first.weight(), pose, first.covariance()));
         List<Hypothesis> hypotheses = rivals.join(clusters, NEAR, NEARLY);
         double share = hypotheses.getFirst().weight();
-        double confidence = Math.clamp(share * fit, 0, 1);
-        boolean sure = trusted && share >= SURE && first.covariance().positionDeviation() <= PRECISE;
-        Quality quality = lost || fitNow < LEAST_FIT_NOW ? Quality.LOST : sure ? Quality.LOCALIZED : Quality.AMBIGUOUS;
+        double confidence = Math.clamp(share * fit * Math.pow(BLIND_TRUST, blind), 0, 1);
+        boolean sure = trusted
+                && blind < BLIND_AND_SURE
+                && share >= SURE
+                && first.covariance().positionDeviation() <= PRECISE;
+        boolean astray = lost || fitNow < LEAST_FIT_NOW || blind >= BLIND_AND_LOST;
+        Quality quality = astray ? Quality.LOST : sure ? Quality.LOCALIZED : Quality.AMBIGUOUS;
         return new PoseEstimate(pose, first.covariance(), hypotheses, confidence, quality);
     }
 
@@ -277,6 +305,8 @@ public final class Amcl {
         outlasted = 0;
         fitNow = 1;
         shortShare = 0;
+        blind = 0;
+        newest = null;
         rivals.clear();
     }
 

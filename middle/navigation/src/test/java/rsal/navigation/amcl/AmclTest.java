@@ -46,6 +46,37 @@ class AmclTest {
         assertThat(estimate.confidence()).isBetween(0.0, 1.0);
     }
 
+    @Test
+    void isEverLessSureWhileItSeesNothing() {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
+        Pose2d first = Seen.ROOM.pose('a', 0);
+        amcl.start(PoseEstimate.of(first, Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
+        PoseEstimate before = drive(amcl, SEEN, first, Pose2d.ORIGIN, 5).getLast();
+        assertThat(before.quality()).isEqualTo(Quality.LOCALIZED);
+
+        for (int i = 6; i < 40; i++) {
+            PoseEstimate now = amcl.update(after(Pose2d.ORIGIN, i), Seen.NOTHING);
+            assertThat(now.confidence()).as("confidence %d", i).isLessThan(before.confidence());
+            assertThat(now.covariance().positionDeviation())
+                    .as("deviation %d", i)
+                    .isGreaterThan(before.covariance().positionDeviation());
+            before = now;
+        }
+        assertThat(before.quality()).isEqualTo(Quality.LOST);
+    }
+
+    @Test
+    void doesNotKnowThatItIsWhereItWasToldWhenItSeesNothing() {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
+        amcl.start(PoseEstimate.of(Seen.ROOM.pose('a', 0), Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
+        PoseEstimate told = amcl.update(Pose2d.ORIGIN, Seen.NOTHING);
+        for (int i = 1; i < 40; i++) {
+            told = amcl.update(after(Pose2d.ORIGIN, i), Seen.NOTHING);
+        }
+        assertThat(told.quality()).isEqualTo(Quality.LOST);
+        assertThat(told.confidence()).isLessThan(0.4);
+    }
+
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6})
     void noticesThatItWasCarriedAwayAndFindsBack(long seed) {
