@@ -40,6 +40,8 @@ final class Trip {
     private static final double HEAVY = 0.5; // weight of the best hypothesis
     private static final double NOT_ON_MAP = 0.3; // m; from the map's nearest wall
     private static final int MOST_DETOURS = 5;
+    private static final int MOST_BUMPS = 3; // into what it does not see, without getting on meanwhile
+    private static final double GOT_ON = 1; // m
     private static final Duration BLOCKED = Duration.ofMillis(2500);
     private static final Duration HELD_UP = Duration.ofSeconds(6);
     private static final Duration REMEMBERED = Duration.ofSeconds(15);
@@ -68,6 +70,8 @@ final class Trip {
     private Instant giveUp;
     private int detours;
     private int backedOff;
+    private int bumps; // since it got on
+    private double leftAtBump = Double.POSITIVE_INFINITY; // least that was left at one of these
     private Manoeuvre manoeuvre = Manoeuvre.NONE;
     private Instant manoeuvreEnds;
 
@@ -285,9 +289,23 @@ final class Trip {
         if (hitsBehind || (manoeuvre != Manoeuvre.NONE && now.now().isAfter(manoeuvreEnds))) {
             endManoeuvre(now);
         } else if (manoeuvre == Manoeuvre.NONE && (now.stalled() || heldUp(now).compareTo(HELD_UP) > 0)) {
+            if (now.stalled() && bumpsAgain(left)) {
+                giveUp(
+                        now,
+                        "It ran %d times into something that it does not see, last at (%.1f, %.1f)."
+                                .formatted(MOST_BUMPS, mapFromBase.x(), mapFromBase.y()));
+                return;
+            }
             backedOff++;
             begin(Manoeuvre.BACK_OFF, settings.escapeTime(), now);
         }
+    }
+
+    /// Whether it is time to leave this alone.
+    private boolean bumpsAgain(double left) {
+        bumps = left < leftAtBump - GOT_ON ? 1 : bumps + 1;
+        leftAtBump = Math.min(left, leftAtBump);
+        return bumps >= MOST_BUMPS;
     }
 
     private void giveUp(Situation now, String why) {

@@ -34,7 +34,7 @@ final class NavigationRun {
     final SimulationControl simulation;
     final List<Robot> robots = new ArrayList<>();
 
-    private final OccupancyGrid map;
+    private OccupancyGrid map;
     private final RandomGenerator.SplittableGenerator random;
     private final Map<String, Optional<Pose2d>> starts = new LinkedHashMap<>();
 
@@ -61,6 +61,12 @@ final class NavigationRun {
                         scheduler,
                         random.split()),
                 Arguments.of(driver.parameters(), settings))));
+        return this;
+    }
+
+    /// Robots believe in another map than the real one.
+    NavigationRun on(OccupancyGrid believed) {
+        map = believed;
         return this;
     }
 

@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Prism;
@@ -36,6 +38,55 @@ class StuckTest {
             #................................................#
             #................................................#
             ##################################################""");
+
+    private static final DrawnMap OPEN = DrawnMap.grid(0.1, """
+            #########################
+            #........................
+            #........................
+            #........................
+            #........................
+            #........................
+            #...r...................g
+            #........................
+            #........................
+            #........................
+            #........................
+            #........................
+            #########################""");
+
+    @Test
+    void leavesAGoalAloneThatIsBehindWhatItDoesNotSee() {
+        var model = NavigationRun.pioneer("urg04lx");
+        OccupancyGrid real = OPEN.grid();
+        byte[] wider = new byte[2 * real.cells().length]; // the robot believes that it goes on
+        for (int row = 0; row < real.height(); row++) {
+            for (int column = 0; column < 2 * real.width(); column++) {
+                wider[row * 2 * real.width() + column] =
+                        real.cells()[row * real.width() + Math.min(column, real.width() - 1)];
+            }
+        }
+        var believed = new OccupancyGrid(
+                2 * real.width(), real.height(), real.resolution(), real.originX(), real.originY(), wider);
+        NavigationRun run = new NavigationRun(
+                        real, 1, Runnable::run, List.of(NavigationRun.robot("r", model, OPEN.pose('r', 0))))
+                .on(believed)
+                .with(new AmclDriver(), Map.of())
+                .with(new NavigatorDriver(), Map.of());
+        var results = new ArrayList<Result>();
+        Pose2d edge = OPEN.pose('g', 0);
+        run.navigator("r")
+                .goTo(new Pose2d(edge.x() + 1.5, edge.y(), 0))
+                .result()
+                .thenAccept(results::add);
+        for (int second = 0; second < 100 && results.isEmpty(); second++) {
+            run.advance(1);
+        }
+        assertThat(results)
+                .singleElement()
+                .isInstanceOfSatisfying(
+                        Result.Stuck.class, stuck -> assertThat(stuck.why()).contains("3 times", "does not see"));
+        assertThat(run.simulation.contacts()).hasSizeLessThanOrEqualTo(3);
+    }
 
     @ParameterizedTest
     @ValueSource(strings = {"vfh", "nd", "snd", "dwa", "mpc"})
