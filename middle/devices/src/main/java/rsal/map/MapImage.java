@@ -90,7 +90,13 @@ record MapImage(int width, int height, byte[] cells) {
     }
 
     static void checkSize(String name, long width, long height) {
-        if (width < 1 || height < 1 || width > MAX_CELLS || height > MAX_CELLS || width * height > MAX_CELLS) {
+        if (width < 1 || height < 1) {
+            throw new InvalidSettings(
+                    Location.of(name),
+                    "The image has %d × %d pixels: there is nothing in it.".formatted(width, height),
+                    "");
+        }
+        if (width > MAX_CELLS || height > MAX_CELLS || width * height > MAX_CELLS) {
             throw new InvalidSettings(
                     Location.of(name),
                     "The image has %d × %d pixels; 1 to %d are read.".formatted(width, height, MAX_CELLS),

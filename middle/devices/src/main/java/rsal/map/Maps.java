@@ -66,7 +66,7 @@ public final class Maps {
         var problems = new Problems();
         var section = new Section("", file, problems);
         double resolution = section.number("resolution");
-        if (!(resolution >= 0.001 && resolution <= 100)) {
+        if (problems.isEmpty() && !(resolution >= 0.001 && resolution <= 100)) {
             section.problem(
                     "resolution",
                     "(resolution) must be a number from 0.001 to 100 [m], not (%s).".formatted(resolution),

@@ -130,6 +130,13 @@ public record Parameter(
         return accept(value);
     }
 
+    /// What helps somebody who chose what can't be chosen, as a sentence; empty where there is no choice.
+    public String advice() {
+        return options.isEmpty() || description.isEmpty()
+                ? ""
+                : "'%s': %s.".formatted(name, description.replaceAll("\\.$", ""));
+    }
+
     /// "a number from 0.3 to 3 [m]"
     public String expected() {
         String what = switch (kind) {

@@ -79,7 +79,10 @@ public final class Section {
                     try {
                         return Optional.of(parameter.accept(plain(value)));
                     } catch (IllegalArgumentException e) {
-                        problem(value.location(), path(String.valueOf(e.getMessage()), parameter.name()), "");
+                        problem(
+                                value.location(),
+                                path(String.valueOf(e.getMessage()), parameter.name()),
+                                parameter.advice());
                         return parameter.fallback();
                     }
                 })
@@ -126,7 +129,18 @@ public final class Section {
                     .mapToDouble(i -> ((Number) ((Value.Scalar) i).value()).doubleValue())
                     .toArray());
         }
-        expected(key, "a list of %d numbers".formatted(count), value);
+        if (value instanceof Value.Sequence sequence && sequence.items().size() == count) {
+            sequence.items().stream()
+                    .filter(item -> !(item instanceof Value.Scalar s && isFinite(s.value())))
+                    .findFirst()
+                    .ifPresent(item -> problem(
+                            value.location(),
+                            "(%s) must be a list of %d numbers; %s is no finite one."
+                                    .formatted(path(key), count, item.describe()),
+                            ""));
+        } else {
+            expected(key, "a list of %d numbers".formatted(count), value);
+        }
         return Optional.empty();
     }
 

@@ -183,6 +183,24 @@ class MapsTest {
                 .withMessageContaining("lab.yaml:1:8: There is no file (lob.pgm).");
     }
 
+    @Test
+    void aMistakeIsToldOnceAndByItsName() throws IOException {
+        write("lab.yaml", LAB.replace("0.5", ".nan").replace("[-1, -2, 0]", "[.nan, -2, 0]"));
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> maps.read("lab.yaml", HERE))
+                .satisfies(refused -> assertThat(refused.problems())
+                        .extracting(problem -> problem.message())
+                        .satisfiesExactly(
+                                resolution -> assertThat(resolution).contains("(resolution)"),
+                                origin -> assertThat(origin).contains("3 numbers; (NaN) is no finite one")));
+        write("lab.yaml", LAB);
+        write("lab.pgm", "P5\n0 0\n255\n");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> maps.read("lab.yaml", HERE))
+                .withMessageContaining("nothing in it")
+                .withMessageNotContaining("coarser");
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {

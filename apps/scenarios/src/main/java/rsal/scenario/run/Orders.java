@@ -34,6 +34,9 @@ final class Orders {
         if (nobody.isPresent()) {
             return nobody.get();
         }
+        if (!map.contains(map.column(mapFromGoal.x()), map.row(mapFromGoal.y()))) {
+            return new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromGoal)));
+        }
         if (!map.isFree(mapFromGoal.x(), mapFromGoal.y())) {
             return new Answer.Refused("There is a wall or nothing known at %s.".formatted(Words.of(mapFromGoal)));
         }

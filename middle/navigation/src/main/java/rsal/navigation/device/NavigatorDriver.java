@@ -57,7 +57,11 @@ public final class NavigatorDriver implements DeviceDriver {
     @Override
     public List<Parameter> parameters() {
         var parameters = new ArrayList<Parameter>();
-        parameters.add(Parameter.choice("global", "wavefront", List.of("wavefront"), "plans the way"));
+        parameters.add(Parameter.choice(
+                "global",
+                "wavefront",
+                List.of("wavefront"),
+                "plans the way; a jumppoint planner is a device of its own, which agents ask for ways"));
         parameters.add(Parameter.choice("local", "vfh", List.of("vfh", "nd", "snd", "dwa", "mpc"), "drives along it"));
         parameters.add(Parameter.number("maxSpeed", 0.4, 0.05, 3, "m/s", "never faster"));
         parameters.add(Parameter.number("maxTurnRate", 70, 5, 360, "deg/s", "never turns faster"));

@@ -24,7 +24,7 @@ final class VfhOptions {
                         200,
                         "cells",
                         "vfh looks so far to all sides together; 0: twice 0.6 m" + " and what it drives in 2 s"),
-                Parameter.number("cellSize", 0.1, 0.01, 1, "m", "what windowDiameter is counted in"),
+                Parameter.number("cellSize", 0.1, 0.01, 1, "m", "what windowDiameter of vfh is counted in"),
                 Parameter.number("sectorAngle", 5, 1, 30, "deg", "between directions that vfh tells apart"),
                 Parameter.number(
                         "maxSpeedNarrowOpening",
