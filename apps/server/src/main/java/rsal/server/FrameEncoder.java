@@ -128,7 +128,7 @@ final class FrameEncoder {
     private static int flags(RobotView robot) {
         return PRESENT
                 | (robot.truth().isPresent() ? TRUTH : 0)
-                | (robot.estimate().isPresent() ? ESTIMATE : 0)
+                | (estimate(robot).isPresent() ? ESTIMATE : 0)
                 | (robot.goal().isPresent() ? GOAL : 0)
                 | (robot.path().points().isEmpty() ? 0 : PATH)
                 | (robot.scan().isPresent() ? SCAN : 0)
@@ -148,7 +148,7 @@ final class FrameEncoder {
         if (bestPose(robot).isEmpty()) {
             return;
         }
-        robot.estimate().map(Stamped::value).ifPresent(this::estimate);
+        estimate(robot).ifPresent(this::estimate);
         robot.goal().ifPresent(goal -> {
             reserve(12);
             pose(goal);
@@ -159,6 +159,14 @@ final class FrameEncoder {
         robot.ranges().map(Stamped::value).ifPresent(this::ranges);
         robot.particles().map(Stamped::value).ifPresent(this::particles);
         robot.gripper().map(Stamped::value).ifPresent(this::gripper);
+    }
+
+    /// In the world; one on a map of the robot's own, which lies nobody knows how, is none. Where there is no world but
+    /// what robots tell, it is all that there is.
+    private static Optional<PoseEstimate> estimate(RobotView robot) {
+        return robot.estimate()
+                .filter(estimate -> estimate.frame().equals("map") || robot.truth().isEmpty())
+                .map(Stamped::value);
     }
 
     private void estimate(PoseEstimate estimate) {

@@ -90,6 +90,17 @@ class FrameEncoderTest {
     }
 
     @Test
+    void tellsNoEstimateThatLiesNobodyKnowsWhere() {
+        var truth = Optional.of(Pose2d.ORIGIN);
+        var estimate = PoseEstimate.of(new Pose2d(1, 2, 0), Covariance2d.ofDeviations(0.1, 0.1, 0.1));
+        RobotView told = robot("r", truth, Optional.of(estimate), Optional.empty(), Optional.empty());
+        RobotView own = robot(
+                "r", truth, Optional.of(new Stamped<>(Instant.EPOCH, "r/map", estimate)), Optional.empty(), Optional.empty(), "");
+        assertThat(encode(List.of(own))).hasSameSizeAs(encode(List.of(bare())));
+        assertThat(encode(List.of(told))).hasSizeGreaterThan(encode(List.of(own)).length);
+    }
+
+    @Test
     void saturatesWhatIsOutOfReach() {
         var far = robot(
                 "far", Optional.of(new Pose2d(1e9, -1e9, 0)), Optional.empty(), Optional.empty(), Optional.empty());
@@ -173,6 +184,16 @@ class FrameEncoderTest {
             Optional<PoseEstimate> estimate,
             Optional<ParticleCloud> particles,
             Optional<LaserScan> scan) {
+        return robot(id, truth, estimate.map(FrameEncoderTest::stamped), particles, scan, "");
+    }
+
+    private static RobotView robot(
+            String id,
+            Optional<Pose2d> truth,
+            Optional<Stamped<PoseEstimate>> estimate,
+            Optional<ParticleCloud> particles,
+            Optional<LaserScan> scan,
+            String behavior) {
         return new RobotView(
                 id,
                 "hunter",
@@ -180,7 +201,7 @@ class FrameEncoderTest {
                 "pioneer3at",
                 truth,
                 Optional.empty(),
-                estimate.map(FrameEncoderTest::stamped),
+                estimate,
                 particles.map(FrameEncoderTest::stamped),
                 scan.map(FrameEncoderTest::stamped),
                 Optional.empty(),
@@ -188,7 +209,7 @@ class FrameEncoderTest {
                 Path2d.EMPTY,
                 Optional.empty(),
                 "",
-                "",
+                behavior,
                 "",
                 Optional.empty(),
                 false,

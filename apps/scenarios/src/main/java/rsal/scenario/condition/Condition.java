@@ -17,7 +17,7 @@ public sealed interface Condition {
                 case GREATER -> value > right;
                 case AT_LEAST -> value >= right;
                 case EQUAL -> value == right;
-                case OTHER -> value != right;
+                case OTHER -> value < right || value > right; // nothing holds of what is not known
             };
         }
 

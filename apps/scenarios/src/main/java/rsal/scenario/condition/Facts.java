@@ -28,4 +28,11 @@ public interface Facts {
 
     /// How many messages were lost so far, each counted once for each agent that did not hear it.
     long lostMessages();
+
+    /// Share of the floor that robots can get to which is free on the maps that they draw, 0 to 1; NaN while there is
+    /// no such map in the frame of the world, or no truth to compare with.
+    double explored();
+
+    /// How many robots of a role draw a map and can still get to where it ends.
+    int exploring(String role);
 }

@@ -17,10 +17,10 @@ import rsal.settings.Suggestion;
 /// both       = single {"and" single}
 /// single     = "not" single | "(" condition ")" | ("allCaught" | "allArrived") "(" role ")"
 ///            | quantity relation number
-/// quantity   = "time" | "collisions" | "wallCollisions" | "faults" | "lostMessages"
-///            | ("caught" | "arrived" | "gone") "(" role ")"
+/// quantity   = "time" | "collisions" | "wallCollisions" | "faults" | "lostMessages" | "explored"
+///            | ("caught" | "arrived" | "gone" | "exploring") "(" role ")"
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
-/// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "distance" ["(" role ")"]
+/// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
 ///            | function "(" signal ["(" role ")"] ")"
 /// function   = "min" | "mean" | "p50" | "p95" | "p99" | "max"
 /// signal     = "poseError" | "captureDistance"
@@ -39,7 +39,9 @@ public final class Grammar {
             .flatMap(List::stream)
             .toList();
     private static final List<String> MEASURES =
-            List.of("firstTime", "count", "distance", "min", "mean", "p50", "p95", "p99", "max");
+            List.of("firstTime", "count", "explored", "distance", "min", "mean", "p50", "p95", "p99", "max");
+
+    private static final Quantity EXPLORED = new Quantity(Quantity.Kind.EXPLORED, "");
 
     private final String text;
     private final Collection<String> roles;
@@ -149,6 +151,9 @@ public final class Grammar {
             var measure = new Measure.Count(quantity(QUANTITIES));
             take(")");
             return measure;
+        }
+        if (takes(EXPLORED.kind().word())) {
+            return new Measure.Count(EXPLORED);
         }
         if (takes("distance")) {
             return new Measure.Distance(maybeRole());

@@ -17,11 +17,11 @@ public sealed interface Measure {
         }
     }
 
-    /// `count(collisions)`: what a quantity is at the end.
+    /// `count(collisions)`, `explored`: what a quantity is at the end; nothing when it is not known.
     record Count(Quantity quantity) implements Measure {
         @Override
         public String toString() {
-            return "count(" + quantity + ")";
+            return quantity.kind() == Quantity.Kind.EXPLORED ? quantity.toString() : "count(" + quantity + ")";
         }
     }
 

@@ -14,7 +14,10 @@ public record Quantity(Kind kind, String role) {
         ARRIVED("arrived", true),
         GONE("gone", true),
         FAULTS("faults", false),
-        LOST_MESSAGES("lostMessages", false);
+        LOST_MESSAGES("lostMessages", false),
+        /// Share of the reachable floor, 0 to 1; NaN while no robot tells a map.
+        EXPLORED("explored", false),
+        EXPLORING("exploring", true);
 
         private final String word;
         private final boolean ofRole;
@@ -44,6 +47,8 @@ public record Quantity(Kind kind, String role) {
             case GONE -> facts.gone(role);
             case FAULTS -> facts.faults();
             case LOST_MESSAGES -> facts.lostMessages();
+            case EXPLORED -> facts.explored();
+            case EXPLORING -> facts.exploring(role);
         };
     }
 

@@ -14,14 +14,18 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.message.Caught;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.Stamped;
 import rsal.device.Localizer;
+import rsal.device.Mapper;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Contact;
 import rsal.robot.Robot;
@@ -30,6 +34,7 @@ import rsal.scenario.RunPlan.Measured;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.condition.Facts;
 import rsal.scenario.condition.Measure;
+import rsal.scenario.condition.Quantity;
 
 /// Looks at a run after each step: is it over, and what is there to measure? It alone compares robots with the
 /// truth. All calls on the run's thread.
@@ -50,6 +55,11 @@ final class Observer implements Facts {
     private long faults;
     private long lostMessages;
     private Set<String> gone = Set.of(); // robots
+    private final Mapped mapped;
+    private final boolean asksForShare;
+    private final Map<String, Stamped<OccupancyGrid>> maps = new LinkedHashMap<>(); // of the world, by robot
+    private final Map<String, Boolean> exploring = new LinkedHashMap<>(); // by robot that draws a map
+    private final Set<String> started = new LinkedHashSet<>(); // of these
 
     Observer(RunPlan plan, Journal journal, InstantSource clock) {
         this.plan = plan;
@@ -58,7 +68,25 @@ final class Observer implements Facts {
         this.start = clock.instant();
         for (PlannedRobot robot : plan.robots()) {
             records.put(robot.spec().id(), new RobotRecord(robot.spec().role()));
+            if (robot.drivers().stream()
+                    .anyMatch(
+                            made -> Mapper.class.isAssignableFrom(made.driver().makes()))) {
+                exploring.put(robot.spec().id(), true); // even before it is there
+            }
         }
+        this.mapped = new Mapped(plan.map(), radius(plan));
+        this.asksForShare = Stream.concat(
+                        plan.stops().stream().map(RunPlan.Stop::when),
+                        plan.measures().stream().map(Measured::from))
+                .anyMatch(asking -> asking.toString().contains(Quantity.Kind.EXPLORED.word()));
+    }
+
+    /// Of the slimmest robot.
+    private static double radius(RunPlan plan) {
+        return plan.robots().stream()
+                .mapToDouble(robot -> robot.spec().model().footprint().circumscribedRadius())
+                .min()
+                .orElse(0);
     }
 
     /// Looks at everything once.
@@ -73,7 +101,11 @@ final class Observer implements Facts {
                     .flatMap(robot -> robot.find(Localizer.class))
                     .flatMap(Localizer::latest)
                     .ifPresent(estimate -> noteEstimate(own, estimate));
+            Optional.ofNullable(robots.get(id))
+                    .flatMap(robot -> robot.find(Mapper.class))
+                    .ifPresent(mapper -> noteMap(id, mapper, simulation.flatMap(truth -> truth.truth(id))));
         });
+        exploring.keySet().removeIf(robot -> started.contains(robot) && !robots.containsKey(robot));
         noteFirstTimes();
         return ending();
     }
@@ -123,6 +155,23 @@ final class Observer implements Facts {
     private void noteEstimate(RobotRecord own, Stamped<PoseEstimate> estimate) {
         journal.hash(estimate.value().mapFromBase());
         own.compare(estimate);
+    }
+
+    private void noteMap(String robot, Mapper mapper, Optional<Pose2d> mapFromBase) {
+        boolean complete = mapper.isComplete();
+        boolean first = started.add(robot);
+        Boolean before = exploring.put(robot, !complete);
+        if (complete && !Boolean.FALSE.equals(before)) {
+            journal.event("mapped", robot, "has mapped all that it can get to");
+        } else if (!complete && Boolean.FALSE.equals(before)) {
+            journal.event("mapped", robot, "can get to more that is not on its map");
+        }
+        if (asksForShare && mapFromBase.isPresent()) {
+            if (first) {
+                mapped.starts(mapFromBase.get().position());
+            }
+            mapper.latest().filter(map -> map.frame().equals(RobotRecord.WORLD)).ifPresent(map -> maps.put(robot, map));
+        }
     }
 
     private void noteFirstTimes() {
@@ -239,6 +288,20 @@ final class Observer implements Facts {
         return lostMessages;
     }
 
+    @Override
+    public double explored() {
+        return mapped.share(maps.values());
+    }
+
+    @Override
+    public int exploring(String role) {
+        Set<String> busy = exploring.entrySet().stream()
+                .filter(entry -> entry.getValue() && !gone.contains(entry.getKey()))
+                .map(Map.Entry::getKey)
+                .collect(Collectors.toSet());
+        return among(busy, role);
+    }
+
     private int among(Set<String> robots, String role) {
         return (int) records.entrySet().stream()
                 .filter(entry -> robots.contains(entry.getKey()))
@@ -269,7 +332,7 @@ final class Observer implements Facts {
     private Finding finding(Measured measured, String name, List<RobotRecord> from) {
         OptionalDouble value = switch (measured.from()) {
             case Measure.FirstTime _ -> firstTimes.getOrDefault(measured, OptionalDouble.empty());
-            case Measure.Count(var quantity) -> OptionalDouble.of(quantity.of(this));
+            case Measure.Count(var quantity) -> known(quantity.of(this));
             case Measure.Distance _ ->
                 from.stream().anyMatch(RobotRecord::seen)
                         ? OptionalDouble.of(
@@ -284,6 +347,10 @@ final class Observer implements Facts {
         boolean inBounds =
                 value.isEmpty() || (value.getAsDouble() >= measured.min() && value.getAsDouble() <= measured.max());
         return new Finding(name, value, inBounds);
+    }
+
+    private static OptionalDouble known(double value) {
+        return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
     }
 
     private static Optional<String> role(Measure measure) {

@@ -12,6 +12,8 @@ import rsal.scenario.condition.Measure.Signal;
 
 /// What there is to measure of one robot.
 final class RobotRecord {
+    static final String WORLD = "map"; // the frame of poses in the world
+
     private static final int HISTORY = 64; // steps that a localizer may be late
 
     private final String role;
@@ -53,6 +55,9 @@ final class RobotRecord {
             return;
         }
         compared = estimate.time();
+        if (!estimate.frame().equals(WORLD)) {
+            return; // nobody knows how its own map lies in the world
+        }
         for (Iterator<Truth> truths = history.iterator(); truths.hasNext(); ) {
             Truth truth = truths.next();
             if (!truth.time.isAfter(estimate.time())) {

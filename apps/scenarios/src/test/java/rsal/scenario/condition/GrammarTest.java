@@ -32,6 +32,16 @@ class GrammarTest {
         }
 
         @Override
+        public double explored() {
+            return 0.97;
+        }
+
+        @Override
+        public int exploring(String role) {
+            return 1;
+        }
+
+        @Override
         public int robots(String role) {
             return 2;
         }
@@ -82,6 +92,8 @@ class GrammarTest {
         "gone(prey) > 0, false",
         "faults > 3, true",
         "lostMessages < 50, false",
+        "explored > 0.96, true",
+        "exploring(hunter) == 0, false",
         "allCaught(prey), false",
         "allCaught(fast-prey), true",
         "not allCaught(prey), true",

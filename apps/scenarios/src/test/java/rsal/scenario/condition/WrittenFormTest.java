@@ -16,6 +16,7 @@ class WrittenFormTest {
                 "collisions != 0.25",
                 "wallCollisions >= 12345678",
                 "caught(prey) < 2 and not time <= 10",
+                "exploring(hunter) == 0 and explored >= 0.95",
                 "allCaught(prey) or caught(hunter) == 1 and time > 5",
                 "(allCaught(prey) or time > 5) and collisions > 3",
                 "not (allCaught(prey) and not time < 2)"
@@ -29,6 +30,7 @@ class WrittenFormTest {
             strings = {
                 "firstTime(allCaught(prey))",
                 "count(wallCollisions)",
+                "explored",
                 "distance",
                 "distance(hunter)",
                 "p95(poseError)",

@@ -63,7 +63,9 @@ final class Exploration {
     record Ready(Body body, Point2d place, Optional<Point2d> frontier) {}
 
     /// What a robot is to do on a map; nothing when it has no goal.
-    record Order(OccupancyGrid map, Wavefront ways, DistanceField toNotFree, Optional<Goal> goal) {}
+    ///
+    /// @param complete whether it can get to no end of the map, also to none that another one has taken
+    record Order(OccupancyGrid map, Wavefront ways, DistanceField toNotFree, Optional<Goal> goal, boolean complete) {}
 
     /// @param stand where it can be
     /// @param frontier that it is for
@@ -133,13 +135,16 @@ final class Exploration {
                 .toList();
         var reaches = new Reach[ready.size()][frontiers.size()];
         var costs = new double[ready.size()][frontiers.size()];
+        var complete = new boolean[ready.size()];
         for (int robot = 0; robot < ready.size(); robot++) {
             Optional<NavigationFunction> from =
                     ways.get(robot).everywhere(ready.get(robot).place(), SLACK);
+            complete[robot] = from.isPresent(); // else it does not know what it can get to
             for (int i = 0; i < frontiers.size(); i++) {
                 Point2d place = frontiers.get(i).place();
                 Reach reach = from.map(f -> reach(map, f, place)).orElse(Reach.none(place));
                 reaches[robot][i] = reach;
+                complete[robot] &= reach.cost() == Double.POSITIVE_INFINITY;
                 boolean going = ready.get(robot)
                         .frontier()
                         .filter(goal -> LeftAlone.isSame(goal, place))
@@ -156,7 +161,8 @@ final class Exploration {
                     ways.get(robot),
                     toNotFree,
                     chosen.get(robot)
-                            .map(i -> new Goal(own[i].stand(), frontiers.get(i).place()))));
+                            .map(i -> new Goal(own[i].stand(), frontiers.get(i).place())),
+                    complete[robot]));
         }
         return orders;
     }

@@ -25,6 +25,7 @@ import rsal.time.Scheduler;
 final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private static final Duration LONGEST = Duration.ofSeconds(60); // for one frontier without getting there
     private static final Duration FRESH = Duration.ofSeconds(5);
+    private static final int SURE = 2; // looks; a map that was just bent may hide an end for one
     private static final double NEARER = 0.3; // m that count as getting nearer
     private static final Navigator.Tolerance THERE = new Navigator.Tolerance(0.3, 0.5); // m, rad
 
@@ -37,6 +38,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private @Nullable Point2d frontier;
     private double nearest;
     private Instant since = Instant.MIN;
+    private int looksForNothing; // in a row, in which there was nothing more to get to
 
     Explorer(
             DeviceInfo info,
@@ -80,6 +82,11 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         return localizer.latest().orElseThrow().value().mapFromBase().position();
     }
 
+    @Override
+    public boolean isComplete() {
+        return looksForNothing >= SURE;
+    }
+
     /// Where it is on its way to.
     Optional<Point2d> frontier() {
         return Optional.ofNullable(frontier);
@@ -87,7 +94,8 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
 
     void take(Exploration.Order order) {
         health(Health.ok());
-        deliver(new Stamped<>(scheduler.instant(), "map", order.map()));
+        looksForNothing = order.complete() ? looksForNothing + 1 : 0;
+        deliver(new Stamped<>(scheduler.instant(), localizer.frame(), order.map()));
         Exploration.Goal goal = order.goal().orElse(null);
         if (goal == null) {
             frontier = null;

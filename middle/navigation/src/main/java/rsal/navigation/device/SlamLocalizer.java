@@ -34,8 +34,9 @@ import rsal.time.Scheduler;
 /// jump. How sure an estimate is, is told against what was mapped around it ([Tracking]): it errs more the
 /// farther the wheels led it since a scan matched, and is lost when they don't match for long.
 ///
-/// Its map's frame is that of the pose it was told to start from, else it starts at the origin. Told
-/// otherwise where it is, it begins a new map from there. Without scans or odometry it is stale and silent;
+/// Its map's frame is that of the pose it was told to start from, else one of its own, `<robot>/map`, in which it
+/// starts at the origin. Told otherwise where it is, it begins a new map from there. Without scans or odometry it is
+/// stale and silent;
 /// when mapping fails it is lost and begins a new map from where it is. Bad readings are skipped ([Scrutiny]),
 /// the first with a word in the log, and counted in its health when no good ones come.
 final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer {
@@ -47,6 +48,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
     private final Scrutiny scrutiny = new Scrutiny();
     private Pose2d start;
+    private boolean told; // where it was
     private @Nullable Slam slam; // only the work under way touches it
     private @Nullable Known known; // of the newest scan
     private Pose2d slamFromOdom = Pose2d.ORIGIN; // by which odometry is handed to it
@@ -77,6 +79,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         this.settings = settings;
         this.scheduler = scheduler;
         this.start = mapFromBase.orElse(Pose2d.ORIGIN);
+        this.told = mapFromBase.isPresent();
         this.lastScan = scheduler.instant();
         this.lastOdometry = lastScan;
     }
@@ -85,6 +88,11 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         base.subscribe(this::onOdometry);
         laser.subscribe(this::onScan);
         scheduler.every(PATIENCE, Phase.DEVICES, this::checkHealth);
+    }
+
+    /// Of its map: that of the world when somebody told it where it was, else one of its own.
+    String frame() {
+        return told ? "map" : info().robot() + "/map";
     }
 
     /// The scans that were kept, where they were taken, as of the newest of them.
@@ -97,6 +105,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         if (!belief.mapFromBase().isFinite()) {
             throw new IllegalArgumentException("A robot can't be at (%s).".formatted(belief.mapFromBase()));
         }
+        told = true;
         begin(belief.mapFromBase());
         var follower = new CompletableFuture<Void>();
         followers.add(follower);
@@ -120,7 +129,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         odometry.add(reading);
         if (known != null && !failed && !isSilent(lastScan)) {
             deliver(new Stamped<>(
-                    reading.time(), "map", known.at(reading.value().odomFromBase())));
+                    reading.time(), frame(), known.at(reading.value().odomFromBase())));
             var answered = List.copyOf(followers);
             followers.clear();
             answered.forEach(f -> f.complete(null));
