@@ -4,9 +4,11 @@ import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
+import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scene.Scene;
 import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
 import rsal.settings.Problem;
 
 /// `rsal validate`
@@ -66,7 +68,18 @@ final class ValidateCommand extends Subcommand {
         scenario.check();
         tell("%s: right, with %d configuration(s)"
                 .formatted(file, scenario.configurations().size()));
-        return new Checked(file, true, List.of());
+        List<String> notes = scenario.configurations().stream()
+                .map(configuration -> scenario.plan(RunOptions.NONE.withConfiguration(configuration.name())))
+                .flatMap(plan -> plan.notes().stream())
+                .distinct()
+                .toList();
+        notes.forEach(note -> tell("Note: " + note));
+        return new Checked(
+                file,
+                true,
+                Mistake.of(notes.stream()
+                        .map(note -> new Problem(Location.of(file), note, ""))
+                        .toList()));
     }
 
     /// Warnings are no mistakes, but nobody should miss them.

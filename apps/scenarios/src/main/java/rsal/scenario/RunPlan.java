@@ -58,6 +58,11 @@ public record RunPlan(
         measures = List.copyOf(measures);
     }
 
+    /// What is right in it, but may not be what people think: sentences, each only once.
+    public List<String> notes() {
+        return Notes.of(this);
+    }
+
     /// What robots that have been told, planners and people know of the world.
     public OccupancyGrid map() {
         return scene.map();

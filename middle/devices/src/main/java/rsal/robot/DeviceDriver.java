@@ -45,6 +45,12 @@ public interface DeviceDriver {
         return Optional.empty();
     }
 
+    /// What people should know who tell nobody where a robot with such a device starts, in a sentence; empty when
+    /// there is nothing to know.
+    default Optional<String> noteWithoutStart() {
+        return Optional.empty();
+    }
+
     /// Makes the device and starts its work on the scheduler.
     Device create(Context context, Arguments arguments);
 

@@ -1,6 +1,7 @@
 package rsal.navigation.device;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
@@ -40,6 +41,12 @@ public final class SlamDriver implements DeviceDriver {
                 Parameter.number("keepDistance", 0.5, 0.05, 5, "m", "how far apart scans are that are kept"),
                 Parameter.number("keepAngle", 20, 1, 180, "deg", "likewise of their headings"),
                 Parameter.integer("mostScans", 10_000, 2, 100_000, "", "scans kept; then it only finds its way"));
+    }
+
+    @Override
+    public Optional<String> noteWithoutStart() {
+        return Optional.of("Its map lies in a frame of its own, so that its error against the truth is not known, and"
+                + " it shares no map with others.");
     }
 
     @Override

@@ -1,0 +1,61 @@
+package rsal.scenario;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.device.Mapper;
+import rsal.device.Navigator;
+import rsal.scenario.RunPlan.PlannedRobot;
+
+/// What is right in a run, but may not be what people think.
+final class Notes {
+    private Notes() {}
+
+    /// Sentences, each only once.
+    static List<String> of(RunPlan plan) {
+        var notes = new ArrayList<String>();
+        for (PlannedRobot robot : plan.robots()) {
+            if (robot.spec().mapFromBase().isEmpty()) {
+                robot.drivers().stream()
+                        .flatMap(made -> made.driver()
+                                .noteWithoutStart()
+                                .map(note -> "Robot (%s) has no (pose), and (%s) is not told where it starts. %s"
+                                        .formatted(robot.spec().id(), made.name(), note))
+                                .stream())
+                        .forEach(notes::add);
+            }
+        }
+        if (plan.clock() == RunPlan.Clock.SIMULATED && plan.robots().stream().anyMatch(Notes::findsItsWay)) {
+            opening(plan.map())
+                    .ifPresent(place -> notes.add(String.format(
+                            Locale.ROOT,
+                            "The map is open at its edge, at (%.1f, %.1f) first: robots can't leave it there, and their"
+                                    + " sensors see nothing that stops them.",
+                            place.x(),
+                            place.y())));
+        }
+        return notes.stream().distinct().toList();
+    }
+
+    private static boolean findsItsWay(PlannedRobot robot) {
+        return robot.drivers().stream()
+                .map(made -> made.driver().makes())
+                .anyMatch(made -> Navigator.class.isAssignableFrom(made) || Mapper.class.isAssignableFrom(made));
+    }
+
+    /// A free cell at the edge.
+    private static Optional<Point2d> opening(OccupancyGrid map) {
+        for (int row = 0; row < map.height(); row++) {
+            boolean end = row == 0 || row == map.height() - 1;
+            for (int column = 0; column < map.width(); column += end || map.width() == 1 ? 1 : map.width() - 1) {
+                if (map.at(column, row) == OccupancyGrid.FREE) {
+                    return Optional.of(new Point2d(map.x(column), map.y(row)));
+                }
+            }
+        }
+        return Optional.empty();
+    }
+}
