@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { chromium as driver, type Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
@@ -43,6 +44,14 @@ describe.skipIf(!chromium)('robots that explore', () => {
     await chip.click();
     await eventually(async () => !shown.equals(await floor.screenshot()), 'the map is hidden');
     expect(await chip.getAttribute('aria-pressed')).toBe('false');
+
+    await page.getByRole('button', { name: 'explorer-1' }).click();
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('link', { name: 'Save its map' }).click(),
+    ]);
+    expect(download.suggestedFilename()).toBe('explorer-1-map.zip');
+    expect(readFileSync(await download.path()).subarray(0, 2).toString()).toBe('PK');
     expect(faults).toEqual([]);
   });
 });

@@ -107,6 +107,8 @@ export const texts = {
     stalled: 'stalled',
     unknown: '–',
     send: 'Send on the map',
+    saveMap: 'Save its map',
+    saveMapHint: 'Download the map that it drew, as an image with the YAML of ROS; scenarios can take place on it',
     follow: 'Follow',
     unfollow: 'Stop following',
     x: 'x [m]',

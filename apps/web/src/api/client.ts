@@ -50,6 +50,8 @@ export const api = {
   restart: (wish: Restart) => post('restart', wish) as Promise<RunInfo>,
   map,
   drawn,
+  drawnFiles: (run: number, robot: string) =>
+    `/api/drawn/${String(run)}/files?robot=${encodeURIComponent(robot)}`,
 };
 
 /** @param evenAtTheEnd also when the page is about to be left */

@@ -96,31 +96,44 @@ final class RunCommand extends Subcommand {
                     + ", or any when that is in use.")
     private @Nullable Integer port;
 
+    @Option(
+            names = "--save-maps",
+            paramLabel = "DIR",
+            description = "When the run ends, write the maps that robots drew to this folder: ROBOT.yaml and ROBOT.pgm.")
+    private @Nullable String saveMaps;
+
+    @Option(names = "--force", description = "Overwrite maps that are there.")
+    private boolean force;
+
     @Override
     int run() throws Exception {
         ScenarioReference reference = ScenarioReference.parse(scenario);
         RunPlan plan = reference.load().plan(options(reference.configuration()));
         plan.scene().warnings().forEach(warning -> err().println(warning));
+        plan.notes().forEach(note -> err().println("Note: " + note));
         if (headless && plan.scenario().isWorld() && plan.stops().isEmpty() && limit == null) {
             throw new ParameterException(
                     spec.commandLine(), "A world has no end of its own: without a page, say --for SECONDS.");
         }
-        RunResult result = headless ? runHeadless(plan) : runWithPage(plan);
+        Optional<SavedMaps> maps = Optional.ofNullable(saveMaps).map(folder -> SavedMaps.to(folder, plan, force));
+        RunResult result = headless ? runHeadless(plan, maps) : runWithPage(plan, maps);
         return EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS);
     }
 
-    private RunResult runHeadless(RunPlan plan) throws Exception {
+    private RunResult runHeadless(RunPlan plan, Optional<SavedMaps> maps) throws Exception {
         try (LiveRun run = LiveRun.start(plan)) {
             var ending = new ClosedAtExit(run);
             RunResult result = new Progress(err()).await(run);
             ending.checkNoSignal();
+            maps.ifPresent(saved -> saved.write(run, err()));
             print(plan, result);
             return result;
         }
     }
 
-    /// Without `--once` it returns only by exception: the page may start further runs until a signal ends it all.
-    private RunResult runWithPage(RunPlan plan) throws Exception {
+    /// Without `--once` it returns only by exception: the page may start further runs until a signal ends it all. The
+    /// maps of a later run take the place of those of an earlier one.
+    private RunResult runWithPage(RunPlan plan, Optional<SavedMaps> maps) throws Exception {
         var runs = new LinkedBlockingQueue<LiveRun>();
         try (RunServer server = serve(plan, runs::add)) {
             var ending = new ClosedAtExit(server);
@@ -129,6 +142,7 @@ final class RunCommand extends Subcommand {
                 LiveRun run = runs.take();
                 RunResult result = new Progress(err()).await(run);
                 ending.checkNoSignal();
+                maps.ifPresent(saved -> saved.write(run, err()));
                 print(run.plan(), result);
                 if (once) {
                     return result;
@@ -207,11 +221,7 @@ final class RunCommand extends Subcommand {
     static final class Seed implements ITypeConverter<Long> {
         @Override
         public Long convert(String typed) {
-            try {
-                return Long.parseLong(typed);
-            } catch (NumberFormatException _) {
-                throw new TypeConversionException("(%s) is not a whole number, like 42.".formatted(typed));
-            }
+            return Words.longer(typed);
         }
     }
 

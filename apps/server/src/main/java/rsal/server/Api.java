@@ -14,12 +14,15 @@ import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.zip.GZIPOutputStream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
+import rsal.map.RosMap;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
@@ -78,6 +81,7 @@ final class Api {
         routes.get("/api/run", request -> answer(request, info()));
         routes.get("/api/map/{run}", this::map);
         routes.get("/api/drawn/{run}", this::drawn);
+        routes.get("/api/drawn/{run}/files", this::drawnFiles);
         routes.get("/api/abilities", request -> {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running().abilities(robot == null ? "" : robot));
@@ -212,9 +216,33 @@ final class Api {
 
     /// A map that a robot has drawn; see [Messages.DrawnMap].
     private void drawn(Context request) throws IOException {
-        Numbered now = current.now();
+        OccupancyGrid drawn = drawn(request, String.valueOf(request.queryParam("robot")));
+        ByteBuffer bytes = ByteBuffer.allocate(16 + drawn.cells().length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.putInt(drawn.width()).putInt(drawn.height());
+        bytes.putInt((int) Math.round(1000 * drawn.originX())).putInt((int) Math.round(1000 * drawn.originY()));
+        bytes.put(drawn.cells());
+        request.header(Header.CONTENT_ENCODING, "gzip");
+        request.contentType("application/octet-stream").result(packed(bytes.array()));
+    }
+
+    /// The same as files that ROS and scenarios read, to be saved.
+    private void drawnFiles(Context request) throws IOException {
         String robot = String.valueOf(request.queryParam("robot"));
-        OccupancyGrid drawn = now.run().snapshot().robots().stream()
+        OccupancyGrid drawn = drawn(request, robot);
+        var packed = new ByteArrayOutputStream();
+        try (var zip = new ZipOutputStream(packed)) {
+            zip.putNextEntry(new ZipEntry(robot + ".pgm"));
+            zip.write(RosMap.pgm(drawn));
+            zip.putNextEntry(new ZipEntry(robot + ".yaml"));
+            zip.write(RosMap.yaml(drawn, robot + ".pgm").getBytes(StandardCharsets.UTF_8));
+        }
+        request.header(Header.CONTENT_DISPOSITION, "attachment; filename=\"%s-map.zip\"".formatted(robot));
+        request.contentType("application/zip").result(packed.toByteArray());
+    }
+
+    private OccupancyGrid drawn(Context request, String robot) {
+        Numbered now = current.now();
+        return now.run().snapshot().robots().stream()
                 .filter(view ->
                         view.id().equals(robot) && request.pathParam("run").equals(Integer.toString(now.number())))
                 .flatMap(view -> view.map().stream())
@@ -222,12 +250,6 @@ final class Api {
                 .findFirst()
                 .orElseThrow(() -> new Refusal(
                         404, "Robot (%s) has drawn no map in this run.".formatted(Refusal.shortened(robot))));
-        ByteBuffer bytes = ByteBuffer.allocate(16 + drawn.cells().length).order(ByteOrder.LITTLE_ENDIAN);
-        bytes.putInt(drawn.width()).putInt(drawn.height());
-        bytes.putInt((int) Math.round(1000 * drawn.originX())).putInt((int) Math.round(1000 * drawn.originY()));
-        bytes.put(drawn.cells());
-        request.header(Header.CONTENT_ENCODING, "gzip");
-        request.contentType("application/octet-stream").result(packed(bytes.array()));
     }
 
     private static byte[] packed(byte[] bytes) throws IOException {

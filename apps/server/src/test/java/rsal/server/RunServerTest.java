@@ -116,6 +116,7 @@ class RunServerTest {
             assertThat(get("/api/map/2").status()).isEqualTo(404);
             assertThat(get("/api/drawn/1?robot=nobody").status()).isEqualTo(404);
             assertThat(get("/api/drawn/1").text()).contains("has drawn no map");
+            assertThat(get("/api/drawn/1/files?robot=nobody").status()).isEqualTo(404);
         }
 
         @Test
