@@ -4,7 +4,9 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
@@ -38,6 +40,12 @@ record Kind(
             String unit,
             String expected,
             String description) {
+        /// Whether its description names one of these, and it is not the setting that chooses among them.
+        private boolean isAbout(Set<String> choices) {
+            return options.stream().noneMatch(choices::contains)
+                    && Stream.of(description.split("\\W+")).anyMatch(choices::contains);
+        }
+
         static Setting of(Parameter p) {
             return new Setting(
                     p.name(),
@@ -93,6 +101,23 @@ record Kind(
     /// Whether it is a driver that can be told to use something, as `vfh`.
     boolean offers(String choice) {
         return kind.equals("driver") && settings.stream().anyMatch(setting -> setting.options.contains(choice));
+    }
+
+    /// The same with only those settings that matter where it is told to use something. Descriptions name what they
+    /// are about.
+    Kind about(String choice) {
+        Set<String> others = settings.stream()
+                .filter(setting -> setting.options.contains(choice))
+                .flatMap(setting -> setting.options.stream())
+                .filter(option -> !option.equals(choice))
+                .collect(Collectors.toSet());
+        return new Kind(
+                kind,
+                name,
+                description,
+                makes,
+                needs,
+                settings.stream().filter(setting -> !setting.isAbout(others)).toList());
     }
 
     /// For people.

@@ -33,7 +33,7 @@ final class ListCommand extends Subcommand {
         mrs
     }
 
-    private static final Set<What> WITH_SETTINGS = EnumSet.of(What.agents, What.drivers, What.mas, What.mrs);
+    private static final Set<What> WITH_MORE = EnumSet.complementOf(EnumSet.of(What.scenarios));
 
     record Entry(String name, String description) {}
 
@@ -47,8 +47,8 @@ final class ListCommand extends Subcommand {
         var table = new Table("");
         entries.forEach(entry -> table.row(entry.name, entry.description));
         out().print(table);
-        if (WITH_SETTINGS.contains(what)) {
-            out().println("\n'rsal show NAME' tells what can be set.");
+        if (WITH_MORE.contains(what)) {
+            out().println("\n'rsal show NAME' tells more.");
         }
         out().flush();
         return Exit.SUCCESS;
@@ -60,7 +60,10 @@ final class ListCommand extends Subcommand {
                 Scenario.builtIn().stream()
                         .map(s -> new Entry(s.name(), s.title()))
                         .toList();
-            case maps -> named(Maps.builtIn());
+            case maps ->
+                Maps.builtIn().stream()
+                        .map(name -> new Entry(name, ShownMap.of(name).size()))
+                        .toList();
             case models -> named(RobotModels.builtIn());
             case parts -> named(RobotModels.builtInParts());
             case agents -> entries(Kind.agents());
@@ -71,7 +74,9 @@ final class ListCommand extends Subcommand {
     }
 
     private static List<Entry> named(List<String> names) {
-        return names.stream().map(name -> new Entry(name, "")).toList();
+        return names.stream()
+                .map(name -> new Entry(name, ShownPart.of(name).orElseThrow().title()))
+                .toList();
     }
 
     private static List<Entry> entries(Stream<Kind> kinds) {

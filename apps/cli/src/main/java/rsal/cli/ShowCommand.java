@@ -12,6 +12,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import rsal.map.Maps;
+import rsal.robot.RobotModels;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scene.Scene;
@@ -24,13 +26,12 @@ import rsal.settings.Suggestion;
         name = "show",
         description =
                 "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
-                        + " and measures), what is in a world, with a picture of it, or what can be set of an agent, a device driver (also by what it may use, as 'vfh') or a back end.")
+                        + " and measures), what is in a world, with a picture of it, what a map, robot model or part is, or what can be set of an agent, a device driver (also by what it may use, as 'vfh') or a back end.")
 final class ShowCommand extends Subcommand {
     @Parameters(
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|NAME",
             description =
-                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); or what 'rsal list agents', 'drivers', 'mas' or"
-                            + " 'mrs' names.")
+                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); or what 'rsal list WHAT' names.")
     private String name = "";
 
     @Option(
@@ -45,6 +46,16 @@ final class ShowCommand extends Subcommand {
             showWorld();
             return Exit.SUCCESS;
         }
+        if (image == null && ShownMap.is(name)) {
+            ShownMap map = ShownMap.of(name);
+            show(map, map.text());
+            return Exit.SUCCESS;
+        }
+        Optional<ShownPart> part = ShownPart.of(name);
+        if (image == null && part.isPresent()) {
+            show(part.get(), part.get().text());
+            return Exit.SUCCESS;
+        }
         if (image != null) {
             throw new ParameterException(
                     spec.commandLine(), "Only worlds (FILE.world.yaml, FILE.world, FILE.cfg) are drawn.");
@@ -52,7 +63,12 @@ final class ShowCommand extends Subcommand {
         List<Kind> all = Kind.all();
         List<Kind> named = all.stream().filter(kind -> kind.name().equals(name)).toList();
         List<Kind> found =
-                named.isEmpty() ? all.stream().filter(kind -> kind.offers(name)).toList() : named;
+                named.isEmpty()
+                        ? all.stream()
+                                .filter(kind -> kind.offers(name))
+                                .map(kind -> kind.about(name))
+                                .toList()
+                        : named;
         if (found.isEmpty()) {
             show(ScenarioReference.parse(name), all);
         } else if (json) {
@@ -61,6 +77,14 @@ final class ShowCommand extends Subcommand {
             print(found.stream().map(Kind::text).collect(Collectors.joining("\n")));
         }
         return Exit.SUCCESS;
+    }
+
+    private void show(Record found, String text) {
+        if (json) {
+            printJson(found);
+        } else {
+            print(text);
+        }
     }
 
     private void showWorld() throws IOException {
@@ -104,17 +128,24 @@ final class ShowCommand extends Subcommand {
                 typed,
                 Stream.concat(
                                 Scenario.builtIn().stream().map(Scenario::name),
-                                others.stream().map(Kind::name))
+                                others(others))
                         .toList());
-        boolean isOther = closest.filter(
-                        name -> others.stream().anyMatch(o -> o.name().equals(name)))
-                .isPresent();
+        boolean isOther = closest.filter(name -> others(others).anyMatch(name::equals)).isPresent();
         if (isOther && !typed.contains(".") && !typed.contains("/")) {
             throw new InvalidSettings(
                     Location.of(typed),
                     "There is nothing called (%s).".formatted(typed),
                     "Maybe (%s) was meant?".formatted(closest.orElseThrow()));
         }
+    }
+
+    private static Stream<String> others(List<Kind> kinds) {
+        return Stream.of(
+                        kinds.stream().map(Kind::name),
+                        Maps.builtIn().stream(),
+                        RobotModels.builtIn().stream(),
+                        RobotModels.builtInParts().stream())
+                .flatMap(names -> names);
     }
 
     private void print(String text) {

@@ -26,6 +26,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.map.Maps;
+import rsal.settings.FileSource;
+import rsal.settings.Location;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -72,6 +75,105 @@ class CommandLineIT {
         assertThat(ended.err()).isEmpty();
     }
 
+    @Test
+    void theMapsThatRobotsDrewAreSaved() throws Exception {
+        Files.writeString(folder.resolve("explore.yaml"), """
+                rsal: 1
+                scenario: explore
+                world: {map: office}
+                robots:
+                  scout:
+                    model: pioneer2dx
+                    pose: [-12, -0.8, 0]
+                    devices: {laser: urg04lx, localizer: {type: slam}, navigator: {}, explorer: {}}
+                run: {stop: [{when: time > 8, outcome: success}]}
+                """);
+        String[] line = {"run", "explore.yaml", "--headless", "--speed", "max", "--save-maps", "maps"};
+
+        Ended ended = rsal.run(line);
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.err()).contains("Map saved: maps/scout.yaml");
+        var map = new Maps(FileSource.disk())
+                .read(folder.resolve("maps/scout.yaml").toString(), Location.of("test"));
+        assertThat(map.isFree(-12, -0.8)).isTrue();
+
+        Ended again = rsal.run(line);
+        assertThat(again.code()).isEqualTo(Exit.INVALID);
+        assertThat(again.err()).contains("scout.yaml", "--force");
+        Ended none = rsal.run("run", "guard.yaml", "--headless", "--save-maps", "others");
+        assertThat(none.code()).isEqualTo(Exit.INVALID);
+        assertThat(none.err()).contains("--save-maps", "No robot of this run draws a map");
+        assertThat(folder.resolve("others")).doesNotExist();
+    }
+
+    @Test
+    void validateNotesWhatMayNotBeMeant() throws Exception {
+        Files.writeString(folder.resolve("open.yaml"), "drawing: |\n  ####\n  #...\n  ####\nresolution: 1\n");
+        Files.writeString(folder.resolve("lost.yaml"), """
+                rsal: 1
+                scenario: lost
+                world: {map: open.yaml}
+                robots:
+                  scout:
+                    model: pioneer2dx
+                    devices: {laser: urg04lx, localizer: {type: slam}, navigator: {}, explorer: {}}
+                run: {stop: [{when: time > 1, outcome: success}]}
+                """);
+        Ended ended = rsal.run("validate", "lost.yaml");
+        assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out())
+                .contains("Robot (scout) has no (pose)", "a frame of its own")
+                .contains("open at its edge, at (3.5, 1.5)");
+        assertThat(rsal.run("validate", "guard.yaml").out()).doesNotContain("Note");
+        assertThat(rsal.run("run", "lost.yaml", "--headless").err()).contains("Note: The map is open at its edge");
+    }
+
+    @Test
+    void showsMapsModelsAndParts() throws Exception {
+        assertThat(rsal.run("show", "office").out()).contains("a map, 63.", "world: {map: office}");
+        assertThat(rsal.run("show", "pioneer2dx").out()).contains("a robot model, Pioneer 2-DX", "mounts:");
+        assertThat(rsal.run("show", "urg04lx").out()).contains("a robot part, Hokuyo URG-04LX", "fieldOfView: 240");
+        assertThat(rsal.run("list", "parts").out()).containsPattern("urg04lx +Hokuyo URG-04LX");
+        assertThat(rsal.run("list", "models").out()).containsPattern("pioneer2dx +Pioneer 2-DX");
+        assertThat(rsal.run("list", "maps").out()).containsPattern("office +63");
+        Files.writeString(folder.resolve("mine.yaml"), "drawing: |\n  ####\n  #..#\n  ####\nresolution: 0.5\n");
+        assertThat(rsal.run("show", "mine.yaml").out()).contains("4 × 3 cells", "world: {map: mine.yaml}");
+        assertThat(rsal.run("show", "urg05lx").err()).contains("Maybe (urg04lx)");
+        assertThat(rsal.run("show", "nd").out())
+                .contains("avoidDist", "patience")
+                .doesNotContain("minGapWidth", "weightDesiredDir");
+    }
+
+    @Test
+    void helpIsACommand() throws Exception {
+        Ended ended = rsal.run("help");
+        assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out()).isEqualTo(rsal.run("--help").out());
+        assertThat(rsal.run("help", "map").out()).contains("Usage: rsal map");
+    }
+
+    @Test
+    void aBenchWithoutItsDataIsNoSuccess() throws Exception {
+        Ended nowhere = rsal.run("bench", "navigation", "--only", "barn.vfh", "--data", "nowhere");
+        assertThat(nowhere.code()).isEqualTo(Exit.INVALID);
+        assertThat(nowhere.err()).contains("--data", "There is no folder (nowhere)");
+
+        Ended empty = rsal.run("bench", "navigation", "--only", "barn.vfh", "--data", folder.toString());
+        assertThat(empty.code()).isEqualTo(Exit.UNREACHABLE);
+        assertThat(empty.err()).contains("barn/worlds.json", "Nothing was measured");
+        assertThat(empty.out()).isEmpty();
+    }
+
+    @Test
+    void aBenchThatIsInterruptedSaysSo() throws Exception {
+        Process bench = rsal.start("bench", "sim", "--only", "laser180.1000.core1.rtf", "--repeat", "1000");
+        var err = bench.errorReader();
+        assertThat(err.readLine()).startsWith("Measuring 1");
+        Ended.signal("INT", bench);
+        assertThat(err.lines()).anyMatch(line -> line.contains("Interrupted: 0 of 1"));
+        assertThat(bench.waitFor()).isEqualTo(130);
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             frobnicate          | (frobnicate)
@@ -91,7 +193,10 @@ class CommandLineIT {
             list things         | things
             bench sin           | Maybe (sim)
             bench sim --only x9 | (x9)
+            bench sim --only x9 | Names begin with sim.
             bench --repeat 0    | (0)
+            bench --repeat x    | (x) is not a whole number
+            help rum            | Maybe (run)
             """)
     void refusesWhatItCannotUnderstand(String line, String expected) throws Exception {
         Ended ended = rsal.run(line == null ? new String[0] : line.split(" "));

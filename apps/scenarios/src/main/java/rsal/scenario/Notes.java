@@ -20,7 +20,8 @@ final class Notes {
         for (PlannedRobot robot : plan.robots()) {
             if (robot.spec().mapFromBase().isEmpty()) {
                 robot.drivers().stream()
-                        .flatMap(made -> made.driver()
+                        .flatMap(made -> made
+                                .driver()
                                 .noteWithoutStart()
                                 .map(note -> "Robot (%s) has no (pose), and (%s) is not told where it starts. %s"
                                         .formatted(robot.spec().id(), made.name(), note))

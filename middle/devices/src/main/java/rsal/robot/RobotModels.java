@@ -1,8 +1,10 @@
 package rsal.robot;
 
+import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rsal.data.Pose2d;
 import rsal.data.Solid;
 import rsal.robot.RobotModel.Drive;
@@ -21,6 +23,7 @@ public final class RobotModels {
     /// Chosen for a device, it takes the model's own part away.
     public static final String NO_PART = "none";
 
+    private static final int MOST_BYTES = 1_000_000;
     private static final FileSource MODELS = FileSource.resources(RobotModels.class, "/rsal/robot/models/");
     private static final FileSource PARTS = FileSource.resources(RobotModels.class, "/rsal/robot/parts/");
 
@@ -59,6 +62,16 @@ public final class RobotModels {
                 "turntable",
                 "pioneer-battery",
                 "beacon");
+    }
+
+    /// The file of a model or part that comes with the program, as people read it; empty when there is none of the
+    /// name.
+    public static Optional<String> source(String name) {
+        Optional<FileSource> folder = builtIn().contains(name)
+                ? Optional.of(MODELS)
+                : builtInParts().contains(name) ? Optional.of(PARTS) : Optional.empty();
+        return folder.map(
+                files -> new String(files.read(name + ".yaml", MOST_BYTES, Location.of(name)), StandardCharsets.UTF_8));
     }
 
     /// A model with the parts that it has by itself.
