@@ -51,7 +51,11 @@ describe.skipIf(!chromium)('robots that explore', () => {
       page.getByRole('link', { name: 'Save its map' }).click(),
     ]);
     expect(download.suggestedFilename()).toBe('explorer-1-map.zip');
-    expect(readFileSync(await download.path()).subarray(0, 2).toString()).toBe('PK');
+    expect(
+      readFileSync(await download.path())
+        .subarray(0, 2)
+        .toString(),
+    ).toBe('PK');
     expect(faults).toEqual([]);
   });
 });

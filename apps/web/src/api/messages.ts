@@ -216,6 +216,7 @@ export interface RobotDetails {
   inCharge: string;
   behavior: string;
   driver: string;
+  quality: string;
   devices: DeviceDetails[];
   map: DrawnMap | null;
 }

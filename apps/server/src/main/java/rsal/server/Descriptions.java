@@ -2,6 +2,7 @@ package rsal.server;
 
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -142,6 +143,9 @@ final class Descriptions {
                 robot.inCharge(),
                 robot.behavior(),
                 robot.driver(),
+                robot.estimate()
+                        .map(estimate -> estimate.value().quality().name().toLowerCase(Locale.ROOT))
+                        .orElse(""),
                 robot.devices().stream().map(Descriptions::device).toList(),
                 robot.map().map(Descriptions::drawn));
     }

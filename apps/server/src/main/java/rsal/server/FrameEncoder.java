@@ -165,7 +165,8 @@ final class FrameEncoder {
     /// what robots tell, it is all that there is.
     private static Optional<PoseEstimate> estimate(RobotView robot) {
         return robot.estimate()
-                .filter(estimate -> estimate.frame().equals("map") || robot.truth().isEmpty())
+                .filter(estimate ->
+                        estimate.frame().equals("map") || robot.truth().isEmpty())
                 .map(Stamped::value);
     }
 

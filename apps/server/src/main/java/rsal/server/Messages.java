@@ -192,12 +192,14 @@ final class Messages {
     /// @param inCharge behavior that drives it, or its navigator; empty when neither does
     /// @param behavior what somebody told it to do, as an [Order] does; empty when nobody did
     /// @param driver who drives it, as [Drive] has it; empty when nobody does
+    /// @param quality how sure its localizer is: `localized`, `ambiguous`, `lost`; empty when nothing tells
     /// @param map that it has drawn itself so far
     record RobotDetails(
             String id,
             String inCharge,
             String behavior,
             String driver,
+            String quality,
             List<DeviceDetails> devices,
             Optional<DrawnMap> map) {}
 

@@ -95,7 +95,12 @@ class FrameEncoderTest {
         var estimate = PoseEstimate.of(new Pose2d(1, 2, 0), Covariance2d.ofDeviations(0.1, 0.1, 0.1));
         RobotView told = robot("r", truth, Optional.of(estimate), Optional.empty(), Optional.empty());
         RobotView own = robot(
-                "r", truth, Optional.of(new Stamped<>(Instant.EPOCH, "r/map", estimate)), Optional.empty(), Optional.empty(), "");
+                "r",
+                truth,
+                Optional.of(new Stamped<>(Instant.EPOCH, "r/map", estimate)),
+                Optional.empty(),
+                Optional.empty(),
+                "");
         assertThat(encode(List.of(own))).hasSameSizeAs(encode(List.of(bare())));
         assertThat(encode(List.of(told))).hasSizeGreaterThan(encode(List.of(own)).length);
     }
