@@ -331,7 +331,8 @@ final class LocalizeCommand extends Subcommand {
                         .formatted(minParticles, MOST_PARTICLES, maxParticles));
         check(
                 start == null || start.pose == null || Arrays.stream(start.pose).allMatch(Double::isFinite),
-                "--pose takes three finite numbers, as 3.2 -1.5 90; not (%s).".formatted(start == null ? "" : Arrays.toString(start.pose)));
+                "--pose takes three finite numbers, as 3.2 -1.5 90; not (%s)."
+                        .formatted(start == null ? "" : Arrays.toString(start.pose)));
         check(
                 saveMap == null || map.fromHalf,
                 "--save-map goes with --map-from-half: with --map no other map is made.");

@@ -249,7 +249,7 @@ final class MapCommand extends Subcommand {
             robot.located().add(slam.add(stop.odomFromBase(), stop.scan()));
             if (System.nanoTime() - told > 2_000_000_000L) {
                 told = System.nanoTime();
-                err().println("%s: %d of %d scans, %d kept, %d loops"
+                err().println("%s: %d of %d scans, %d kept, %d places known again so far"
                         .formatted(robot.file(), robot.located().size(), stops.size(), slam.frameCount(), loops(slam)));
             }
         }

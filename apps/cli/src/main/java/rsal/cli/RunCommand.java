@@ -99,7 +99,8 @@ final class RunCommand extends Subcommand {
     @Option(
             names = "--save-maps",
             paramLabel = "DIR",
-            description = "When the run ends, write the maps that robots drew to this folder: ROBOT.yaml and ROBOT.pgm.")
+            description =
+                    "When the run ends, write the maps that robots drew to this folder: ROBOT.yaml and ROBOT.pgm.")
     private @Nullable String saveMaps;
 
     @Option(names = "--force", description = "Overwrite maps that are there.")

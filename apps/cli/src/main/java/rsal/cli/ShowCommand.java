@@ -62,13 +62,12 @@ final class ShowCommand extends Subcommand {
         }
         List<Kind> all = Kind.all();
         List<Kind> named = all.stream().filter(kind -> kind.name().equals(name)).toList();
-        List<Kind> found =
-                named.isEmpty()
-                        ? all.stream()
-                                .filter(kind -> kind.offers(name))
-                                .map(kind -> kind.about(name))
-                                .toList()
-                        : named;
+        List<Kind> found = named.isEmpty()
+                ? all.stream()
+                        .filter(kind -> kind.offers(name))
+                        .map(kind -> kind.about(name))
+                        .toList()
+                : named;
         if (found.isEmpty()) {
             show(ScenarioReference.parse(name), all);
         } else if (json) {
@@ -126,11 +125,10 @@ final class ShowCommand extends Subcommand {
     private static void checkName(String typed, List<Kind> others) {
         Optional<String> closest = Suggestion.closest(
                 typed,
-                Stream.concat(
-                                Scenario.builtIn().stream().map(Scenario::name),
-                                others(others))
+                Stream.concat(Scenario.builtIn().stream().map(Scenario::name), others(others))
                         .toList());
-        boolean isOther = closest.filter(name -> others(others).anyMatch(name::equals)).isPresent();
+        boolean isOther =
+                closest.filter(name -> others(others).anyMatch(name::equals)).isPresent();
         if (isOther && !typed.contains(".") && !typed.contains("/")) {
             throw new InvalidSettings(
                     Location.of(typed),
