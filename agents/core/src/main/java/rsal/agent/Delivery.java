@@ -24,4 +24,10 @@ public interface Delivery {
     default boolean reaches(Message<?> message, String listener) {
         return true;
     }
+
+    /// Told when an agent hears a message: when the first copy reaches it, once however many copies and ears there
+    /// are. What agents say to themselves is not told.
+    ///
+    /// @param listener name of the agent that hears it
+    default void heard(Message<?> message, String listener) {}
 }

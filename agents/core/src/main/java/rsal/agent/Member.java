@@ -53,8 +53,7 @@ final class Member implements AgentContext {
     private Society.Status status = Society.Status.RUNNING;
     private String state = "";
     private long sent;
-    private @Nullable Message<?> coming; // newest message
-    private List<Duration> copies = List.of(); // of it
+    private @Nullable Arrival coming; // of the newest message
     private Instant windowEnd = Instant.MIN;
     private int setOff;
 
@@ -204,12 +203,32 @@ final class Member implements AgentContext {
 
     /// The same for all of this agent's listeners.
     @SuppressWarnings("ReferenceEquality") // two may say the same
-    private List<Duration> copies(Message<?> message) {
-        if (message != coming) {
-            coming = message;
-            copies = society.copies(message, name());
+    private Arrival arrival(Message<?> message) {
+        Arrival newest = coming;
+        if (newest == null || newest.message != message) {
+            newest = new Arrival(message, society.copies(message, name()));
+            coming = newest;
         }
-        return copies;
+        return newest;
+    }
+
+    /// What this agent hears of a message.
+    private final class Arrival {
+        private final Message<?> message;
+        private final List<Duration> copies;
+        private boolean heard;
+
+        Arrival(Message<?> message, List<Duration> copies) {
+            this.message = message;
+            this.copies = copies;
+        }
+
+        void note() {
+            if (!heard) {
+                heard = true;
+                society.heard(message, name());
+            }
+        }
     }
 
     @Override
@@ -295,9 +314,13 @@ final class Member implements AgentContext {
         }
 
         void hear(T value) {
-            if (open) {
+            if (listens()) {
                 act(value, listener);
             }
+        }
+
+        boolean listens() {
+            return open && status == Society.Status.RUNNING;
         }
 
         @Override
@@ -332,11 +355,12 @@ final class Member implements AgentContext {
                 super.accept(message);
                 return;
             }
-            for (Duration late : copies(message)) {
+            Arrival arrival = arrival(message);
+            for (Duration late : arrival.copies) {
                 if (late.isZero()) {
-                    super.accept(message);
+                    hostLane.execute(() -> hear(message, arrival));
                 } else {
-                    hostLane.after(late, Phase.THINK, () -> hearLate(message));
+                    hostLane.after(late, Phase.THINK, () -> hearLate(message, arrival));
                 }
             }
         }
@@ -356,8 +380,15 @@ final class Member implements AgentContext {
             return true;
         }
 
-        private void hearLate(Message<M> message) {
+        private void hearLate(Message<M> message, Arrival arrival) {
             if (society.reaches(message, name())) {
+                hear(message, arrival);
+            }
+        }
+
+        private void hear(Message<M> message, Arrival arrival) {
+            if (listens()) {
+                arrival.note();
                 hear(message);
             }
         }

@@ -91,6 +91,10 @@ public final class Society implements AutoCloseable {
         return delivery.reaches(message, listener);
     }
 
+    void heard(Message<?> message, String listener) {
+        delivery.heard(message, listener);
+    }
+
     /// Says something in a person's name.
     ///
     /// @throws IllegalArgumentException when the message is not of the topic's type, or the topic's name is taken

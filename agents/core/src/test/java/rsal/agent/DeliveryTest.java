@@ -102,4 +102,60 @@ class DeliveryTest {
         assertThat(said).containsExactly("hi");
         assertThat(log).isEmpty();
     }
+
+    @Test
+    void isToldOnceWhenAnAgentHears() {
+        run.start("amy", self -> {
+            self.subscribe(WORDS, _ -> {});
+            self.subscribe(WORDS, _ -> {});
+            self.subscribe(WORDS, Interest.<String>in("psst"::equals), _ -> {});
+        });
+        startListener("zoe");
+        startListener("joe");
+        startSpeaker("bob", "hi", "ho");
+        run.society.deliverBy(new Delivery() {
+            @Override
+            public List<Duration> copies(Message<?> message, String listener) {
+                return switch (listener) {
+                    case "amy" -> List.of(Duration.ofSeconds(3), Duration.ofSeconds(1));
+                    case "zoe" -> AT_ONCE;
+                    default -> List.of();
+                };
+            }
+
+            @Override
+            public void heard(Message<?> message, String listener) {
+                log.add("%s: %s, %s".formatted(listener, message.content(), run.scheduler.elapsed()));
+            }
+        });
+        run.advance(5);
+        assertThat(log)
+                .containsExactly(
+                        "zoe: hi, PT1S",
+                        "zoe heard bob: hi at PT1S",
+                        "zoe: ho, PT1S",
+                        "zoe heard bob: ho at PT1S",
+                        "amy: hi, PT2S",
+                        "amy: ho, PT2S");
+    }
+
+    @Test
+    void isNotToldOfOneThatHasEndedMeanwhile() {
+        startListener("amy");
+        startSpeaker("bob", "hi");
+        run.society.deliverBy(new Delivery() {
+            @Override
+            public List<Duration> copies(Message<?> message, String listener) {
+                run.society.stop("amy");
+                return AT_ONCE;
+            }
+
+            @Override
+            public void heard(Message<?> message, String listener) {
+                log.add(listener);
+            }
+        });
+        run.advance(2);
+        assertThat(log).isEmpty();
+    }
 }
