@@ -1,9 +1,11 @@
 package rsal.cli;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import rsal.scenario.RunPlan;
+import rsal.scenario.run.Hearing;
 import rsal.scenario.run.RunResult;
 
 /// A run's result for people.
@@ -20,8 +22,18 @@ record ResultText(RunPlan plan, RunResult result) {
                                 result.simulatedSeconds(),
                                 result.wallSeconds()));
         result.measures().forEach((name, value) -> table.row(name, measured(name, value)));
+        if (!result.communication().isEmpty()) {
+            table.row("communication", heard(result.communication()));
+        }
         table.row("event hash", result.eventHash());
         return "%s:%s, seed %d\n".formatted(result.scenario(), result.configuration(), result.seed()) + table;
+    }
+
+    private static String heard(List<Hearing> all) {
+        return "%d messages heard, %d lost"
+                .formatted(
+                        all.stream().mapToLong(Hearing::heard).sum(),
+                        all.stream().mapToLong(Hearing::lost).sum());
     }
 
     private String measured(String name, OptionalDouble value) {

@@ -306,7 +306,8 @@ class CommandLineIT {
                         "simulatedSeconds",
                         "wallSeconds",
                         "eventHash",
-                        "measures");
+                        "measures",
+                        "communication");
         assertThat(result.get("scenario").stringValue()).isEqualTo("guard");
         assertThat(result.get("configuration").stringValue()).isEqualTo("short");
         assertThat(result.get("seed").longValue()).isEqualTo(7);

@@ -24,7 +24,6 @@ import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.settings.Arguments;
 import rsal.settings.Location;
-import rsal.settings.Parameter;
 import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
@@ -128,7 +127,7 @@ final class FaultReader {
         double at = (Double) section.value(Format.AT).orElse(0.0);
         Optional<Double> every =
                 section.has("every") ? section.value(Format.EVERY).map(Double.class::cast) : Optional.empty();
-        Optional<Span> lasts = span(section, "for", Format.LONGEST, 0.01);
+        Optional<Span> lasts = Format.span(section, "for", Format.LONGEST, 0.01);
         if (kind.isEmpty()) {
             return Optional.empty(); // what else there may be depends on it
         }
@@ -327,7 +326,7 @@ final class FaultReader {
                 .toList();
         Optional<Span> delay = kind.delay()
                 .flatMap(fallback -> section.has("delay")
-                        ? span(section, "delay", Format.LONGEST_DELAY, 0)
+                        ? Format.span(section, "delay", Format.LONGEST_DELAY, 0)
                         : Optional.of(Span.of(fallback, fallback)));
         return new OfMessages(
                 topics,
@@ -400,25 +399,5 @@ final class FaultReader {
             }
         }
         return words;
-    }
-
-    /// A number of seconds, or the least and the most of them.
-    private static Optional<Span> span(Section section, String key, Parameter seconds, double least) {
-        Optional<Value> value = section.find(key);
-        if (value.isEmpty()) {
-            return Optional.empty();
-        }
-        if (value.get() instanceof Value.Sequence pair) {
-            Optional<double[]> both = section.numbers(key, pair, 2);
-            if (both.isPresent()
-                    && !(both.get()[0] >= least && both.get()[0] <= both.get()[1] && both.get()[1] <= seconds.max())) {
-                section.problem(
-                        pair.location(),
-                        "(%s) must be [least, most], each %s.".formatted(section.path(key), seconds.expected()),
-                        "");
-            }
-            return both.map(b -> Span.of(b[0], b[1]));
-        }
-        return section.value(seconds).map(Double.class::cast).map(s -> Span.of(s, s));
     }
 }

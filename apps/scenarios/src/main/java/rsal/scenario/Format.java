@@ -78,6 +78,16 @@ final class Format {
     static final Parameter PICK =
             required(Parameter.integer("pick", 1, 1, MAX_ROBOTS, "", "How many have it at a time, chosen at random."));
 
+    static final Parameter RANGE =
+            required(Parameter.number("range", 15, 0, 1e6, "m", "How far robots hear each other; any way without it."));
+    static final Parameter BEHIND_WALLS = required(Parameter.number(
+            "behindWalls", 5, 0, 1e6, "m", "How far through walls of the map; as far as (range) without it."));
+    static final Parameter LOSS = Parameter.number(
+            "loss", 0, 0, 1, "", "How likely it is that a message gets lost, for each agent that should hear it.");
+    static final Parameter RADIO_DELAY = Parameter.number("delay", 0, 0, 600, "s", "How long a message takes.");
+    static final Parameter BANDWIDTH = required(Parameter.number(
+            "bandwidth", 50, 0.01, 1e6, "1/s", "How many messages a second an agent can send; any without it."));
+
     private Format() {}
 
     /// The same without a value to fall back on.
@@ -111,6 +121,26 @@ final class Format {
             }
         }
         return groups;
+    }
+
+    /// A number of seconds, or the least and the most of them.
+    static Optional<Span> span(Section section, String key, Parameter seconds, double least) {
+        Optional<Value> value = section.find(key);
+        if (value.isEmpty()) {
+            return Optional.empty();
+        }
+        if (value.get() instanceof Value.Sequence pair) {
+            Optional<double[]> both = section.numbers(key, pair, 2);
+            if (both.isPresent()
+                    && !(both.get()[0] >= least && both.get()[0] <= both.get()[1] && both.get()[1] <= seconds.max())) {
+                section.problem(
+                        pair.location(),
+                        "(%s) must be [least, most], each %s.".formatted(section.path(key), seconds.expected()),
+                        "");
+            }
+            return both.map(b -> Span.of(b[0], b[1]));
+        }
+        return section.value(seconds).map(Double.class::cast).map(s -> Span.of(s, s));
     }
 
     private static <E> List<String> words(E[] values, Function<E, String> word) {

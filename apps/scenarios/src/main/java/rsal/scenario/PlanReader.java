@@ -107,6 +107,7 @@ final class PlanReader {
         }
         List<PlannedRobot> robots = equipped(bare, agents);
 
+        Optional<Communication> communication = CommunicationReader.read(root, seeds);
         var faultReader = new FaultReader(names, robots, agents, problems.all().size() == before, seeds, problems);
         List<PlannedFault> faults = faultReader.read(root);
 
@@ -136,6 +137,7 @@ final class PlanReader {
                 clock,
                 robots,
                 agents,
+                communication,
                 faults,
                 speed,
                 step(mrs.get().settings()),

@@ -27,6 +27,7 @@ import rsal.system.RobotSystemProvider;
 /// @param mapName what the scenario calls its map or world
 /// @param scene where it takes place
 /// @param agents in the order in which they start
+/// @param communication its limits; empty when everybody hears everything
 /// @param faults what goes wrong
 /// @param speed simulated over real time to begin with; +∞ for as fast as it can
 /// @param step of simulated time; between two steps a run can be looked at, paused and told things
@@ -44,6 +45,7 @@ public record RunPlan(
         Clock clock,
         List<PlannedRobot> robots,
         List<PlannedAgent> agents,
+        Optional<Communication> communication,
         List<PlannedFault> faults,
         double speed,
         Duration step,

@@ -128,6 +128,7 @@ public final class ScenarioSchema {
                                 partial,
                                 Format.DEFAULT_MRS,
                                 parameters(catalog.systems(), RobotSystemProvider::parameters)),
+                "communication", communication(),
                 "faults", list(fields("$ref", FAULT)),
                 "run", run(),
                 "measure", list(measure()));
@@ -279,6 +280,19 @@ public final class ScenarioSchema {
         return group(
                 fields("seed", parameter(Format.SEED), "clock", group(clock, List.of()), "stop", list(stop)),
                 List.of());
+    }
+
+    private static Map<String, Object> communication() {
+        return described(
+                group(
+                        fields(
+                                "range", parameter(Format.RANGE),
+                                "behindWalls", parameter(Format.BEHIND_WALLS),
+                                "loss", parameter(Format.LOSS),
+                                "delay", span(Format.RADIO_DELAY),
+                                "bandwidth", parameter(Format.BANDWIDTH)),
+                        List.of()),
+                "How communication between agents is limited; who hears what is recorded.");
     }
 
     private static Map<String, Object> fault() {

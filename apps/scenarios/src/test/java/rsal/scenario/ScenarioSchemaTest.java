@@ -104,6 +104,7 @@ class ScenarioSchemaTest {
             "can't be biased like this",
             "needs an error",
             "[least, most]",
+            "must be at most (range)",
             "must be an agent");
 
     static List<List<String>> wrong() {
@@ -122,6 +123,9 @@ class ScenarioSchemaTest {
 
     static List<List<String>> right() {
         return List.of(
+                List.of("mas: {use", "communication: {}\nmas: {use"),
+                List.of("mas: {use", "communication: {range: 15, behindWalls: 5, loss: 0.05}\nmas: {use"),
+                List.of("mas: {use", "communication: {delay: [0.02, 0.1], bandwidth: 50}\nmas: {use"),
                 List.of("rsal: 1", "rsal: 1"),
                 List.of("speed: 2}", "speed: max}"),
                 List.of("count: $hunters", "count: 2"),

@@ -360,7 +360,27 @@ class ScenarioTest {
                         "kind: lost, from: chas",
                         "good.yaml:26:29: (faults.from) must be an agent, a robot that has one",
                         "not (chas)",
-                        "Maybe (chase)"));
+                        "Maybe (chase)"),
+                mistakenCommunication("rnge: 5", "good.yaml:26:17: (rnge) is not known in (communication)", "(range)"),
+                mistakenCommunication("range: -1", "good.yaml:26:24: (communication.range) must be a number from 0"),
+                mistakenCommunication("range: far", "(communication.range) must be a number", "not (far)"),
+                mistakenCommunication("loss: 5", "(communication.loss) must be a number from 0 to 1, not (5)"),
+                mistakenCommunication("delay: [0.2, 0.1]", "(communication.delay) must be [least, most]"),
+                mistakenCommunication("delay: [0.2]", "(communication.delay) must be a list of 2 numbers"),
+                mistakenCommunication("delay: soon", "(communication.delay) must be a number from 0 to 600"),
+                mistakenCommunication("bandwidth: 0", "(communication.bandwidth) must be a number from 0.01"),
+                mistakenCommunication(
+                        "range: 5, behindWalls: 15",
+                        "good.yaml:26:40: (communication.behindWalls) must be at most (range), 5.0 m, not (15.0)",
+                        "the other way round"),
+                List.of("run:\n  seed", "communication: none\nrun:\n  seed", "must be a group of settings"));
+    }
+
+    private static List<String> mistakenCommunication(String limits, String... message) {
+        return Stream.concat(
+                        Stream.of("run:\n  seed", "communication: {%s}\nrun:\n  seed".formatted(limits)),
+                        Stream.of(message))
+                .toList();
     }
 
     private static List<String> mistakenFault(String fault, String... message) {
@@ -386,6 +406,22 @@ class ScenarioTest {
         assertThat(GOOD).contains(example.get(0));
         String message = mistakes(GOOD.replace(example.get(0), example.get(1)));
         assertThat(message).contains(example.subList(2, example.size())).doesNotContain("null", "Exception");
+    }
+
+    @Test
+    void configurationsLimitCommunicationLikeAnythingElse() {
+        String limited = GOOD.replace("mas: {use", "communication: {range: 15, loss: 0.1, delay: 0.1}\nmas: {use")
+                + "    communication: {loss: 0, behindWalls: 5, delay: [0.02, 0.1], bandwidth: 50}\n";
+        Communication first = plan(limited, RunOptions.NONE.withConfiguration("first"))
+                .communication()
+                .orElseThrow();
+        Communication second = plan(limited, RunOptions.NONE.withConfiguration("second"))
+                .communication()
+                .orElseThrow();
+        assertThat(first).isEqualTo(new Communication(15, 15, 0.1, Span.of(0.1, 0.1), Optional.empty(), first.seed()));
+        assertThat(second).isEqualTo(new Communication(15, 5, 0, Span.of(0.02, 0.1), Optional.of(50.0), first.seed()));
+        assertThat(plan(GOOD, RunOptions.NONE.withConfiguration("first")).communication())
+                .isEmpty();
     }
 
     @Test

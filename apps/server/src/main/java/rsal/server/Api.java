@@ -90,6 +90,7 @@ final class Api {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running().readings(robot == null ? "" : robot));
         });
+        routes.get("/api/communication", request -> answerWhenDone(request, running().communication()));
 
         command(routes, "pause", request -> running().pause());
         command(routes, "resume", request -> running().resume());
@@ -285,6 +286,7 @@ final class Api {
                         case Answer.Added(String name) -> answer(request, new Added(name));
                         case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
                         case Answer.Read(var readings) -> answer(request, ReadingWords.of(readings));
+                        case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));
                         case Answer.Refused(String why) -> throw new Refusal(409, why);
                     }
                 })

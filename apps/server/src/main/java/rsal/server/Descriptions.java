@@ -17,6 +17,7 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.DeviceView;
+import rsal.scenario.run.Hearing;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
@@ -25,12 +26,14 @@ import rsal.scenario.run.Teammate;
 import rsal.scene.Scene;
 import rsal.server.Messages.AgentDetails;
 import rsal.server.Messages.ArgumentInfo;
+import rsal.server.Messages.Communication;
 import rsal.server.Messages.ConfigurationInfo;
 import rsal.server.Messages.Details;
 import rsal.server.Messages.DeviceDetails;
 import rsal.server.Messages.DrawnMap;
 import rsal.server.Messages.Ending;
 import rsal.server.Messages.EventInfo;
+import rsal.server.Messages.HearingInfo;
 import rsal.server.Messages.MapInfo;
 import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.RobotDetails;
@@ -98,6 +101,12 @@ final class Descriptions {
                 map.originX(),
                 map.originY(),
                 FloorPlan.colors(scene).stream().map(Rgb::toString).toList());
+    }
+
+    static Communication communication(List<Hearing> all) {
+        return new Communication(all.stream()
+                .map(one -> new HearingInfo(one.sender(), one.listener(), one.topic(), one.heard(), one.lost()))
+                .toList());
     }
 
     static Details details(int number, Snapshot snapshot, CompletableFuture<RunResult> result) {

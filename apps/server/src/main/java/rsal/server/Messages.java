@@ -296,6 +296,13 @@ final class Messages {
     /// @param color that it is about, `#rrggbb`
     record Fact(String name, String value, Optional<String> color) {}
 
+    /// Who heard what so far in a run that limits communication; else nothing.
+    record Communication(List<HearingInfo> communication) {}
+
+    /// @param heard messages of the sender that reached the listener
+    /// @param lost messages that the listener listened to and that did not get through
+    record HearingInfo(String sender, String listener, String topic, long heard, long lost) {}
+
     /// Drives a robot by hand. To be said again and again: it stands still when that was not done for half a second.
     ///
     /// @param driver who drives: a name that the page makes up for itself

@@ -26,6 +26,12 @@ public interface Facts {
     /// How many faults have begun so far, each counted once for each device, robot or kind of messages that has it.
     long faults();
 
+    /// How many messages were said so far, each counted once, however many hear it.
+    long messages();
+
+    /// How many messages were heard so far, each counted once for each agent that heard it.
+    long heardMessages();
+
     /// How many messages were lost so far, each counted once for each agent that did not hear it.
     long lostMessages();
 

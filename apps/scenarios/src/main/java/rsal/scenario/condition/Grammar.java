@@ -17,7 +17,8 @@ import rsal.settings.Suggestion;
 /// both       = single {"and" single}
 /// single     = "not" single | "(" condition ")" | ("allCaught" | "allArrived") "(" role ")"
 ///            | quantity relation number
-/// quantity   = "time" | "collisions" | "wallCollisions" | "faults" | "lostMessages" | "explored"
+/// quantity   = "time" | "collisions" | "wallCollisions" | "faults"
+///            | "messages" | "heardMessages" | "lostMessages" | "explored"
 ///            | ("caught" | "arrived" | "gone" | "exploring") "(" role ")"
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
 /// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]

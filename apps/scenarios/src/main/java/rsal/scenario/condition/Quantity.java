@@ -14,6 +14,8 @@ public record Quantity(Kind kind, String role) {
         ARRIVED("arrived", true),
         GONE("gone", true),
         FAULTS("faults", false),
+        MESSAGES("messages", false),
+        HEARD_MESSAGES("heardMessages", false),
         LOST_MESSAGES("lostMessages", false),
         /// Share of the reachable floor, 0 to 1; NaN while no robot tells a map.
         EXPLORED("explored", false),
@@ -46,6 +48,8 @@ public record Quantity(Kind kind, String role) {
             case ARRIVED -> facts.arrived(role);
             case GONE -> facts.gone(role);
             case FAULTS -> facts.faults();
+            case MESSAGES -> facts.messages();
+            case HEARD_MESSAGES -> facts.heardMessages();
             case LOST_MESSAGES -> facts.lostMessages();
             case EXPLORED -> facts.explored();
             case EXPLORING -> facts.exploring(role);

@@ -9,6 +9,7 @@ import java.util.Optional;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
+import rsal.agent.Delivery;
 import rsal.agent.Message;
 import rsal.agent.Society;
 import rsal.agent.message.Caught;
@@ -18,8 +19,11 @@ import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
 import rsal.agent.protocol.Act;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.device.Localizer;
 import rsal.device.SimulationControl;
+import rsal.scenario.Communication;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.time.Scheduler;
@@ -35,6 +39,8 @@ final class Agents implements AutoCloseable {
     private final Observer observer;
     private final Faults faults;
     private final Team team;
+    private final Traffic traffic;
+    private final Map<String, String> robots = new HashMap<>(); // by agents that have one
     private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
     private final Map<String, String> lastWords = new HashMap<>();
     private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
@@ -42,13 +48,21 @@ final class Agents implements AutoCloseable {
     private Optional<Society> society = Optional.empty();
     private boolean closed;
 
-    Agents(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Faults faults, Team team) {
+    Agents(
+            RunPlan plan,
+            Scheduler scheduler,
+            Journal journal,
+            Observer observer,
+            Faults faults,
+            Team team,
+            Traffic traffic) {
         this.plan = plan;
         this.scheduler = scheduler;
         this.journal = journal;
         this.observer = observer;
         this.faults = faults;
         this.team = team;
+        this.traffic = traffic;
     }
 
     /// Makes their society; from now on agents can be started.
@@ -61,9 +75,28 @@ final class Agents implements AutoCloseable {
         society = Optional.of(agents);
         agents.onMessage(message -> heard(message, simulation));
         agents.onChange(this::changed);
-        if (!plan.faults().isEmpty()) {
-            agents.deliverBy(faults.delivery());
-        }
+        Delivery radio = plan.communication()
+                .<Delivery>map(limits -> radio(limits, simulation))
+                .orElse(Delivery.PERFECT);
+        agents.deliverBy(new Post(radio, faults, traffic));
+    }
+
+    private Radio radio(Communication limits, Optional<SimulationControl> simulation) {
+        return new Radio(
+                limits,
+                plan.map(),
+                agent -> robots.getOrDefault(agent, ""),
+                robot -> mapFromRobot(robot, simulation).map(pose -> new Point2d(pose.x(), pose.y())));
+    }
+
+    /// Where a robot really is, or where it believes to be where nobody knows the truth.
+    private Optional<Pose2d> mapFromRobot(String robot, Optional<SimulationControl> simulation) {
+        return simulation.isPresent()
+                ? simulation.get().truth(robot)
+                : team.robot(robot)
+                        .flatMap(team::localizer)
+                        .flatMap(Localizer::latest)
+                        .map(estimate -> estimate.value().mapFromBase());
     }
 
     boolean isGathered() {
@@ -71,6 +104,7 @@ final class Agents implements AutoCloseable {
     }
 
     void start(PlannedAgent agent) {
+        agent.robot().ifPresent(robot -> robots.put(agent.name(), robot));
         society.orElseThrow()
                 .start(new AgentSpec(
                         agent.name(),
@@ -106,6 +140,7 @@ final class Agents implements AutoCloseable {
         if (closed || faults.isSilent(message.sender())) {
             return;
         }
+        traffic.said();
         var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
         last.addLast(message);
         if (last.size() > LAST_MESSAGES) {

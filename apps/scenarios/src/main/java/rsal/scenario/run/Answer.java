@@ -20,6 +20,13 @@ public sealed interface Answer {
         }
     }
 
+    /// @param communication by sender, listener and topic
+    record Heard(List<Hearing> communication) implements Answer {
+        public Heard {
+            communication = List.copyOf(communication);
+        }
+    }
+
     /// @param why a sentence for people
     record Refused(String why) implements Answer {}
 }

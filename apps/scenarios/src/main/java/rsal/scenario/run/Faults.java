@@ -46,16 +46,13 @@ final class Faults {
         Subscription begin(OfRobot broken, RandomGenerator random);
     }
 
-    Faults(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Breaker breaker) {
+    Faults(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Traffic traffic, Breaker breaker) {
         this.plan = plan;
         this.scheduler = scheduler;
         this.journal = journal;
         this.observer = observer;
         this.breaker = breaker;
-        this.mishaps = new Mishaps((message, listener) -> {
-            journal.hash("lost", message.sender(), message.topic().name(), listener);
-            observer.messageLost();
-        });
+        this.mishaps = new Mishaps(traffic::lost);
     }
 
     /// What becomes of messages.

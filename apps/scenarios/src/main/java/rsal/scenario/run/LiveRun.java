@@ -212,6 +212,11 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.readings(robot));
     }
 
+    /// Who heard what so far, as [Answer.Heard]; afterwards the result tells.
+    public CompletionStage<Answer> communication() {
+        return ask(stage -> new Answer.Heard(stage.hearings()));
+    }
+
     /// Drives a robot by hand, instead of whoever else would, until [#letGo]. Must be said again and again: the robot
     /// stands still when it was not for half a second of real time, and is given back after five.
     ///
@@ -454,7 +459,8 @@ public final class LiveRun implements AutoCloseable {
                 wallSeconds,
                 journal.finish(),
                 measures,
-                outOfBounds);
+                outOfBounds,
+                stage == null ? List.of() : stage.hearings());
     }
 
     private Snapshot snapshot(long sequence) {

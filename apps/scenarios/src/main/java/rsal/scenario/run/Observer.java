@@ -53,6 +53,8 @@ final class Observer implements Facts {
     private Duration endsAt = Duration.ZERO;
     private long wallCollisions;
     private long faults;
+    private long messages;
+    private long heardMessages;
     private long lostMessages;
     private Set<String> gone = Set.of(); // robots
     private final Mapped mapped;
@@ -224,6 +226,14 @@ final class Observer implements Facts {
         faults++;
     }
 
+    void messageSaid() {
+        messages++;
+    }
+
+    void messageHeard() {
+        heardMessages++;
+    }
+
     void messageLost() {
         lostMessages++;
     }
@@ -281,6 +291,16 @@ final class Observer implements Facts {
     @Override
     public long faults() {
         return faults;
+    }
+
+    @Override
+    public long messages() {
+        return messages;
+    }
+
+    @Override
+    public long heardMessages() {
+        return heardMessages;
     }
 
     @Override

@@ -13,6 +13,7 @@ import java.util.OptionalDouble;
 /// @param eventHash SHA-256 in hexadecimal over all that happened; equal for equal runs
 /// @param measures by name, in the scenario's order; empty where there was nothing to measure
 /// @param outOfBounds names of the measures that are not within the bounds the scenario gives
+/// @param communication who heard what, by sender, listener and topic; empty where the scenario does not limit it
 public record RunResult(
         String scenario,
         String configuration,
@@ -22,9 +23,11 @@ public record RunResult(
         double wallSeconds,
         String eventHash,
         Map<String, OptionalDouble> measures,
-        List<String> outOfBounds) {
+        List<String> outOfBounds,
+        List<Hearing> communication) {
     public RunResult {
         measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
         outOfBounds = List.copyOf(outOfBounds);
+        communication = List.copyOf(communication);
     }
 }

@@ -21,6 +21,7 @@ final class Stage implements AutoCloseable {
     private final RobotSystem system;
     private final Newcomers newcomers;
     private final RobotBreaker breaker;
+    private final Traffic traffic;
     private final Faults faults;
     private final SimulatedWorld world;
     private final Equipper equipper;
@@ -44,10 +45,11 @@ final class Stage implements AutoCloseable {
                         .provider()
                         .create(plan.mrs().config(plan.scene(), plan.robots()), new GuardedScheduler(name, scheduler)));
         this.breaker = new RobotBreaker(system, plan.faults());
-        this.faults = new Faults(plan, scheduler, journal, observer, breaker);
+        this.traffic = new Traffic(journal, observer, plan.communication().isPresent());
+        this.faults = new Faults(plan, scheduler, journal, observer, traffic, breaker);
         this.world = new SimulatedWorld(plan, system, scheduler, journal, observer, newcomers, team, faults);
         this.equipper = new Equipper(plan, scheduler, journal, breaker, world, team);
-        this.agents = new Agents(plan, scheduler, journal, observer, faults, team);
+        this.agents = new Agents(plan, scheduler, journal, observer, faults, team, traffic);
         this.orders = new Orders(plan.map(), journal, faults, world, team, agents);
         this.robotViews = new RobotViews(team, world, faults);
     }
@@ -172,6 +174,11 @@ final class Stage implements AutoCloseable {
 
     List<AgentView> agentViews() {
         return agents.views();
+    }
+
+    /// Who heard what so far, where communication is limited.
+    List<Hearing> hearings() {
+        return traffic.hearings();
     }
 
     /// All robots that are or were there.

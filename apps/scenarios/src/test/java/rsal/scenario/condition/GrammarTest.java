@@ -67,6 +67,16 @@ class GrammarTest {
         }
 
         @Override
+        public long messages() {
+            return 20;
+        }
+
+        @Override
+        public long heardMessages() {
+            return 30;
+        }
+
+        @Override
         public long lostMessages() {
             return 50;
         }
@@ -91,6 +101,8 @@ class GrammarTest {
         "gone(hunter) == 1, true",
         "gone(prey) > 0, false",
         "faults > 3, true",
+        "messages == 20, true",
+        "heardMessages > 30, false",
         "lostMessages < 50, false",
         "explored > 0.96, true",
         "exploring(hunter) == 0, false",

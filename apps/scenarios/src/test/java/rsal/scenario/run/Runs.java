@@ -55,6 +55,14 @@ final class Runs {
         }
     }
 
+    static void write(Path file, String text) {
+        try {
+            Files.writeString(file, text);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
     /// Runs to the end.
     static RunResult result(RunPlan plan) {
         try (var run = LiveRun.start(plan)) {

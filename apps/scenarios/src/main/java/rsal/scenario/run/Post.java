@@ -1,0 +1,44 @@
+package rsal.scenario.run;
+
+import java.time.Duration;
+import java.util.List;
+import rsal.agent.Delivery;
+import rsal.agent.Message;
+
+/// Carries messages: by radio first, then through what goes wrong besides. Counts what arrives and what does not.
+final class Post implements Delivery {
+    private final Delivery radio;
+    private final Faults faults;
+    private final Traffic traffic;
+
+    Post(Delivery radio, Faults faults, Traffic traffic) {
+        this.radio = radio;
+        this.faults = faults;
+        this.traffic = traffic;
+    }
+
+    @Override
+    public List<Duration> copies(Message<?> message, String listener) {
+        if (faults.isSilent(message.sender()) || faults.isSilent(listener)) {
+            return List.of();
+        }
+        List<Duration> byRadio = radio.copies(message, listener);
+        if (byRadio.isEmpty()) {
+            traffic.lost(message, listener);
+            return byRadio;
+        }
+        Duration late = byRadio.getFirst();
+        List<Duration> copies = faults.delivery().copies(message, listener); // which tells of what is lost itself
+        return late.isZero() ? copies : copies.stream().map(late::plus).toList();
+    }
+
+    @Override
+    public boolean reaches(Message<?> message, String listener) {
+        return faults.delivery().reaches(message, listener);
+    }
+
+    @Override
+    public void heard(Message<?> message, String listener) {
+        traffic.heard(message, listener);
+    }
+}

@@ -1,0 +1,179 @@
+package rsal.scenario.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rsal.data.Pose2d;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+
+@Timeout(120)
+class CommunicationTest {
+    /// Two robots on both sides of a wall that ends in the north; each says something ten times a second, and so does
+    /// an agent without a robot.
+    private static final String SCENARIO = """
+            rsal: 1
+            scenario: talkative
+            world: {map: yard.yaml}
+            robots:
+              west: {model: pioneer2dx, pose: [4, 2, 90]}
+              east: {model: pioneer2dx, pose: [8, 2, 90]}
+            agents:
+              amy: {type: chatter, robot: west}
+              bob: {type: chatter, robot: east}
+              base: {type: chatter}
+            run:
+              seed: 7
+              clock: {speed: max}
+              stop:
+                - {when: time >= 30, outcome: timeout}
+            measure:
+              - {name: said, from: count(messages)}
+              - {name: heard, from: count(heardMessages)}
+              - {name: lost, from: count(lostMessages)}
+            """;
+
+    private static final String YARD = """
+            resolution: 1
+            drawing: |
+              #############
+              #...........#
+              #...........#
+              #.....#.....#
+              #.....#.....#
+              #.....#.....#
+              #.....#.....#
+              #############
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private RunPlan plan(String more) {
+        Runs.write(folder.resolve("yard.yaml"), YARD);
+        return Runs.plan(folder, SCENARIO + more, RunOptions.NONE);
+    }
+
+    private static Hearing find(List<Hearing> all, String sender, String listener) {
+        return all.stream()
+                .filter(one -> one.sender().equals(sender) && one.listener().equals(listener))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static double measure(RunResult result, String name) {
+        return result.measures().get(name).orElseThrow();
+    }
+
+    @Test
+    void withoutLimitsAllIsHeardAndNothingIsRecorded() {
+        RunResult result = Runs.result(plan(""));
+        assertThat(result.communication()).isEmpty();
+        assertThat(measure(result, "said")).isCloseTo(900, within(3.0));
+        assertThat(measure(result, "heard")).isCloseTo(1800, within(6.0));
+        assertThat(measure(result, "lost")).isZero();
+    }
+
+    @Test
+    void recordingAloneChangesNothingThatIsHeard() {
+        RunResult result = Runs.result(plan("communication: {}\n"));
+        assertThat(result.communication())
+                .hasSize(6)
+                .allSatisfy(one -> assertThat(one.heard()).isBetween(298L, 300L))
+                .allSatisfy(one -> assertThat(one.lost()).isZero())
+                .allSatisfy(one -> assertThat(one.topic()).isEqualTo("text"));
+        assertThat(measure(result, "heard")).isEqualTo(measure(Runs.result(plan("")), "heard"));
+        assertThat(result.eventHash()).isNotEqualTo(Runs.result(plan("")).eventHash());
+    }
+
+    @Test
+    void robotsBehindAWallHearEachOtherWhenTheyMeet() throws Exception {
+        try (var run = LiveRun.start(plan("communication: {range: 9, behindWalls: 3}\n"))) {
+            run.pause();
+            for (int i = 0; i < 100; i++) {
+                run.step();
+            }
+            List<Hearing> apart = recorded(run, 9);
+            assertThat(find(apart, "amy", "bob").heard()).isZero();
+            assertThat(find(apart, "bob", "amy").heard()).isZero();
+            assertThat(find(apart, "amy", "bob").lost()).isGreaterThan(80);
+            assertThat(find(apart, "base", "bob").lost()).isZero();
+            assertThat(find(apart, "amy", "base").lost()).isZero();
+            run.place("west", new Pose2d(4, 6, 0));
+            run.place("east", new Pose2d(8, 6, 0)).toCompletableFuture().get(10, TimeUnit.SECONDS);
+            long lost = find(recorded(run, 9), "amy", "bob").lost();
+            run.resume();
+            List<Hearing> together = Runs.result(run).communication();
+            assertThat(find(together, "amy", "bob").heard()).isGreaterThan(150);
+            assertThat(find(together, "bob", "amy").heard()).isGreaterThan(150);
+            assertThat(find(together, "amy", "bob").lost()).isEqualTo(lost);
+        }
+    }
+
+    /// Who heard what once a run has come so far.
+    private static List<Hearing> recorded(LiveRun run, double seconds) throws Exception {
+        while (run.snapshot().time().toMillis() < 1000 * seconds) {
+            Thread.onSpinWait();
+        }
+        Answer answer = run.communication().toCompletableFuture().get(10, TimeUnit.SECONDS);
+        assertThat(answer).isInstanceOf(Answer.Heard.class);
+        return ((Answer.Heard) answer).communication();
+    }
+
+    @Test
+    void whatTheRadioLosesAndWhatFaultsLoseIsCountedOnce() {
+        RunResult result = Runs.result(plan("""
+                communication: {loss: 0.2}
+                faults: [{kind: lost, share: 0.5}, {kind: doubled, share: 0.5, delay: 0.05}]
+                """));
+        assertThat(measure(result, "heard") + measure(result, "lost")).isCloseTo(1800, within(10.0));
+        double share = 0.8 * 0.5;
+        assertThat(measure(result, "heard")).isCloseTo(1800 * share, within(4 * Math.sqrt(1800 * share * (1 - share))));
+        assertThat(result.communication().stream().mapToLong(Hearing::heard).sum())
+                .isEqualTo((long) measure(result, "heard"));
+        assertThat(result.communication().stream().mapToLong(Hearing::lost).sum())
+                .isEqualTo((long) measure(result, "lost"));
+    }
+
+    @Test
+    void whoSpeaksFasterThanTheBandwidthIsHeardAsOftenAsItAllows() {
+        RunResult result = Runs.result(plan("communication: {bandwidth: 4}\n"));
+        assertThat(result.communication())
+                .hasSize(6)
+                .allSatisfy(one -> assertThat(one.heard()).isBetween(115L, 121L));
+    }
+
+    @Test
+    void theGoneNeitherHearNorLose() {
+        RunResult result = Runs.result(plan("""
+                communication: {loss: 1}
+                faults: [{kind: gone, robots: west, at: 0}]
+                """));
+        assertThat(result.communication())
+                .extracting(one -> one.sender() + " to " + one.listener())
+                .containsExactly("base to bob", "bob to base");
+    }
+
+    @Test
+    void itIsTheSameHoweverManyHelp() {
+        RunPlan plan = plan("communication: {range: 5, behindWalls: 4.5, loss: 0.3, delay: [0, 0.5], bandwidth: 9}\n");
+        RunResult once = result(plan, 1);
+        RunResult again = result(plan, 3);
+        assertThat(again.eventHash()).isEqualTo(once.eventHash());
+        assertThat(again.communication()).isEqualTo(once.communication());
+        RunResult other = Runs.result(plan("communication: {range: 5, loss: 0.2}\n"));
+        assertThat(other.eventHash()).isNotEqualTo(once.eventHash());
+    }
+
+    private static RunResult result(RunPlan plan, int helpers) {
+        try (var run = LiveRun.start(plan, helpers)) {
+            return Runs.result(run);
+        }
+    }
+}
