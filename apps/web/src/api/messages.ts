@@ -47,6 +47,10 @@ export interface ArgumentInfo {
 
 export type ArgumentKind = 'NUMBER' | 'INTEGER' | 'TEXT' | 'FLAG';
 
+export interface Communication {
+  communication: HearingInfo[];
+}
+
 export type Condition = 'OK' | 'STALE' | 'LOST';
 
 export interface ConfigurationInfo {
@@ -119,6 +123,14 @@ export interface GripperInfo {
   width: number;
   paddleLength: number;
   paddleWidth: number;
+}
+
+export interface HearingInfo {
+  sender: string;
+  listener: string;
+  topic: string;
+  heard: number;
+  lost: number;
 }
 
 export interface LightInfo {

@@ -29,6 +29,7 @@ final class ScenarioText {
         section(text, "Robots, with their devices in the order in which these are made", robots(shown.robots()));
         section(text, "Where they start with seed " + shown.run().seed(), starts(shown.robots()));
         section(text, "Agents", agents(shown.agents()));
+        shown.communication().ifPresent(limits -> section(text, "How agents hear each other", communication(limits)));
         section(text, "What goes wrong", faults(shown.faults()));
         section(text, "Ends when", ends(shown.ends()));
         section(text, "Measures", measures(shown.measures()));
@@ -99,6 +100,21 @@ final class ScenarioText {
         agents.forEach(a ->
                 table.row(a.name(), a.type(), a.robot().map(r -> "for " + r).orElse(""), settings(a.arguments())));
         return table;
+    }
+
+    private static Table communication(ShownScenario.Limits limits) {
+        var table = new Table("  ");
+        limits.range().ifPresent(range -> table.row("range", range + " m"));
+        limits.behindWalls().ifPresent(range -> table.row("behind walls", range + " m"));
+        double least = limits.delay().getFirst();
+        double most = limits.delay().getLast();
+        return table.row("loss", String.format(Locale.ROOT, "%.1f %%", 100 * limits.loss()))
+                .row("delay", least == most ? most + " s" : least + " to " + most + " s")
+                .row(
+                        "bandwidth",
+                        limits.bandwidth()
+                                .map("%s messages/s of each agent"::formatted)
+                                .orElse("as much as wanted"));
     }
 
     private static Table faults(List<ShownScenario.Fault> faults) {

@@ -9,6 +9,7 @@ import java.util.Objects;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.scenario.Communication;
 import rsal.scenario.Configuration;
 import rsal.scenario.PlannedFault;
 import rsal.scenario.RunPlan;
@@ -16,6 +17,7 @@ import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.Scenario;
+import rsal.scenario.Span;
 import rsal.settings.Parameter;
 
 /// What a scenario with one of its configurations comes to, as `rsal show --json` prints it.
@@ -30,6 +32,7 @@ record ShownScenario(
         World world,
         List<Role> robots,
         List<ShownAgent> agents,
+        Optional<Limits> communication,
         List<Fault> faults,
         Run run,
         List<End> ends,
@@ -46,6 +49,7 @@ record ShownScenario(
                 World.of(plan),
                 roles(plan),
                 plan.agents().stream().map(ShownAgent::of).toList(),
+                plan.communication().map(Limits::of),
                 plan.faults().stream().map(Fault::of).toList(),
                 new Run(plan.seed(), plan.clock() == RunPlan.Clock.WALL ? "wall" : "simulated"),
                 plan.stops().stream().map(End::of).toList(),
@@ -71,6 +75,29 @@ record ShownScenario(
                     plan.mrs().provider().key(),
                     plan.mas().provider().key(),
                     plan.step().toNanos() / 1e9);
+        }
+    }
+
+    /// How communication between agents is limited.
+    ///
+    /// @param range empty when it is not limited [m]
+    /// @param behindWalls likewise [m]
+    /// @param delay least and most [s]
+    /// @param bandwidth messages a second of each agent; empty when it is not limited
+    record Limits(
+            Optional<Double> range,
+            Optional<Double> behindWalls,
+            double loss,
+            List<Double> delay,
+            Optional<Double> bandwidth) {
+        static Limits of(Communication limits) {
+            Span delay = limits.delay();
+            return new Limits(
+                    Optional.of(limits.range()).filter(Double::isFinite),
+                    Optional.of(limits.behindWalls()).filter(Double::isFinite),
+                    limits.loss(),
+                    List.of(delay.least().toNanos() / 1e9, delay.most().toNanos() / 1e9),
+                    limits.bandwidth());
         }
     }
 

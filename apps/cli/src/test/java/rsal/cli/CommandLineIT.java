@@ -317,6 +317,41 @@ class CommandLineIT {
         assertThat(result.get("measures").get("firstCollision").isNull()).isTrue();
     }
 
+    private static final String TALK = """
+            rsal: 1
+            scenario: talk
+            world: {map: office}
+            robots:
+              prey: {model: pioneer2dx, pose: [-12, -1, 0], devices: {laser: urg04lx, localizer: {type: amcl}, pilot: {}}}
+              hunter: {model: pioneer3at, pose: [-8, -1, 0], devices: {laser: utm30lx, localizer: {type: amcl}, navigator: {}}}
+            agents:
+              escape: {type: escape, robot: prey, args: {hunter: hunter}}
+              follow: {type: follow, robot: hunter, args: {prey: prey}}
+            communication: {range: 15, behindWalls: 5, loss: 0.5, delay: [0.02, 0.1]}
+            """;
+
+    @Test
+    void tellsWhoHeardWhatWhereCommunicationIsLimited() throws Exception {
+        Files.writeString(folder.resolve("talk.yaml"), TALK);
+        Ended shown = rsal.run("show", "talk.yaml");
+        assertThat(shown.out())
+                .contains(
+                        "How agents hear each other",
+                        "15.0 m",
+                        "5.0 m",
+                        "50.0 %",
+                        "0.02 to 0.1 s",
+                        "as much as wanted");
+        Ended ended =
+                rsal.run("run", "talk.yaml", "--headless", "--speed", "max", "--seed", "2", "--for", "5", "--json");
+        JsonNode heard = JsonMapper.shared().readTree(ended.out()).get("communication");
+        assertThat(heard.size()).isPositive();
+        assertThat(heard.get(0).propertyNames()).containsExactly("sender", "listener", "topic", "heard", "lost");
+        assertThat(heard.get(0).get("sender").stringValue()).isEqualTo("escape");
+        assertThat(heard.get(0).get("listener").stringValue()).isEqualTo("follow");
+        assertThat(heard.get(0).get("lost").longValue()).isPositive();
+    }
+
     @Test
     void theSameSeedGivesTheSameRunHeadlessOrWatched() throws Exception {
         Ended headless = headless("--json");

@@ -90,7 +90,9 @@ final class Api {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running().readings(robot == null ? "" : robot));
         });
-        routes.get("/api/communication", request -> answerWhenDone(request, running().communication()));
+        routes.get(
+                "/api/communication",
+                request -> answerWhenDone(request, running().communication()));
 
         command(routes, "pause", request -> running().pause());
         command(routes, "resume", request -> running().resume());
