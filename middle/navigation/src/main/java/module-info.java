@@ -28,6 +28,7 @@ module rsal.navigation {
             rsal.navigation.device.JumpPointDriver,
             rsal.navigation.device.NavigatorDriver,
             rsal.navigation.device.OdometryLocalizerDriver,
+            rsal.navigation.device.PlacesDriver,
             rsal.navigation.device.SlamDriver,
             rsal.navigation.device.WavefrontDriver;
 }

@@ -15,6 +15,7 @@ import rsal.device.LaserScanner;
 import rsal.device.Light;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
+import rsal.device.PlaceFinder;
 import rsal.device.Planner;
 import rsal.device.SimulationControl;
 import rsal.device.SonarArray;
@@ -40,6 +41,7 @@ public record DeviceView(String name, String driver, String type, Health health)
             Localizer.class,
             Navigator.class,
             Planner.class,
+            PlaceFinder.class,
             Pilot.class,
             SimulationControl.class);
 

@@ -1,0 +1,30 @@
+package rsal.device;
+
+import java.util.List;
+import java.util.concurrent.CompletionStage;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+
+/// Finds places for a team on the map: where robots can stand, spread evenly over all that can be reached from a start.
+/// Asking moves nothing. The same device answers the same question the same way; two devices may choose other places.
+public interface PlaceFinder extends Device {
+    /// Comes on the scheduler's thread, on large maps after seconds.
+    ///
+    /// @param mapFromStart somewhere among the places that count: they can all be reached from there
+    /// @param count how many places are wanted, at least 1
+    /// @param clearance least distance to the next cell that is not free [m]: a robot's radius and some room
+    CompletionStage<Result> find(Pose2d mapFromStart, int count, double clearance);
+
+    sealed interface Result {
+        /// @param mapFromPlaces as many as were asked for, each with the clearance, no two nearer than twice the
+        /// clearance; from each a robot as wide as that gets to each
+        record Found(List<Point2d> mapFromPlaces) implements Result {
+            public Found {
+                mapFromPlaces = List.copyOf(mapFromPlaces);
+            }
+        }
+
+        /// @param why in a sentence: the start, the count or the clearance will not do
+        record None(String why) implements Result {}
+    }
+}

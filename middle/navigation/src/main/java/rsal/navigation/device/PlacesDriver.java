@@ -1,0 +1,50 @@
+package rsal.navigation.device;
+
+import java.util.List;
+import rsal.device.Device;
+import rsal.device.DeviceInfo;
+import rsal.device.PlaceFinder;
+import rsal.navigation.spread.Ground;
+import rsal.robot.DeviceDriver;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Makes place finders that spread places over the run's map ([rsal.navigation.spread.Spreader]).
+public final class PlacesDriver implements DeviceDriver {
+    private final Shared<MapPlaceFinder.Key, Ground> grounds = new Shared<>();
+
+    @Override
+    public String key() {
+        return "places";
+    }
+
+    @Override
+    public String description() {
+        return "Finds places spread evenly over the map, where robots fit and get to.";
+    }
+
+    @Override
+    public Class<? extends Device> makes() {
+        return PlaceFinder.class;
+    }
+
+    @Override
+    public List<Class<? extends Device>> needs() {
+        return List.of();
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of();
+    }
+
+    @Override
+    public Device create(Context context, Arguments arguments) {
+        return new MapPlaceFinder(
+                new DeviceInfo(context.robot().id(), context.name(), key()),
+                context.map(),
+                grounds,
+                context.random().nextLong(),
+                context.scheduler());
+    }
+}
