@@ -10,13 +10,19 @@ import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Keeps a team spread over places: allots them exactly, by what the ways cost, and again and again, as robots come,
-/// fall silent and are back. Needs no robot.
+/// Keeps a team spread over places, given or found on the map: allots them exactly, by what the ways cost, and again
+/// and again, as robots come, fall silent and are back. Needs no robot.
 public final class Dispersion implements Agent {
     static final Parameter ROBOTS =
             Parameter.robots("robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to spread, or all.");
-    static final Parameter PLACES =
-            Parameter.places("places", "Where they should be; those that are too many stay empty.");
+    static final Parameter PLACES = Parameter.places(
+            "places",
+            "Where they should be; those that are too many stay empty. None: they are found"
+                    + " by a robot with a device of type (places).");
+    static final Parameter COUNT =
+            Parameter.integer("count", 0, 0, 10_000, "", "How many places to find; 0 for as many as there are robots.");
+    static final Parameter CLEARANCE = Parameter.number(
+            "clearance", 0.4, 0.05, 10, "m", "Least distance from places to find, and from ways to them, to walls.");
     static final Parameter PING_INTERVAL = Parameter.number(
             "pingInterval",
             30,
@@ -62,7 +68,7 @@ public final class Dispersion implements Agent {
 
         @Override
         public List<Parameter> parameters() {
-            return List.of(ROBOTS, PLACES, PING_INTERVAL, DISPERSION_INTERVAL);
+            return List.of(ROBOTS, PLACES, COUNT, CLEARANCE, PING_INTERVAL, DISPERSION_INTERVAL);
         }
 
         @Override

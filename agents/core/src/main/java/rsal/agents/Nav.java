@@ -27,6 +27,7 @@ public final class Nav implements Agent {
         var reporter = new Reporter(self, robot, arguments, _ -> {});
         reporter.begin();
         Travel.begin(self, robot, reporter);
+        PlaceSearch.begin(self, robot, reporter);
         Presence.begin(self);
         self.state("waiting for a goal");
     }

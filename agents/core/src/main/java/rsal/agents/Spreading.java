@@ -20,6 +20,7 @@ import rsal.agent.message.PoseRequest;
 import rsal.agent.presence.Roll;
 import rsal.agent.protocol.Ending;
 import rsal.agent.protocol.Request;
+import rsal.agents.PlaceSearch.Wanted;
 import rsal.agents.Travel.Costs;
 import rsal.agents.Travel.Places;
 import rsal.data.Point2d;
@@ -28,8 +29,8 @@ import rsal.settings.Arguments;
 
 /// Spreads a team over places: asks each robot what the ways there would cost it, gives each one place by the
 /// [Assignment] that is best for all, and sends it there. Robots that can't tell costs are taken to drive straight;
-/// those
-/// that do not answer are left out, and their place is given to another.
+/// those that do not answer are left out, and their place is given to another. Has places found when it is given
+/// none ([PlaceQuest]).
 final class Spreading {
     private static final Duration TO_SETTLE = Duration.ofSeconds(2); // until localizers have told where robots are
     private static final Duration TO_ANSWER = Duration.ofMillis(500);
@@ -37,7 +38,11 @@ final class Spreading {
 
     private final AgentContext self;
     private final String robots;
-    private final List<Pose2d> mapFromPlaces;
+    private final boolean areGiven;
+    private final int count;
+    private final double clearance;
+    private final PlaceQuest quest;
+    private List<Pose2d> mapFromPlaces;
     private final Duration interval;
     private final Roll roll;
     private final Sightings sightings;
@@ -54,9 +59,11 @@ final class Spreading {
     Spreading(AgentContext self, Arguments arguments) {
         this.self = self;
         this.robots = arguments.text(Dispersion.ROBOTS.name());
-        this.mapFromPlaces = arguments.places(Dispersion.PLACES.name()).stream()
-                .map(place -> new Pose2d(place.x(), place.y(), 0))
-                .toList();
+        this.mapFromPlaces = Words.poses(arguments.places(Dispersion.PLACES.name()));
+        this.areGiven = !mapFromPlaces.isEmpty();
+        this.count = arguments.integer(Dispersion.COUNT.name());
+        this.clearance = arguments.number(Dispersion.CLEARANCE.name());
+        this.quest = new PlaceQuest(self, this::spreadOver);
         this.interval = arguments.seconds(Dispersion.DISPERSION_INTERVAL.name());
         Duration ping = arguments.seconds(Dispersion.PING_INTERVAL.name());
         this.roll = new Roll(self, ping, ping.multipliedBy(3), _ -> disperseSoon(BETWEEN));
@@ -66,10 +73,6 @@ final class Spreading {
     }
 
     void begin() {
-        if (mapFromPlaces.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "Agent (%s) has no places to spread robots over. Maybe set (places).".formatted(self.name()));
-        }
         self.subscribe(PoseReport.TOPIC, message -> sightings.note(message.content()));
         roll.begin();
         disperseSoon(TO_SETTLE);
@@ -97,12 +100,41 @@ final class Spreading {
 
     /// Allots the places when all have answered or are silent.
     private void askForCosts() {
+        var reports = new TreeMap<String, PoseReport>(); // by agent
+        for (Roll.Member member : roll.present()) {
+            sightings
+                    .report(member.robot())
+                    .filter(this::isOurs)
+                    .ifPresent(report -> reports.put(member.name(), report));
+        }
+        if (!areGiven && !areFoundFor(reports.keySet())) {
+            return;
+        }
         var next = new Round();
         round = next;
-        for (Roll.Member member : roll.present()) {
-            sightings.report(member.robot()).filter(this::isOurs).ifPresent(report -> next.ask(member.name(), report));
-        }
+        reports.forEach(next::ask);
         next.allotWhenAllHaveAnswered();
+    }
+
+    /// Has places found when there are none yet, or for another number of robots.
+    private boolean areFoundFor(Set<String> agents) {
+        int wanted = count == 0 ? agents.size() : count;
+        if (wanted == 0) {
+            self.state("waiting for robots");
+            return false;
+        }
+        quest.want(new Wanted(wanted, clearance), List.copyOf(agents));
+        return quest.isFound();
+    }
+
+    private void spreadOver(List<Point2d> mapFromFound) {
+        mapFromPlaces = Words.poses(mapFromFound);
+        round = null; // it asked about others
+        placeOf.clear();
+        vain.clear();
+        failed.clear();
+        arrived.clear();
+        disperseSoon(Duration.ZERO);
     }
 
     private boolean isOurs(PoseReport report) {
@@ -132,13 +164,19 @@ final class Spreading {
         failed.remove(robot);
         arrived.remove(robot);
         var order = new NewGoal(robot, mapFromPlaces.get(place));
-        drives.ask(Objects.requireNonNull(agentOf.get(robot)), order, ending -> ended(robot, place, ending));
+        drives.ask(Objects.requireNonNull(agentOf.get(robot)), order, ending -> {
+            if (isOnItsWayTo(order.mapFromGoal(), robot)) {
+                ended(robot, place, ending);
+            }
+        });
+    }
+
+    private boolean isOnItsWayTo(Pose2d mapFromGoal, String robot) {
+        Integer place = placeOf.get(robot);
+        return place != null && mapFromPlaces.get(place).equals(mapFromGoal);
     }
 
     private void ended(String robot, int place, Ending<GoalReached> ending) {
-        if (!Integer.valueOf(place).equals(placeOf.get(robot))) {
-            return; // it goes elsewhere by now
-        }
         switch (ending) {
             case Ending.Informed<GoalReached> _ -> arrived.add(robot);
             case Ending.Silent<GoalReached> _ -> {

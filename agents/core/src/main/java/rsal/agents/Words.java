@@ -1,6 +1,8 @@
 package rsal.agents;
 
+import java.util.List;
 import java.util.Locale;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 
@@ -11,6 +13,13 @@ final class Words {
     /// `(3.2, -1.0)`
     static String place(Pose2d mapFromPlace) {
         return String.format(Locale.ROOT, "(%.1f, %.1f)", mapFromPlace.x(), mapFromPlace.y());
+    }
+
+    /// Places as goals, where no heading is asked for.
+    static List<Pose2d> poses(List<Point2d> mapFromPlaces) {
+        return mapFromPlaces.stream()
+                .map(place -> new Pose2d(place.x(), place.y(), 0))
+                .toList();
     }
 
     /// `2.4 m`

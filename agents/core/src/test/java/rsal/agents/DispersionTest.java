@@ -17,6 +17,7 @@ import rsal.agent.protocol.Performative;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
+import rsal.device.PlaceFinder;
 
 class DispersionTest {
     private final Scene scene = new Scene();
@@ -91,9 +92,84 @@ class DispersionTest {
         assertThat(sent()).containsEntry("c", new Point2d(10, 1)).containsEntry("a", new Point2d(0, 1));
     }
 
+    private FakeRobot finder(String id, double x) {
+        FakeRobot robot = scene.robot(id, "nav");
+        robots.put(id, robot);
+        scene.start("nav", id, Optional.of(robot.robot.with(robot.places)), Map.of("period", 0.5));
+        robot.isAt(x, 0);
+        return robot;
+    }
+
+    private static PlaceFinder.Result found(Point2d... places) {
+        return new PlaceFinder.Result.Found(List.of(places));
+    }
+
     @Test
-    void withoutPlacesItSaysWhatToSet() {
+    void placesAreFoundByARobotThatCanAsManyAsThereAreRobots() {
+        FakeRobot a = finder("a", 0);
+        robot("b", 10, 0);
+        a.places.result = found(new Point2d(9, 0), new Point2d(1, 0));
         dispersion("");
-        assertThat(scene.state("dispersion")).contains("(dispersion)").contains("(places)");
+        scene.advance(4);
+        assertThat(a.places.asked).containsExactly("2 from (0.0, 0.0), 0.4 m");
+        assertThat(sent()).isEqualTo(Map.of("a", new Point2d(1, 0), "b", new Point2d(9, 0)));
+    }
+
+    @Test
+    void anotherRobotIsAskedWhenOneFails() {
+        FakeRobot a = finder("a", 0);
+        FakeRobot b = finder("b", 10);
+        a.places.result = new PlaceFinder.Result.None("There is no room.");
+        b.places.result = found(new Point2d(9, 0), new Point2d(1, 0));
+        dispersion("");
+        scene.advance(4);
+        assertThat(a.places.asked).hasSize(1);
+        assertThat(sent()).isEqualTo(Map.of("a", new Point2d(1, 0), "b", new Point2d(9, 0)));
+    }
+
+    @Test
+    void anotherRobotIsAskedWhenOneIsSilent() {
+        FakeRobot a = finder("a", 0);
+        FakeRobot b = finder("b", 10);
+        b.places.result = found(new Point2d(9, 0), new Point2d(1, 0));
+        dispersion("");
+        scene.society.deliverBy(
+                (message, _) -> // its poses are heard, so that it counts as there
+                message.sender().equals("a") && message.content() instanceof Act ? List.of() : List.of(Duration.ZERO));
+        scene.advance(10);
+        assertThat(a.places.asked).isNotEmpty();
+        assertThat(b.places.asked).isNotEmpty();
+        assertThat(sent()).containsEntry("b", new Point2d(9, 0));
+    }
+
+    @Test
+    void placesAreFoundAgainWhenTheNumberOfRobotsChanges() {
+        FakeRobot a = finder("a", 0);
+        a.places.result = found(new Point2d(1, 0));
+        dispersion("");
+        scene.advance(4);
+        assertThat(sent()).isEqualTo(Map.of("a", new Point2d(1, 0)));
+        scene.advance(25); // they are not looked for each time that they are allotted
+        assertThat(a.places.asked).hasSize(1);
+        a.places.result = found(new Point2d(-5, 0), new Point2d(5, 0));
+        robot("b", 10, 0);
+        scene.advance(4);
+        assertThat(a.places.asked).hasSize(2);
+        assertThat(sent()).isEqualTo(Map.of("a", new Point2d(-5, 0), "b", new Point2d(5, 0)));
+        assertThat(scene.state("dispersion")).isEqualTo("0 of 2 robots are at their place");
+    }
+
+    @Test
+    void withoutPlacesItSaysWhatItWaitsFor() {
+        dispersion("");
+        scene.advance(4);
+        assertThat(scene.state("dispersion")).isEqualTo("waiting for robots");
+        robot("b", 10, 0);
+        scene.advance(4);
+        assertThat(scene.state("dispersion")).isEqualTo("waiting for a robot that can find places");
+        FakeRobot a = finder("a", 0);
+        a.places.result = new PlaceFinder.Result.None("There is no room.");
+        scene.advance(4);
+        assertThat(scene.state("dispersion")).isEqualTo("found no places: There is no room.");
     }
 }

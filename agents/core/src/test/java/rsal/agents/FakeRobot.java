@@ -43,6 +43,7 @@ public final class FakeRobot {
     public final Local localizer;
     public final Nav navigator;
     public final Pilot pilot;
+    final FakePlaces places; // which a test gives the robot
     public final Robot robot;
     private final Scheduler scheduler;
 
@@ -51,6 +52,7 @@ public final class FakeRobot {
         base = new Base(id);
         localizer = new Local(id);
         navigator = new Nav(id);
+        places = new FakePlaces(id);
         pilot = pilot(new Robot(id, role, model(), List.of(base)), scheduler);
         robot = new Robot(id, role, model(), List.of(base, localizer, navigator, pilot));
     }

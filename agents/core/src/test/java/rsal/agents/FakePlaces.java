@@ -1,0 +1,26 @@
+package rsal.agents;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import rsal.data.Pose2d;
+import rsal.device.DeviceCore;
+import rsal.device.DeviceInfo;
+import rsal.device.PlaceFinder;
+
+/// Notes each question and finds what the test says.
+final class FakePlaces extends DeviceCore implements PlaceFinder {
+    final List<String> asked = new ArrayList<>();
+    Result result = new Result.None("Nobody said where.");
+
+    FakePlaces(String robot) {
+        super(new DeviceInfo(robot, "places", "fake"));
+    }
+
+    @Override
+    public CompletionStage<Result> find(Pose2d mapFromStart, int count, double clearance) {
+        asked.add("%d from %s, %s".formatted(count, Words.place(mapFromStart), Words.distance(clearance)));
+        return CompletableFuture.completedFuture(result);
+    }
+}
