@@ -46,13 +46,17 @@ final class Destination {
         }
     }
 
-    /// Makes the folder, unless it is there, and tries whether files can be written to it.
+    /// Tries whether files could be written to the folder, or, where it is not there yet, to the one it would be made
+    /// in. Nothing is left of that.
     ///
     /// @throws InvalidSettings when they can't
     Destination prepare() {
+        Path there = folder.toAbsolutePath();
+        while (there.getParent() != null && !Files.exists(there)) {
+            there = there.getParent();
+        }
         try {
-            Files.createDirectories(folder);
-            Files.delete(Files.createTempFile(folder, ".rsal", ".part"));
+            Files.delete(Files.createTempFile(there, ".rsal", ".part"));
             return this;
         } catch (IOException e) {
             throw refused(e);
@@ -67,9 +71,12 @@ final class Destination {
         return prepare();
     }
 
+    /// Makes the folder, unless it is there, and writes the files.
+    ///
     /// @param contents of the files by their names
     void write(Map<String, byte[]> contents) {
         try {
+            Files.createDirectories(folder);
             for (var file : contents.entrySet()) {
                 Files.write(folder.resolve(file.getKey()), file.getValue());
             }
