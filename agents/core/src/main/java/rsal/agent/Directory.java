@@ -33,6 +33,9 @@ public interface Directory {
     /// Tells of each that comes, what it offers, and of each that goes after its last words.
     Subscription onChange(Consumer<? super Change> listener);
 
+    /// Tells only of those that go, which in a team of a thousand is less to hear.
+    Subscription onDeparture(Consumer<? super Change.Went> listener);
+
     /// @param type key of its [AgentType]
     /// @param robot id of its robot; empty when it has none
     /// @param robotRole role of its robot; empty when it has none

@@ -456,5 +456,10 @@ final class Member implements AgentContext {
         public Subscription onChange(Consumer<? super Change> listener) {
             return new Ear<Change>(listener).listenTo(society.directory()::onChange);
         }
+
+        @Override
+        public Subscription onDeparture(Consumer<? super Change.Went> listener) {
+            return new Ear<Change.Went>(listener).listenTo(society.directory()::onDeparture);
+        }
     }
 }

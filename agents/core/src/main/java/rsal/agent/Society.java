@@ -211,6 +211,7 @@ public final class Society implements AutoCloseable {
 
     private static final class Roster implements Directory {
         private final Listeners<Change> listeners = listeners();
+        private final Listeners<Change.Went> departures = listeners();
         private final Map<String, SortedMap<String, Capability>> offers = new HashMap<>(); // by agent and name
         private List<Entry> agents = List.of();
 
@@ -228,6 +229,11 @@ public final class Society implements AutoCloseable {
         @Override
         public Subscription onChange(Consumer<? super Change> listener) {
             return listeners.add(listener);
+        }
+
+        @Override
+        public Subscription onDeparture(Consumer<? super Change.Went> listener) {
+            return departures.add(listener);
         }
 
         void offer(Entry agent, Capability capability) {
@@ -255,7 +261,9 @@ public final class Society implements AutoCloseable {
         }
 
         void went(Entry agent, String reason) {
-            listeners.tell(new Change.Went(agent, reason));
+            var went = new Change.Went(agent, reason);
+            listeners.tell(went);
+            departures.tell(went);
         }
     }
 }

@@ -14,7 +14,6 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.Directory;
-import rsal.agent.Directory.Change;
 import rsal.agent.message.Caught;
 import rsal.agent.message.Chase;
 import rsal.agent.message.NewGoal;
@@ -73,11 +72,7 @@ final class Hunt {
         self.subscribe(PoseReport.TOPIC, message -> note(message.content()));
         self.subscribe(Chase.TOPIC, message -> note(message.content()));
         self.subscribe(Caught.TOPIC, message -> giveUp(message.content().prey()));
-        self.directory().onChange(change -> {
-            if (change instanceof Change.Went went) {
-                forget(went.agent().robot());
-            }
-        });
+        self.directory().onDeparture(went -> forget(went.agent().robot()));
         self.scheduler().every(updateInterval, this::decide);
         errands.begin();
         reporter.begin();

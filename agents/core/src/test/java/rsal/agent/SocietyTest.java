@@ -427,6 +427,29 @@ class SocietyTest {
     }
 
     @Test
+    void thoseWhoOnlyCareWhoGoesAreToldThatAfterItsLastWords() {
+        run.start("zoe", self -> {
+            self.directory().onDeparture(went -> log.add(went.agent().name() + " went"));
+            self.subscribe(WORDS, message -> log.add(message.content()));
+        });
+        run.start("amy", new Agent() {
+            @Override
+            public void start(AgentContext self) {
+                self.offer(Capability.of("talk"));
+            }
+
+            @Override
+            public void stop(AgentContext self) {
+                self.publish(WORDS, "farewell");
+            }
+        });
+        run.advance(0);
+        run.society.stop("amy");
+        run.advance(0);
+        assertThat(log).containsExactly("farewell", "amy went");
+    }
+
+    @Test
     void closingStopsAll() {
         for (String name : List.of("amy", "bob")) {
             run.start(name, self -> self.atEnd(() -> log.add(name)));

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
-import rsal.agent.Directory;
 import rsal.agent.Message;
 import rsal.agent.Topic;
 import rsal.time.Task;
@@ -43,11 +42,7 @@ final class Desk {
                 Grammar.Slot.ANYTHING, Object.class));
         this.made = self.scheduler().instant();
         self.subscribe(topic, this::hear);
-        self.directory().onChange(change -> {
-            if (change instanceof Directory.Change.Went went) {
-                partnerWent(went.agent().name());
-            }
-        });
+        self.directory().onDeparture(went -> partnerWent(went.agent().name()));
     }
 
     /// From now on others may begin conversations with this agent.
