@@ -9,6 +9,7 @@ module rsal.agents {
     exports rsal.agent.message;
     exports rsal.agent.presence;
     exports rsal.agent.protocol;
+    exports rsal.agent.team;
 
     uses rsal.agent.AgentHostProvider;
     uses rsal.agent.AgentType;

@@ -19,6 +19,7 @@ import rsal.agent.message.Chase;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
+import rsal.agent.team.Assignment;
 import rsal.data.Pose2d;
 import rsal.device.Navigator;
 import rsal.device.Navigator.Result;

@@ -20,6 +20,7 @@ import rsal.agent.message.PoseRequest;
 import rsal.agent.presence.Roll;
 import rsal.agent.protocol.Ending;
 import rsal.agent.protocol.Request;
+import rsal.agent.team.Assignment;
 import rsal.agents.PlaceSearch.Wanted;
 import rsal.agents.Travel.Costs;
 import rsal.agents.Travel.Places;

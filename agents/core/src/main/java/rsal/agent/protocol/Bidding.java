@@ -34,7 +34,7 @@ final class Bidding<T, B, R> extends Answering implements Call<T, B>, Contract<T
     public void heard(Act act) {
         switch (act.performative()) {
             case CFP -> called(taskType.cast(act.content()), act.replyBy().orElseGet(scheduler::instant));
-            case ACCEPT_PROPOSAL -> accepted();
+            case ACCEPT_PROPOSAL -> accepted(taskType.cast(act.content()));
             case REJECT_PROPOSAL, NOT_UNDERSTOOD -> rejected(Outcome.words(act));
             default -> {} // the grammar lets nothing else through
         }
@@ -47,9 +47,10 @@ final class Bidding<T, B, R> extends Answering implements Call<T, B>, Contract<T
         contractor.called(this);
     }
 
-    private void accepted() {
+    private void accepted(T what) {
         if (open) {
             close();
+            task = what;
             contractor.accepted(this);
         } else {
             fail("It is too late: nothing was heard for so long that the bid counted as rejected.");

@@ -45,12 +45,12 @@ public final class ContractNet<T, B, R> {
     ///
     /// @param to names of those called; itself, too, if it also bids
     /// @param replyWithin after this the round is over, even when not all have answered
-    public Conversation call(Collection<String> to, T what, Duration replyWithin, Manager<T, B, R> manager) {
+    public Tender<T, B, R> call(Collection<String> to, T what, Duration replyWithin, Manager<T, B, R> manager) {
         return call(to, what, replyWithin, Patience.DEFAULT, manager);
     }
 
     /// @param patience with each partner, and with those whose bid was accepted until the task is done
-    public Conversation call(
+    public Tender<T, B, R> call(
             Collection<String> to, T what, Duration replyWithin, Patience patience, Manager<T, B, R> manager) {
         var tender = new Tender<>(self.scheduler(), desk, bid, result, replyWithin, patience, manager);
         tender.begin(Set.copyOf(to), what);
@@ -105,6 +105,7 @@ public final class ContractNet<T, B, R> {
         /// Name of the manager.
         String from();
 
+        /// What was accepted: the task that it bid for, or its share of that.
         T task();
 
         void inform(R result);
@@ -129,6 +130,15 @@ public final class ContractNet<T, B, R> {
     public sealed interface Verdict<T> {
         /// Accepts these bids and rejects all others; that may be all.
         record Award<T>(Set<String> names) implements Verdict<T> {}
+
+        /// Accepts these bids, each for a share of the task, and rejects all others.
+        ///
+        /// @param shares by name of those who get one
+        record Share<T>(Map<String, T> shares) implements Verdict<T> {
+            public Share {
+                shares = Map.copyOf(shares);
+            }
+        }
 
         /// Calls those who bid once more.
         record Again<T>(T revised) implements Verdict<T> {}

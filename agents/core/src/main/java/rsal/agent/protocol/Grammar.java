@@ -51,7 +51,7 @@ final class Grammar {
                 .participant("called", Performative.REFUSE, Slot.WORDS, END)
                 .participant("called", Performative.PROPOSE, Slot.BID, "proposed")
                 .initiator("proposed", Performative.REJECT_PROPOSAL, Slot.WORDS, END)
-                .initiator("proposed", Performative.ACCEPT_PROPOSAL, Slot.WORDS, "accepted")
+                .initiator("proposed", Performative.ACCEPT_PROPOSAL, Slot.SUBJECT, "accepted")
                 .participant("accepted", Performative.FAILURE, Slot.WORDS, END)
                 .participant("accepted", Performative.INFORM, Slot.RESULT, END);
     }

@@ -6,12 +6,15 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.protocol.ContractNet.Manager;
 import rsal.agent.protocol.ContractNet.Proposal;
@@ -21,7 +24,7 @@ import rsal.time.Scheduler;
 import rsal.time.Task;
 
 /// The manager's side of a contract net: one call, from its first round to the last result.
-final class Tender<T, B, R> implements Conversation {
+public final class Tender<T, B, R> implements Conversation {
     private final Scheduler scheduler;
     private final Desk desk;
     private final String id;
@@ -35,6 +38,7 @@ final class Tender<T, B, R> implements Conversation {
     private final SortedMap<String, String> refusals = new TreeMap<>();
     private final Set<String> waitingFor = new TreeSet<>();
     private final SortedMap<String, Outcome<R>> awarded = new TreeMap<>();
+    private @Nullable T task; // of this round
     private @Nullable Task deadline;
     private int round;
     private boolean decided;
@@ -65,13 +69,14 @@ final class Tender<T, B, R> implements Conversation {
         call(inOrder, task);
     }
 
-    private void call(Collection<String> to, T task) {
+    private void call(Collection<String> to, T what) {
         round++;
+        task = what;
         waitingFor.addAll(to);
         proposals.clear();
         Optional<Instant> replyBy = Optional.of(scheduler.instant().plus(replyWithin));
         for (String partner : List.copyOf(waitingFor)) {
-            partner(partner).say(Performative.CFP, replyBy, task);
+            partner(partner).say(Performative.CFP, replyBy, what);
         }
         deadline = scheduler.after(waitingFor.isEmpty() ? Duration.ZERO : replyWithin, this::decide);
     }
@@ -97,13 +102,20 @@ final class Tender<T, B, R> implements Conversation {
         waitingFor.clear();
         switch (manager.decide(answers)) {
             case Verdict.Again<T>(T revised) -> call(List.copyOf(proposals.keySet()), revised);
-            case Verdict.Award<T>(Set<String> names) -> award(names);
+            case Verdict.Award<T>(Set<String> names) -> award(sharesOf(names));
+            case Verdict.Share<T>(Map<String, T> shares) -> award(shares);
         }
     }
 
-    private void award(Set<String> names) {
+    /// All of it for each.
+    private Map<String, T> sharesOf(Set<String> names) {
+        T whole = Objects.requireNonNull(task);
+        return names.stream().collect(Collectors.toMap(Function.identity(), _ -> whole));
+    }
+
+    private void award(Map<String, T> shares) {
         decided = true;
-        var unknown = new HashSet<>(names);
+        var unknown = new HashSet<>(shares.keySet());
         unknown.removeAll(proposals.keySet());
         if (!unknown.isEmpty()) {
             throw new IllegalStateException("Agent (%s) accepted bids of %s, who did not bid in this round; %s did."
@@ -111,9 +123,10 @@ final class Tender<T, B, R> implements Conversation {
         }
         for (Proposal<B> proposal : List.copyOf(proposals.values())) {
             String name = proposal.from();
-            if (names.contains(name)) {
+            T share = shares.get(name);
+            if (share != null) {
                 awarded.put(name, new Outcome<>(resultType, how -> manager.ended(proposal, how)));
-                partner(name).say(Performative.ACCEPT_PROPOSAL, "");
+                partner(name).say(Performative.ACCEPT_PROPOSAL, share);
             } else {
                 partner(name).say(Performative.REJECT_PROPOSAL, "Another bid was accepted, or none.");
             }
@@ -132,13 +145,24 @@ final class Tender<T, B, R> implements Conversation {
     @Override
     public void cancel() {
         decided = true;
-        for (Dialogue partner : partners.values()) {
-            if (partner.may(Performative.CANCEL)) {
-                partner.say(Performative.CANCEL, "");
-            }
-        }
+        partners.values().forEach(Tender::cancel);
         for (Outcome<R> outcome : List.copyOf(awarded.values())) {
             outcome.end(new Ending.Cancelled<>());
+        }
+    }
+
+    /// Does not want one of those whose bid was accepted to go on. Does nothing for others.
+    public void cancel(String contractor) {
+        Outcome<R> outcome = awarded.get(contractor);
+        if (outcome != null) {
+            cancel(partner(contractor));
+            outcome.end(new Ending.Cancelled<>());
+        }
+    }
+
+    private static void cancel(Dialogue partner) {
+        if (partner.may(Performative.CANCEL)) {
+            partner.say(Performative.CANCEL, "");
         }
     }
 

@@ -106,7 +106,7 @@ class ContractNetTest {
                         "bob -> zoe: propose: 2.0",
                         "eve -> zoe: refuse: busy",
                         "zoe -> amy: reject-proposal: Another bid was accepted, or none.",
-                        "zoe -> bob: accept-proposal",
+                        "zoe -> bob: accept-proposal: a box",
                         "bob -> zoe: inform: done");
         assertThat(log).containsExactly("amy is rejected", "bob does a box", "bob: " + new Ending.Informed<>("done"));
         assertThat(rounds.getFirst().refusals()).isEqualTo(Map.of("eve", "busy"));
@@ -166,6 +166,35 @@ class ContractNetTest {
                         }));
         run.advance(0);
         assertThat(log).containsExactlyInAnyOrder("amy does a box", "bob is rejected", "eve does a box");
+    }
+
+    @Test
+    void severalMayGetAShareEachAndOneOfThemMayBeStopped() {
+        List.of("amy", "bob", "eve").forEach(name -> worker(name, 1, 60));
+        run.start("zoe", self -> {
+            var tender = net(self).call(List.of("amy", "bob", "eve"), "boxes", SECOND, new Manager<>() {
+                @Override
+                public Verdict<String> decide(Round<Double> round) {
+                    return new Verdict.Share<>(Map.of("amy", "box 1", "eve", "box 2"));
+                }
+
+                @Override
+                public void ended(Proposal<Double> accepted, Ending<String> how) {
+                    log.add("%s: %s".formatted(accepted.from(), how));
+                }
+            });
+            self.scheduler().after(Duration.ofSeconds(5), () -> tender.cancel("amy"));
+            self.scheduler().after(Duration.ofSeconds(6), () -> tender.cancel("bob")); // has nothing
+        });
+        run.advance(100);
+        assertThat(log)
+                .containsExactly(
+                        "amy does box 1",
+                        "bob is rejected",
+                        "eve does box 2",
+                        "amy: " + new Ending.Cancelled<>(),
+                        "amy stops",
+                        "eve: " + new Ending.Informed<>("done"));
     }
 
     @Test

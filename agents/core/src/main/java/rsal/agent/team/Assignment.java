@@ -1,4 +1,4 @@
-package rsal.agents;
+package rsal.agent.team;
 
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -13,7 +13,7 @@ import rsal.data.Pose2d;
 ///
 /// A prey that a hunter goes for already counts as [#LOYALTY] times its distance, so that two who are about
 /// equally far do not change over again and again. Same reports, same answer, whoever asks.
-final class Assignment {
+public final class Assignment {
     static final double LOYALTY = 0.8;
 
     static final double LONGER = 1.05;
@@ -26,7 +26,7 @@ final class Assignment {
     /// @param prey where those who are free are, by id
     /// @param before which prey each hunter goes for so far
     /// @return prey by hunter; empty without prey
-    static Map<String, String> nearest(
+    public static Map<String, String> nearest(
             SortedMap<String, Pose2d> hunters, SortedMap<String, Pose2d> prey, Map<String, String> before) {
         var preyOf = new LinkedHashMap<String, String>();
         if (hunters.isEmpty() || prey.isEmpty()) {
@@ -60,15 +60,29 @@ final class Assignment {
     ///
     /// @param costs of all places for each robot; +∞ where no way leads
     /// @return place by robot; without robots that get none they can reach
-    static Map<String, Integer> even(NavigableMap<String, double[]> costs) {
+    public static Map<String, Integer> even(NavigableMap<String, double[]> costs) {
         if (costs.isEmpty()) {
             return Map.of();
         }
+        double[][] cost = costs.values().toArray(double[][]::new);
+        boolean crowded = cost.length > cost[0].length;
+        return paired(costs, LONGER * shortestLongest(crowded ? turned(cost) : cost));
+    }
+
+    /// One place of its own for each robot, or as many as there are places, with the least sum of ways.
+    ///
+    /// @param costs of all places for each robot; +∞ where no way leads
+    /// @return place by robot; without robots that get none they can reach
+    public static Map<String, Integer> cheapest(NavigableMap<String, double[]> costs) {
+        return costs.isEmpty() ? Map.of() : paired(costs, Double.MAX_VALUE);
+    }
+
+    /// With the least sum of ways, after as few as possible that are longer than a bound.
+    private static Map<String, Integer> paired(NavigableMap<String, double[]> costs, double bound) {
         List<String> robots = List.copyOf(costs.keySet());
         double[][] cost = robots.stream().map(costs::get).toArray(double[][]::new);
         boolean crowded = cost.length > cost[0].length;
-        double[][] square = crowded ? turned(cost) : cost;
-        int[] columnOf = pair(discouraging(square, LONGER * shortestLongest(square)));
+        int[] columnOf = pair(discouraging(crowded ? turned(cost) : cost, bound));
         var placeOf = new LinkedHashMap<String, Integer>();
         for (int row = 0; row < columnOf.length; row++) {
             int robot = crowded ? columnOf[row] : row;
@@ -149,7 +163,7 @@ final class Assignment {
     /// yet": inside, rows and columns count from 1.
     ///
     /// @param cost no fewer columns than rows
-    static int[] pair(double[][] cost) {
+    public static int[] pair(double[][] cost) {
         int rows = cost.length;
         int columns = cost[0].length;
         var rowPrice = new double[rows + 1];

@@ -1,4 +1,4 @@
-package rsal.agents;
+package rsal.agent.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,0 +1,9 @@
+package rsal.agent.team;
+
+/// What a division of jobs makes least.
+public enum Objective {
+    /// The sum of all costs: least energy.
+    SUM,
+    /// The cost of the one that has most to do: least time.
+    LONGEST
+}

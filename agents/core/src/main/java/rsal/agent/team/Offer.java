@@ -1,0 +1,18 @@
+package rsal.agent.team;
+
+import java.util.List;
+import java.util.stream.Collectors;
+
+/// Jobs that are called for, or that are given to one.
+///
+/// @param inRoutes whether a bid should also tell what each costs after each other
+record Offer(List<Job> jobs, boolean inRoutes) {
+    Offer {
+        jobs = List.copyOf(jobs);
+    }
+
+    @Override
+    public String toString() {
+        return jobs.stream().map(Job::name).collect(Collectors.joining(", "));
+    }
+}

@@ -1,0 +1,30 @@
+package rsal.agent.team;
+
+import java.time.Duration;
+
+/// How a team allots its jobs.
+///
+/// @param objective what is made least
+/// @param inRoutes whether what comes after the next job is thought of: costs each member a way from each job to each
+/// @param ping a member of which nothing was heard for that long is asked
+/// @param silence after that long without a sign a member counts as silent; at least twice the ping
+/// @param replyWithin how long a call for bids waits
+/// @param tries after as many failures a job is given up; 0 for never
+public record Rules(
+        Objective objective, boolean inRoutes, Duration ping, Duration silence, Duration replyWithin, int tries) {
+    public static final Rules DEFAULT =
+            new Rules(Objective.LONGEST, true, Duration.ofSeconds(1), Duration.ofSeconds(5), Duration.ofSeconds(2), 5);
+
+    public Rules withObjective(Objective other) {
+        return new Rules(other, inRoutes, ping, silence, replyWithin, tries);
+    }
+
+    /// Only the next job of each counts.
+    public Rules oneAtATime() {
+        return new Rules(objective, false, ping, silence, replyWithin, tries);
+    }
+
+    public Rules withTries(int other) {
+        return new Rules(objective, inRoutes, ping, silence, replyWithin, other);
+    }
+}

@@ -1,0 +1,270 @@
+package rsal.agent.team;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.AgentContext;
+import rsal.agent.Capability;
+import rsal.agent.protocol.ContractNet;
+import rsal.agent.protocol.ContractNet.Call;
+import rsal.agent.protocol.ContractNet.Contract;
+import rsal.data.Pose2d;
+
+/// A member's side of a team: tells what jobs would cost it, and does one at a time. On the agent's lane.
+public final class Worker {
+    private static final String NAME = "work";
+
+    private final AgentContext self;
+    private final Ways ways;
+    private final Supplier<Optional<Pose2d>> mapFromBase;
+    private final Consumer<Worker> onChange;
+    private final Map<Class<? extends Job>, Skill<?>> skills = new LinkedHashMap<>();
+    private Optional<String> unfit = Optional.empty();
+    private @Nullable Assigned current;
+
+    /// @param mapFromBase where the robot believes to be; empty while it does not know
+    /// @param onChange told whenever it takes on a job or has ended one
+    public Worker(AgentContext self, Ways ways, Supplier<Optional<Pose2d>> mapFromBase, Consumer<Worker> onChange) {
+        this.self = self;
+        this.ways = ways;
+        this.mapFromBase = mapFromBase;
+        this.onChange = onChange;
+        self.atEnd(this::letGo);
+    }
+
+    static ContractNet<Offer, Estimate, String> net(AgentContext self) {
+        return new ContractNet<>(self, NAME, Offer.class, Estimate.class, String.class);
+    }
+
+    /// Whether an agent has one.
+    static boolean isOne(AgentContext self, String agent) {
+        return self.directory().capabilities(agent).stream()
+                .anyMatch(capability -> capability.name().equals(NAME));
+    }
+
+    /// Can do jobs of a kind from now on.
+    public <J extends Job> void learn(Class<J> kind, Skill<J> skill) {
+        skills.put(kind, skill);
+    }
+
+    /// From now on bids.
+    public void begin() {
+        net(self).answer(new Bidder());
+        var details = new LinkedHashMap<String, String>();
+        skills.keySet().forEach(kind -> details.put(kind.getSimpleName(), "yes"));
+        self.offer(new Capability(NAME, details));
+    }
+
+    /// What it does now; empty when it has no job.
+    public Optional<Job> job() {
+        return Optional.ofNullable(current).map(assigned -> assigned.job);
+    }
+
+    /// Takes no jobs until it is fit again, and gives back the one it has.
+    ///
+    /// @param why for people (`charging`)
+    public void unfit(String why) {
+        unfit = Optional.of(why);
+        if (current != null) {
+            current.fail(why);
+        }
+    }
+
+    public void fit() {
+        unfit = Optional.empty();
+    }
+
+    private void letGo() {
+        if (current != null) {
+            current.end();
+        }
+    }
+
+    private Optional<Course> course(Job job) {
+        return skill(job).flatMap(skill -> skill.course(job));
+    }
+
+    private Optional<Skill<Job>> skill(Job job) {
+        @SuppressWarnings("unchecked") // learned for that very class
+        var skill = (Skill<Job>) skills.get(job.getClass());
+        return Optional.ofNullable(skill);
+    }
+
+    private void take(Contract<Offer, String> contract) {
+        Job job = contract.task().jobs().getFirst();
+        Optional<Skill<Job>> skill = skill(job);
+        if (unfit.isPresent() || current != null || skill.isEmpty()) {
+            contract.fail(unfit.orElse(current == null ? "I can't do that." : "I am doing something else."));
+            return;
+        }
+        var assigned = new Assigned(job, contract);
+        current = assigned;
+        contract.whenUnwanted(assigned::end);
+        self.show("job", job.name());
+        onChange.accept(this);
+        skill.get().begin(job, assigned);
+    }
+
+    /// Answers calls, as soon as it knows all the ways.
+    private final class Bidder implements ContractNet.Contractor<Offer, Estimate, String> {
+        @Override
+        public void called(Call<Offer, Estimate> call) {
+            Optional<Pose2d> here = mapFromBase.get();
+            if (unfit.isPresent() || here.isEmpty()) {
+                call.refuse(unfit.orElse("I don't know where I am."));
+                return;
+            }
+            List<Job> jobs = call.task().jobs();
+            List<Optional<Course>> courses =
+                    jobs.stream().map(Worker.this::course).toList();
+            if (courses.stream().allMatch(Optional::isEmpty)) {
+                call.refuse("I can't do that.");
+                return;
+            }
+            new Costing(courses, call).begin(here.get());
+        }
+
+        @Override
+        public void accepted(Contract<Offer, String> contract) {
+            take(contract);
+        }
+    }
+
+    /// Finds out what the jobs of a call cost, and bids.
+    private final class Costing {
+        private final List<Optional<Course>> courses;
+        private final Call<Offer, Estimate> call;
+        private final boolean free = current == null;
+
+        Costing(List<Optional<Course>> courses, Call<Offer, Estimate> call) {
+            this.courses = courses;
+            this.call = call;
+        }
+
+        void begin(Pose2d here) {
+            Optional<Course> left = job().flatMap(Worker.this::course);
+            Pose2d mapFromStart = left.map(Course::mapFromEnd).orElse(here);
+            var before = left.map(course -> cost(here, course)).orElseGet(() -> CompletableFuture.completedFuture(0.0));
+            var own = new ArrayList<CompletableFuture<Double>>();
+            var ways = new ArrayList<CompletableFuture<Double>>();
+            for (Optional<Course> to : courses) {
+                own.add(to.map(course ->
+                                way(course.mapFromBegin(), course.mapFromEnd()).thenApply(way -> way + course.work()))
+                        .orElseGet(Costing::never));
+                ways.add(to.map(course -> way(mapFromStart, course.mapFromBegin()))
+                        .orElseGet(Costing::never));
+            }
+            if (call.task().inRoutes()) {
+                for (Optional<Course> from : courses) {
+                    for (Optional<Course> to : courses) {
+                        ways.add(
+                                from.isEmpty() || to.isEmpty()
+                                        ? never()
+                                        : way(from.get().mapFromEnd(), to.get().mapFromBegin()));
+                    }
+                }
+            }
+            var all = new ArrayList<>(ways);
+            all.addAll(own);
+            all.add(before);
+            CompletionStage<?> told = CompletableFuture.allOf(all.toArray(CompletableFuture[]::new));
+            told.thenRun(() -> self.scheduler().execute(() -> bid(before.join(), values(own), values(ways))));
+        }
+
+        private CompletableFuture<Double> cost(Pose2d here, Course left) {
+            return way(here, left.mapFromBegin())
+                    .thenCombine(way(left.mapFromBegin(), left.mapFromEnd()), (to, on) -> to + on + left.work());
+        }
+
+        private CompletableFuture<Double> way(Pose2d from, Pose2d to) {
+            return from.equals(to)
+                    ? CompletableFuture.completedFuture(0.0)
+                    : ways.cost(from, to)
+                            .exceptionally(_ -> Double.POSITIVE_INFINITY)
+                            .toCompletableFuture();
+        }
+
+        private static CompletableFuture<Double> never() {
+            return CompletableFuture.completedFuture(Double.POSITIVE_INFINITY);
+        }
+
+        private static List<Double> values(List<CompletableFuture<Double>> futures) {
+            return futures.stream().map(CompletableFuture::join).toList();
+        }
+
+        /// @param ways to each job, then from each job to each
+        private void bid(double before, List<Double> own, List<Double> ways) {
+            int jobs = own.size();
+            var rows = new ArrayList<List<Double>>();
+            for (int row = 0; row < ways.size() / jobs; row++) {
+                var costs = new ArrayList<Double>();
+                for (int job = 0; job < jobs; job++) {
+                    costs.add((row == 0 ? before : 0) + ways.get(row * jobs + job) + own.get(job));
+                }
+                rows.add(costs);
+            }
+            call.propose(
+                    new Estimate(free, rows.getFirst(), Collections.unmodifiableList(rows.subList(1, rows.size()))));
+        }
+    }
+
+    /// The job it does.
+    private final class Assigned implements Work {
+        private final Job job;
+        private final Contract<Offer, String> contract;
+        private Runnable lettingGo = () -> {};
+        private boolean over;
+
+        Assigned(Job job, Contract<Offer, String> contract) {
+            this.job = job;
+            this.contract = contract;
+        }
+
+        @Override
+        public void done(String report) {
+            if (!over) {
+                contract.inform(report);
+                end();
+            }
+        }
+
+        @Override
+        public void fail(String why) {
+            if (!over) {
+                contract.fail(why);
+                end();
+            }
+        }
+
+        @Override
+        public void onEnd(Runnable afterwards) {
+            lettingGo = afterwards;
+            if (over) {
+                afterwards.run();
+            }
+        }
+
+        @Override
+        public boolean isOver() {
+            return over;
+        }
+
+        private void end() {
+            if (!over) {
+                over = true;
+                current = null;
+                self.show("job", "none");
+                lettingGo.run();
+                onChange.accept(Worker.this);
+            }
+        }
+    }
+}
