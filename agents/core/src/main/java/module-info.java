@@ -17,8 +17,10 @@ module rsal.agents {
     provides rsal.agent.AgentHostProvider with
             rsal.agent.plain.PlainHostProvider;
     provides rsal.agent.AgentType with
+            rsal.agents.Collect.Type,
             rsal.agents.Dispersion.Type,
             rsal.agents.Escape.Type,
+            rsal.agents.Explore.Type,
             rsal.agents.Follow.Type,
             rsal.agents.Nav.Type,
             rsal.agents.View.Type,

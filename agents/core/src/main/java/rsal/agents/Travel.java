@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import rsal.agent.AgentContext;
 import rsal.agent.Capability;
@@ -14,19 +13,18 @@ import rsal.data.Pose2d;
 import rsal.device.Planner;
 import rsal.robot.Robot;
 
-/// What ways cost a robot: tells others who ask, by the robot's planner. Asking moves nothing. A way that ends near a
-/// place because the robot does not fit there leads nowhere: it would not be driven either.
+/// What ways cost a robot: tells others who ask, by the robot's planner. Asking moves nothing.
 final class Travel {
     /// Of those who can tell.
     static final Capability CAPABILITY = Capability.of("way-costs");
 
     private final AgentContext self;
-    private final Planner planner;
+    private final Ways ways;
     private final Reporter reporter;
 
-    private Travel(AgentContext self, Planner planner, Reporter reporter) {
+    private Travel(AgentContext self, Ways ways, Reporter reporter) {
         this.self = self;
-        this.planner = planner;
+        this.ways = ways;
         this.reporter = reporter;
     }
 
@@ -38,8 +36,8 @@ final class Travel {
     /// From now on answers whoever asks, if the robot has a planner.
     static void begin(AgentContext self, Robot robot, Reporter reporter) {
         Optional<Planner> planner = robot.find(Planner.class);
-        planner.ifPresent(device -> {
-            var travel = new Travel(self, device, reporter);
+        planner.ifPresent(_ -> {
+            var travel = new Travel(self, new Ways(planner), reporter);
             service(self).answer(travel::answer);
             self.offer(CAPABILITY);
         });
@@ -59,7 +57,7 @@ final class Travel {
         var told = new TreeMap<Integer, Double>(); // cost by number of the place
         for (int i = 0; i < places.size(); i++) {
             int number = i;
-            cost(mapFromBase.get(), places.get(i))
+            ways.cost(mapFromBase.get(), places.get(i))
                     .thenAccept(cost -> self.scheduler().execute(() -> {
                         told.put(number, cost);
                         if (told.size() == places.size()) {
@@ -67,13 +65,6 @@ final class Travel {
                         }
                     }));
         }
-    }
-
-    private CompletionStage<Double> cost(Pose2d mapFromBase, Pose2d mapFromPlace) {
-        return planner.plan(mapFromBase, mapFromPlace).handle((result, error) -> switch (result) {
-            case Planner.Result.Found found when found.offGoal() == 0 -> found.cost();
-            case null, default -> Double.POSITIVE_INFINITY;
-        });
     }
 
     /// Where somebody might go, in the map.

@@ -35,7 +35,8 @@ public final class BodyReader {
     /// @param height of pieces for which none is told [m]
     public record Limits(int pieces, int corners, double most, double lowest, double height) {}
 
-    Solid read(Section body) {
+    /// A group that is a box, a disc or an outline, or lists `pieces` of those.
+    public Solid read(Section body) {
         if (!body.has("pieces")) {
             return new Solid(List.of(piece(body)));
         }

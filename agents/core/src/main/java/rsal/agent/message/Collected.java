@@ -1,0 +1,9 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+import rsal.data.Point2d;
+
+/// A robot has brought something to a depot and let go of it there.
+public record Collected(String robot, CollectGoal goal, Point2d mapFromDepot) {
+    public static final Topic<Collected> TOPIC = new Topic<>("collected", Collected.class);
+}

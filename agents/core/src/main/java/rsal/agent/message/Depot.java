@@ -1,0 +1,15 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+import rsal.data.Point2d;
+
+/// A robot brings things here: what lies here is not to be collected.
+///
+/// @param radius around the place that counts [m]
+public record Depot(String robot, Point2d mapFromDepot, double radius) {
+    public static final Topic<Depot> TOPIC = new Topic<>("depot", Depot.class);
+
+    public boolean holds(Point2d mapFromThing) {
+        return mapFromDepot.distanceTo(mapFromThing) <= radius;
+    }
+}

@@ -1,0 +1,9 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+import rsal.data.Point2d;
+
+/// A robot goes to look around somewhere, or has done so: the others may look elsewhere.
+public record Lookout(String robot, Point2d mapFromPlace, boolean done) {
+    public static final Topic<Lookout> TOPIC = new Topic<>("lookout", Lookout.class);
+}

@@ -1,0 +1,96 @@
+package rsal.agents;
+
+import java.util.List;
+import java.util.Optional;
+import rsal.agent.Agent;
+import rsal.agent.AgentContext;
+import rsal.agent.AgentType;
+import rsal.agent.presence.Presence;
+import rsal.behavior.Pilot;
+import rsal.data.Rgb;
+import rsal.device.BlobFinder;
+import rsal.device.Device;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Looks for things of a color, and has others collect them.
+public final class Explore implements Agent {
+    static final Parameter COLOR =
+            Parameter.text("color", "", "Of the things that it looks for, #rrggbb; any when empty.");
+    static final Parameter RANGE =
+            Parameter.number("range", 2, 0.3, 100, "m", "How far away from its camera things may be to count.");
+
+    static final Parameter ROAM = Parameter.choice(
+            "roam",
+            "walls",
+            List.of("walls", "lookouts"),
+            "How it gets about: along the walls, or between places spread over the map, which takes a navigator and"
+                    + " a device of type (places).");
+
+    private final Arguments arguments;
+
+    Explore(Arguments arguments) {
+        this.arguments = arguments;
+    }
+
+    @Override
+    public void start(AgentContext self) {
+        Robot robot = Body.of(self);
+        var reporter = new Reporter(self, robot, arguments, _ -> {});
+        reporter.begin();
+        var hiring = new Hiring(self, arguments.text(Hiring.ALLOTMENT.name()).equals("bid"));
+        hiring.begin();
+        var finds = new Finds(self, hiring);
+        finds.begin();
+        new Spotting(self, robot, reporter, color(arguments), arguments.number(RANGE.name()), finds::see).begin();
+        if (arguments.text(ROAM.name()).equals("lookouts")) {
+            new Lookouts(self, robot, reporter, arguments.integer(Lookouts.COUNT.name())).begin();
+        } else {
+            Roaming.alongWalls(self, robot).begin();
+        }
+        Presence.begin(self);
+    }
+
+    @Override
+    public void stop(AgentContext self) {
+        Presence.end(self);
+    }
+
+    /// @throws IllegalArgumentException when it is none
+    private static Optional<Rgb> color(Arguments arguments) {
+        String text = arguments.text(COLOR.name());
+        return text.isEmpty()
+                ? Optional.empty()
+                : Optional.of(Rgb.parse(text)
+                        .orElseThrow(() -> new IllegalArgumentException(
+                                "(color) must be like #1f77b4, not (%s).".formatted(text))));
+    }
+
+    public static final class Type implements AgentType {
+        @Override
+        public String key() {
+            return "explore";
+        }
+
+        @Override
+        public String description() {
+            return "Looks for colored things, and has them collected by robots that can.";
+        }
+
+        @Override
+        public List<Parameter> parameters() {
+            return List.of(Reporter.PERIOD, ROAM, Lookouts.COUNT, COLOR, RANGE, Hiring.ALLOTMENT);
+        }
+
+        @Override
+        public List<Class<? extends Device>> needs() {
+            return List.of(BlobFinder.class, Pilot.class);
+        }
+
+        @Override
+        public Agent create(Arguments arguments) {
+            return new Explore(arguments);
+        }
+    }
+}

@@ -1,0 +1,190 @@
+package rsal.agents;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rsal.agent.AgentContext;
+import rsal.agent.message.Lookout;
+import rsal.behavior.LimitTurnRate;
+import rsal.behavior.Pilot;
+import rsal.behavior.SetSpeed;
+import rsal.behavior.Subsumption;
+import rsal.data.Angles;
+import rsal.data.Odometry;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
+import rsal.device.DriveBase;
+import rsal.device.Navigator;
+import rsal.device.Navigator.Tolerance;
+import rsal.device.PlaceFinder;
+import rsal.device.Planner;
+import rsal.device.Subscription;
+import rsal.robot.Robot;
+import rsal.settings.Parameter;
+
+/// Has a robot go to places that are spread over the map and look all around at each, the nearest first by the way
+/// there, until it or others have been at all of them; then again. Goes to none where another is about to look. Errands
+/// come first.
+final class Lookouts {
+    static final Parameter COUNT = Parameter.integer(
+            "lookouts", 12, 1, 1000, "", "At how many places it looks around, when it roams between lookouts.");
+
+    private static final double CLEARANCE = 0.45; // m
+    private static final Tolerance THERE = Tolerance.position(0.4);
+    private static final double SAME = 1.5; // m; places nearer to each other are seen from each other
+    private static final Twist2d TURN = Twist2d.drive(0, Math.toRadians(45));
+    private static final double MOST_TURN = 1.0; // rad/s
+    private static final double ALL_AROUND = Math.toRadians(330); // the camera sees the rest
+
+    private final AgentContext self;
+    private final Robot robot;
+    private final Reporter reporter;
+    private final int count;
+    private final Driver driver;
+    private final Errands errands;
+    private final Pilot pilot;
+    private final PlaceFinder finder;
+    private final Ways ways;
+    private final List<Point2d> left = new ArrayList<>(); // to be looked from in this round
+    private final Map<String, Point2d> others = new HashMap<>(); // where they are about to look, by robot
+    private List<Point2d> places = List.of();
+    private Subscription turning = () -> {};
+
+    Lookouts(AgentContext self, Robot robot, Reporter reporter, int count) {
+        this.self = self;
+        this.robot = robot;
+        this.reporter = reporter;
+        this.count = count;
+        this.driver = new Driver(self, robot.require(Navigator.class));
+        this.errands = new Errands(self, robot.id(), driver, this::pause, this::next);
+        this.pilot = robot.require(Pilot.class);
+        this.finder = robot.require(PlaceFinder.class);
+        this.ways = new Ways(robot.find(Planner.class));
+        self.atEnd(pilot::release);
+    }
+
+    void begin() {
+        self.subscribe(Lookout.TOPIC, message -> note(message.content()));
+        errands.begin();
+        self.state("choosing lookouts");
+        self.scheduler().after(Duration.ofSeconds(1), this::findPlaces);
+    }
+
+    private void findPlaces() {
+        Optional<Pose2d> mapFromBase = reporter.mapFromBase();
+        if (mapFromBase.isEmpty()) {
+            self.scheduler().after(Duration.ofSeconds(1), this::findPlaces);
+            return;
+        }
+        finder.find(mapFromBase.get(), count, CLEARANCE)
+                .whenComplete((result, error) -> self.scheduler().execute(() -> {
+                    switch (result) {
+                        case PlaceFinder.Result.Found(List<Point2d> found) -> {
+                            places = found;
+                            next();
+                        }
+                        case PlaceFinder.Result.None(String why) -> self.state("has no lookouts: " + why);
+                        case null -> throw new IllegalStateException("Looking for lookouts failed.", error);
+                    }
+                }));
+    }
+
+    private void note(Lookout other) {
+        if (other.done()) {
+            others.remove(other.robot());
+            left.removeIf(place -> place.distanceTo(other.mapFromPlace()) < SAME);
+        } else {
+            others.put(other.robot(), other.mapFromPlace());
+        }
+    }
+
+    private void pause() {
+        turning.cancel();
+        pilot.release();
+    }
+
+    private void next() {
+        Optional<Pose2d> mapFromBase = reporter.mapFromBase();
+        if (places.isEmpty() || mapFromBase.isEmpty() || errands.busy()) {
+            return;
+        }
+        if (left.isEmpty()) {
+            left.addAll(places);
+        }
+        List<Point2d> free = left.stream()
+                .filter(place -> others.values().stream().noneMatch(other -> other.distanceTo(place) < SAME))
+                .toList();
+        chooseOf(free.isEmpty() ? List.copyOf(left) : free, mapFromBase.get());
+    }
+
+    private void chooseOf(List<Point2d> candidates, Pose2d mapFromBase) {
+        var told = new ArrayList<Way>();
+        for (Point2d candidate : candidates) {
+            ways.cost(mapFromBase, pose(candidate))
+                    .thenAccept(cost -> self.scheduler().execute(() -> {
+                        told.add(new Way(candidate, cost));
+                        if (told.size() == candidates.size()) {
+                            go(Collections.min(told, Comparator.comparingDouble(Way::cost))
+                                    .mapFromPlace());
+                        }
+                    }));
+        }
+    }
+
+    private record Way(Point2d mapFromPlace, double cost) {}
+
+    private void go(Point2d place) {
+        if (errands.busy()) {
+            return;
+        }
+        left.remove(place);
+        self.publish(Lookout.TOPIC, new Lookout(robot.id(), place, false));
+        self.state("going to look around at " + Words.place(pose(place)));
+        driver.goTo(pose(place), THERE, result -> {
+            if (errands.busy()) {
+                return;
+            }
+            if (result instanceof Navigator.Result.Reached) {
+                lookAround(place);
+            } else {
+                done(place);
+            }
+        });
+    }
+
+    private void lookAround(Point2d place) {
+        self.state("looking around");
+        pilot.engage(new Subsumption()
+                .layer("turn", new SetSpeed(TURN))
+                .layer("limit-turn-rate", new LimitTurnRate(robot.model().footprint(), MOST_TURN)));
+        var turn = new Object() {
+            private double made;
+            private double last = Double.NaN;
+        };
+        turning = self.subscribe(robot.require(DriveBase.class), reading -> {
+            Odometry odometry = reading.value();
+            double heading = odometry.odomFromBase().theta();
+            turn.made += Double.isNaN(turn.last) ? 0 : Angles.difference(turn.last, heading);
+            turn.last = heading;
+            if (turn.made >= ALL_AROUND) {
+                pause();
+                done(place);
+            }
+        });
+    }
+
+    private void done(Point2d place) {
+        self.publish(Lookout.TOPIC, new Lookout(robot.id(), place, true));
+        next();
+    }
+
+    private static Pose2d pose(Point2d mapFromPlace) {
+        return new Pose2d(mapFromPlace.x(), mapFromPlace.y(), 0);
+    }
+}

@@ -1,0 +1,61 @@
+package rsal.agents;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import rsal.agent.AgentContext;
+import rsal.agent.message.CollectGoal;
+import rsal.data.Blobs;
+import rsal.data.Blobs.Blob;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.device.BlobFinder;
+import rsal.robot.Robot;
+
+/// Sees patches of color through a robot's blob finder and says where they are in the map, each time it sees them.
+/// Those at the border of an image are left out: of what lies beyond nothing is known, so that their middle would be
+/// somewhere else.
+final class Spotting {
+    private final AgentContext self;
+    private final BlobFinder camera;
+    private final Reporter reporter;
+    private final Optional<Rgb> color;
+    private final double range;
+    private final Consumer<CollectGoal> onSeen;
+
+    /// @param color of what counts; empty for all
+    /// @param range up to which it counts [m]
+    Spotting(
+            AgentContext self,
+            Robot robot,
+            Reporter reporter,
+            Optional<Rgb> color,
+            double range,
+            Consumer<CollectGoal> onSeen) {
+        this.self = self;
+        this.camera = robot.require(BlobFinder.class);
+        this.reporter = reporter;
+        this.color = color;
+        this.range = range;
+        this.onSeen = onSeen;
+    }
+
+    void begin() {
+        self.subscribe(camera, reading -> reporter.mapFromBase().ifPresent(pose -> look(reading.value(), pose)));
+    }
+
+    private void look(Blobs image, Pose2d mapFromBase) {
+        for (Blob blob : image.blobs()) {
+            boolean whole = blob.left() > 0 && blob.right() < image.width();
+            if (whole
+                    && blob.range() <= range
+                    && color.filter(c -> !c.equals(blob.color())).isEmpty()) {
+                Optional<Point2d> baseFromBlob = image.baseFromBlob(blob);
+                baseFromBlob
+                        .map(mapFromBase::transform)
+                        .map(p -> new CollectGoal(blob.color(), p))
+                        .ifPresent(onSeen);
+            }
+        }
+    }
+}
