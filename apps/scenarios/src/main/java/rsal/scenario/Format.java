@@ -35,11 +35,27 @@ final class Format {
     static final Parameter ARGUMENT_TYPE = required(Parameter.choice(
             "type", "", List.of("integer", "number", "string", "boolean"), "What kind of value the argument takes."));
 
-    static final Parameter COUNT = Parameter.integer(
-            "count", 1, 1, MAX_ROBOTS, "", "How many robots of the role there are; they are called role-1, role-2…");
+    static final Parameter COUNT =
+            Parameter.integer("count", 1, 1, MAX_ROBOTS, "", "How many there are; they are called role-1, role-2…");
     static final Parameter CLEARANCE = Parameter.number(
             "clearance", 0.4, 0, 100, "m", "Distance to all that is not free, and half of that to other robots.");
     static final Parameter FREE = Parameter.flag("free", true, "Somewhere free, chosen by the seed.");
+    static final Parameter OBSTACLE = Parameter.flag("obstacle", true, "Whether robots run into them.");
+    static final Parameter GRIPPABLE = Parameter.flag("grippable", false, "Whether grippers can hold them.");
+    static final Parameter FIDUCIAL = Parameter.integer(
+            "fiducial",
+            0,
+            0,
+            1_000_000,
+            "",
+            "Id of the first as a marker, those of the others follow; 0: they are none.");
+    static final Parameter GIVING_POWER = Parameter.number(
+            "givingPower", 0, 0, 1e9, "W", "With which each charges robots that touch it or stand on it.");
+    static final Parameter COMES_EVERY = Parameter.number(
+            "every", 0, 0, 1e6, "s", "Mean time from one to the next, at random; 0: all are there at the start.");
+    static final Parameter DEPOT_RADIUS =
+            Parameter.number("radius", 1, 0.1, 100, "m", "How far from its middle a depot reaches.");
+
     static final Parameter SEED = new Parameter(
             "seed",
             Parameter.Kind.INTEGER,

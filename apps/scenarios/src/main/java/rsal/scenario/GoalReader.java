@@ -24,17 +24,23 @@ final class GoalReader {
     private static final Pattern BETWEEN_NAMES = Pattern.compile("[^\\w-]+");
 
     private final RobotNames robots;
+    private final List<String> things;
     private final Problems problems;
 
-    GoalReader(RobotNames robots, Problems problems) {
+    GoalReader(RobotNames robots, List<PlannedThings> things, Problems problems) {
         this.robots = robots;
+        this.things = things.stream()
+                .filter(group -> group.depot().isPresent())
+                .map(PlannedThings::name)
+                .toList();
         this.problems = problems;
     }
 
     List<Stop> stops(Section run) {
         var stops = new ArrayList<Stop>();
         for (Section stop : Format.groups(run, "stop")) {
-            Optional<Condition> when = expression(stop, "when", Grammar::condition);
+            Optional<Condition> when =
+                    expression(stop, "when", (text, roles) -> Grammar.condition(text, roles, things));
             var word = stop.value(Format.OUTCOME).orElse("");
             var outcome = Format.of(Outcome.values(), Outcome::word, word);
             var after = Duration.ofMillis(
@@ -56,7 +62,7 @@ final class GoalReader {
                 measure.problem("name", "There are two measures (%s).".formatted(name), "Rename one of them.");
             }
             String unit = measure.text("unit", "");
-            Optional<Measure> from = expression(measure, "from", Grammar::measure);
+            Optional<Measure> from = expression(measure, "from", (text, roles) -> Grammar.measure(text, roles, things));
             boolean perRobot = "robot".equals(measure.value(Format.PER).orElse(""));
             if (perRobot && from.isPresent() && !from.get().canBePerRobot()) {
                 measure.problem("per", "A measure of the whole run has no value per robot.", "Leave (per) out.");

@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.agent.message.NewGoal;
@@ -26,6 +27,7 @@ import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.WorldReader.World;
 import rsal.scenario.condition.Grammar;
+import rsal.scene.Entity;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
@@ -100,6 +102,12 @@ final class PlanReader {
         List<PlannedRobot> bare =
                 roles.stream().flatMap(role -> role.robots().stream()).toList();
         var names = new RobotNames(roles, mayHaveRobots && world.scene().isEmpty());
+        Set<String> inWorld = world.scene().stream()
+                .flatMap(scene -> scene.things().stream())
+                .map(Entity::name)
+                .collect(Collectors.toSet());
+        List<PlannedThings> things =
+                new ThingReader(names, map, inWorld, robotReader.taken(), seeds, problems).read(root.section("things"));
         int before = problems.all().size();
         List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), names, seeds));
         if (scenario.isWorld()) {
@@ -111,7 +119,7 @@ final class PlanReader {
         var faultReader = new FaultReader(names, robots, agents, problems.all().size() == before, seeds, problems);
         List<PlannedFault> faults = faultReader.read(root);
 
-        var goals = new GoalReader(names, problems);
+        var goals = new GoalReader(names, things, problems);
         List<RunPlan.Stop> stops = new ArrayList<>(goals.stops(run));
         if (scenario.isWorld()) {
             world.scene().flatMap(Scene::end).map(PlanReader::after).ifPresent(stops::add);
@@ -121,7 +129,13 @@ final class PlanReader {
         root.done();
 
         if (world.scene().isPresent() && mrs.isPresent() && roles.stream().allMatch(Role::complete)) {
-            checkRobots(mrs.get().provider(), mrs.get().config(world.scene().get(), robots), roles, faultReader);
+            checkRobots(
+                    mrs.get().provider(),
+                    mrs.get().config(world.scene().get(), robots),
+                    roles,
+                    faultReader,
+                    root.locationOf("things"),
+                    things);
         }
         problems.throwIfAny();
         return new RunPlan(
@@ -136,6 +150,7 @@ final class PlanReader {
                 mas.orElseThrow(),
                 clock,
                 robots,
+                things,
                 agents,
                 communication,
                 faults,
@@ -451,11 +466,23 @@ final class PlanReader {
         }
     }
 
-    /// Lets the robot system say what it thinks of the robots and their faults, without starting it.
+    /// Lets the robot system say what it thinks of the robots, their faults and things, without starting it.
     private void checkRobots(
-            RobotSystemProvider provider, RobotSystemProvider.Config config, List<Role> roles, FaultReader faults) {
+            RobotSystemProvider provider,
+            RobotSystemProvider.Config config,
+            List<Role> roles,
+            FaultReader faults,
+            Location thingsAt,
+            List<PlannedThings> things) {
         try (RobotSystem system = provider.create(config, new LockstepScheduler())) {
             faults.check(system, provider.key());
+            if (!things.isEmpty() && system.simulation().isEmpty()) {
+                problems.add(
+                        thingsAt,
+                        "Robot system (%s) simulates no world that (things) could be put into."
+                                .formatted(provider.key()),
+                        "Leave (things) out, or use robot system (sim).");
+            }
         } catch (InvalidRobots e) {
             for (InvalidRobots.Problem problem : e.problems()) {
                 Location at = roles.stream()

@@ -26,6 +26,7 @@ import rsal.system.RobotSystemProvider;
 /// @param seed all randomness of the run comes from it
 /// @param mapName what the scenario calls its map or world
 /// @param scene where it takes place
+/// @param things that are put into the world
 /// @param agents in the order in which they start
 /// @param communication its limits; empty when everybody hears everything
 /// @param faults what goes wrong
@@ -44,6 +45,7 @@ public record RunPlan(
         Mas mas,
         Clock clock,
         List<PlannedRobot> robots,
+        List<PlannedThings> things,
         List<PlannedAgent> agents,
         Optional<Communication> communication,
         List<PlannedFault> faults,
@@ -54,6 +56,7 @@ public record RunPlan(
     public RunPlan {
         arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
         robots = List.copyOf(robots);
+        things = List.copyOf(things);
         agents = List.copyOf(agents);
         faults = List.copyOf(faults);
         stops = List.copyOf(stops);

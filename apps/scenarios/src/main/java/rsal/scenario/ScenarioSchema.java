@@ -121,6 +121,7 @@ public final class ScenarioSchema {
         return fields(
                 "world", world(partial),
                 "robots", named(robot(partial)),
+                "things", named(thing(partial)),
                 "agents", named(agent(partial)),
                 "mas", backEnd(partial, Format.DEFAULT_MAS, parameters(catalog.hosts(), AgentHostProvider::parameters)),
                 "mrs",
@@ -164,15 +165,6 @@ public final class ScenarioSchema {
     private Map<String, Object> robot(boolean partial) {
         var number = orReference(fields("type", "number"));
         var pose = fields("type", "array", "items", number, "minItems", 3, "maxItems", 3);
-        var free = group(
-                fields(
-                        "free", fields("const", true),
-                        "clearance", parameter(Format.CLEARANCE),
-                        "within",
-                                described(
-                                        fields("type", "array", "items", number, "minItems", 4, "maxItems", 4),
-                                        "Least x, least y, greatest x, greatest y [m].")),
-                List.of("free"));
         return group(
                 fields(
                         "count", parameter(Format.COUNT),
@@ -188,7 +180,7 @@ public final class ScenarioSchema {
                                         anyOf(List.of(
                                                 pose,
                                                 fields("type", "array", "items", pose, "minItems", 1),
-                                                partial ? fields("type", "object") : free)),
+                                                partial ? fields("type", "object") : free())),
                                         "Where they start: [x, y, degrees], a list of those, or somewhere free."),
                         "color",
                                 described(
@@ -196,6 +188,55 @@ public final class ScenarioSchema {
                                         "How people see them."),
                         "devices", devices(partial)),
                 partial ? List.of() : List.of("model"));
+    }
+
+    private static Map<String, Object> thing(boolean partial) {
+        var number = orReference(fields("type", "number"));
+        var pose = fields("type", "array", "items", number, "minItems", 3, "maxItems", 3);
+        var place = fields("type", "array", "items", number, "minItems", 2, "maxItems", 2);
+        return group(
+                fields(
+                        "count", parameter(Format.COUNT),
+                        "pose",
+                                described(
+                                        anyOf(List.of(
+                                                pose,
+                                                fields("type", "array", "items", pose, "minItems", 1),
+                                                partial ? fields("type", "object") : free())),
+                                        "Where they are: [x, y, degrees], a list of those, or somewhere free."),
+                        "body", described(fields("type", "object"), "A box, a disc, an outline, or pieces of those."),
+                        "color",
+                                described(
+                                        orReference(fields("type", "string", "pattern", "^#[0-9a-fA-F]{6}$")),
+                                        "As cameras see them."),
+                        "obstacle", parameter(Format.OBSTACLE),
+                        "grippable", parameter(Format.GRIPPABLE),
+                        "fiducial", parameter(Format.FIDUCIAL),
+                        "givingPower", parameter(Format.GIVING_POWER),
+                        "every", parameter(Format.COMES_EVERY),
+                        "depot",
+                                described(
+                                        group(
+                                                fields(
+                                                        "around", described(text(), "Where robots of a role start."),
+                                                        "at", fields("type", "array", "items", place, "minItems", 1),
+                                                        "radius", parameter(Format.DEPOT_RADIUS)),
+                                                List.of()),
+                                        "Where they are to be brought.")),
+                partial ? List.of() : List.of("pose", "body"));
+    }
+
+    private static Map<String, Object> free() {
+        var number = orReference(fields("type", "number"));
+        return group(
+                fields(
+                        "free", fields("const", true),
+                        "clearance", parameter(Format.CLEARANCE),
+                        "within",
+                                described(
+                                        fields("type", "array", "items", number, "minItems", 4, "maxItems", 4),
+                                        "Least x, least y, greatest x, greatest y [m].")),
+                List.of("free"));
     }
 
     private Map<String, Object> devices(boolean partial) {

@@ -58,6 +58,19 @@ public sealed interface Condition {
         }
     }
 
+    /// `allCollected(object)`: all that there are and that are still to come lie in their depot.
+    record AllCollected(String things) implements Condition {
+        @Override
+        public boolean holds(Facts facts) {
+            return facts.collected(things) >= facts.things(things);
+        }
+
+        @Override
+        public String toString() {
+            return "allCollected(" + things + ")";
+        }
+    }
+
     record And(Condition left, Condition right) implements Condition {
         @Override
         public boolean holds(Facts facts) {

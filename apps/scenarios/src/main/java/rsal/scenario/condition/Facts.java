@@ -39,6 +39,12 @@ public interface Facts {
     /// no such map in the frame of the world, or no truth to compare with.
     double explored();
 
+    /// How many things of a group there are and will be.
+    int things(String group);
+
+    /// How many things of a group lie in their depot, in truth.
+    int collected(String group);
+
     /// How many robots of a role draw a map and can still get to where it ends.
     int exploring(String role);
 }

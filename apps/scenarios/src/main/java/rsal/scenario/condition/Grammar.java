@@ -16,10 +16,11 @@ import rsal.settings.Suggestion;
 /// condition  = both {"or" both}
 /// both       = single {"and" single}
 /// single     = "not" single | "(" condition ")" | ("allCaught" | "allArrived") "(" role ")"
+///            | "allCollected" "(" things ")"
 ///            | quantity relation number
 /// quantity   = "time" | "collisions" | "wallCollisions" | "faults"
 ///            | "messages" | "heardMessages" | "lostMessages" | "explored"
-///            | ("caught" | "arrived" | "gone" | "exploring") "(" role ")"
+///            | ("caught" | "arrived" | "gone" | "exploring") "(" role ")" | "collected" "(" things ")"
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
 /// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
 ///            | function "(" signal ["(" role ")"] ")"
@@ -36,7 +37,7 @@ public final class Grammar {
     private static final List<String> QUANTITIES =
             Arrays.stream(Quantity.Kind.values()).map(Quantity.Kind::word).toList();
     private static final List<String> PREDICATES = Stream.of(
-                    List.of("allCaught", "allArrived"), QUANTITIES, List.of("not"))
+                    List.of("allCaught", "allArrived", "allCollected"), QUANTITIES, List.of("not"))
             .flatMap(List::stream)
             .toList();
     private static final List<String> MEASURES =
@@ -46,32 +47,46 @@ public final class Grammar {
 
     private final String text;
     private final Collection<String> roles;
+    private final Collection<String> things;
     private final Matcher matcher;
     private Token token;
     private int depth;
 
-    private Grammar(String text, Collection<String> roles) {
+    private Grammar(String text, Collection<String> roles, Collection<String> things) {
         if (text.length() > MAX_LENGTH) {
             throw new InvalidExpression(
                     MAX_LENGTH, "An expression may have %d characters at most.".formatted(MAX_LENGTH), "");
         }
         this.text = text;
         this.roles = roles;
+        this.things = things;
         this.matcher = TOKEN.matcher(text);
         this.token = read(0);
     }
 
-    /// @param roles of the scenario's robots
-    /// @throws InvalidExpression when the text is no condition or names another role
+    /// Of a scenario without things that are to be collected.
     public static Condition condition(String text, Collection<String> roles) {
-        var grammar = new Grammar(text, roles);
-        return grammar.whole(grammar.condition());
+        return condition(text, roles, List.of());
     }
 
     /// @param roles of the scenario's robots
-    /// @throws InvalidExpression when the text is no measure or names another role
+    /// @param things groups of things that have a depot
+    /// @throws InvalidExpression when the text is no condition or names another role or group
+    public static Condition condition(String text, Collection<String> roles, Collection<String> things) {
+        var grammar = new Grammar(text, roles, things);
+        return grammar.whole(grammar.condition());
+    }
+
+    /// Of a scenario without things that are to be collected.
     public static Measure measure(String text, Collection<String> roles) {
-        var grammar = new Grammar(text, roles);
+        return measure(text, roles, List.of());
+    }
+
+    /// @param roles of the scenario's robots
+    /// @param things groups of things that have a depot
+    /// @throws InvalidExpression when the text is no measure or names another role or group
+    public static Measure measure(String text, Collection<String> roles, Collection<String> things) {
+        var grammar = new Grammar(text, roles, things);
         return grammar.whole(grammar.measure());
     }
 
@@ -117,6 +132,9 @@ public final class Grammar {
             if (takes("allArrived")) {
                 return new Condition.AllArrived(role());
             }
+            if (takes("allCollected")) {
+                return new Condition.AllCollected(things());
+            }
             return comparison();
         } finally {
             depth--;
@@ -137,7 +155,13 @@ public final class Grammar {
     private Quantity quantity(List<String> known) {
         Quantity.Kind kind = word(Quantity.Kind.values(), Quantity.Kind::word)
                 .orElseThrow(() -> unknown("a condition or quantity", known));
-        return new Quantity(kind, kind.isOfRole() ? role() : "");
+        return new Quantity(
+                kind,
+                switch (kind.of()) {
+                    case RUN -> "";
+                    case ROLE -> role();
+                    case THINGS -> things();
+                });
     }
 
     private Measure measure() {
@@ -187,20 +211,27 @@ public final class Grammar {
     }
 
     private String role() {
+        return name("a role of robots", roles, "No robots have the role (%s).");
+    }
+
+    private String things() {
+        return name("what things are called", things, "No things that have a depot are called (%s).");
+    }
+
+    /// @param unknown a sentence about a word that is none of these
+    private String name(String what, Collection<String> known, String unknown) {
         take("(");
         if (token.kind != Kind.WORD) {
-            throw expected("a role of robots");
+            throw expected(what);
         }
-        if (!roles.contains(token.text)) {
+        if (!known.contains(token.text)) {
             throw new InvalidExpression(
-                    token.start,
-                    "No robots have the role (%s).".formatted(token.text),
-                    Suggestion.among(token.text, roles));
+                    token.start, unknown.formatted(token.text), Suggestion.among(token.text, known));
         }
-        String role = token.text;
+        String name = token.text;
         token = read(token.end);
         take(")");
-        return role;
+        return name;
     }
 
     private double number() {

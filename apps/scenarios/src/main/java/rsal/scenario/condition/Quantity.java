@@ -2,41 +2,49 @@ package rsal.scenario.condition;
 
 /// A number that a run has at any instant. As text it is as people write it: `time`, `caught(prey)`.
 ///
-/// @param role of robots; empty where the kind is of the whole run
-public record Quantity(Kind kind, String role) {
+/// @param whose a role of robots or a group of things; empty where the kind is of the whole run
+public record Quantity(Kind kind, String whose) {
     /// What there is to ask, in the order in which people are told.
     public enum Kind {
         /// [s]
-        TIME("time", false),
-        COLLISIONS("collisions", false),
-        WALL_COLLISIONS("wallCollisions", false),
-        CAUGHT("caught", true),
-        ARRIVED("arrived", true),
-        GONE("gone", true),
-        FAULTS("faults", false),
-        MESSAGES("messages", false),
-        HEARD_MESSAGES("heardMessages", false),
-        LOST_MESSAGES("lostMessages", false),
+        TIME("time", Of.RUN),
+        COLLISIONS("collisions", Of.RUN),
+        WALL_COLLISIONS("wallCollisions", Of.RUN),
+        CAUGHT("caught", Of.ROLE),
+        ARRIVED("arrived", Of.ROLE),
+        GONE("gone", Of.ROLE),
+        FAULTS("faults", Of.RUN),
+        MESSAGES("messages", Of.RUN),
+        HEARD_MESSAGES("heardMessages", Of.RUN),
+        LOST_MESSAGES("lostMessages", Of.RUN),
         /// Share of the reachable floor, 0 to 1; NaN while no robot tells a map.
-        EXPLORED("explored", false),
-        EXPLORING("exploring", true);
+        EXPLORED("explored", Of.RUN),
+        EXPLORING("exploring", Of.ROLE),
+        COLLECTED("collected", Of.THINGS);
 
         private final String word;
-        private final boolean ofRole;
+        private final Of of;
 
-        Kind(String word, boolean ofRole) {
+        Kind(String word, Of of) {
             this.word = word;
-            this.ofRole = ofRole;
+            this.of = of;
         }
 
         public String word() {
             return word;
         }
 
-        /// Whether each role has its own.
-        public boolean isOfRole() {
-            return ofRole;
+        /// What has its own.
+        public Of of() {
+            return of;
         }
+    }
+
+    /// What has a quantity.
+    public enum Of {
+        RUN,
+        ROLE,
+        THINGS
     }
 
     public double of(Facts facts) {
@@ -44,20 +52,21 @@ public record Quantity(Kind kind, String role) {
             case TIME -> facts.time();
             case COLLISIONS -> facts.collisions();
             case WALL_COLLISIONS -> facts.wallCollisions();
-            case CAUGHT -> facts.caught(role);
-            case ARRIVED -> facts.arrived(role);
-            case GONE -> facts.gone(role);
+            case CAUGHT -> facts.caught(whose);
+            case ARRIVED -> facts.arrived(whose);
+            case GONE -> facts.gone(whose);
             case FAULTS -> facts.faults();
             case MESSAGES -> facts.messages();
             case HEARD_MESSAGES -> facts.heardMessages();
             case LOST_MESSAGES -> facts.lostMessages();
             case EXPLORED -> facts.explored();
-            case EXPLORING -> facts.exploring(role);
+            case EXPLORING -> facts.exploring(whose);
+            case COLLECTED -> facts.collected(whose);
         };
     }
 
     @Override
     public String toString() {
-        return kind.ofRole ? kind.word + "(" + role + ")" : kind.word;
+        return kind.of == Of.RUN ? kind.word : kind.word + "(" + whose + ")";
     }
 }

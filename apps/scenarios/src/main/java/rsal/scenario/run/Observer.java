@@ -57,6 +57,7 @@ final class Observer implements Facts {
     private long heardMessages;
     private long lostMessages;
     private Set<String> gone = Set.of(); // robots
+    private final Depots depots;
     private final Mapped mapped;
     private final boolean asksForShare;
     private final Map<String, Stamped<OccupancyGrid>> maps = new LinkedHashMap<>(); // of the world, by robot
@@ -76,6 +77,7 @@ final class Observer implements Facts {
                 exploring.put(robot.spec().id(), true); // even before it is there
             }
         }
+        this.depots = new Depots(plan.things(), journal);
         this.mapped = new Mapped(plan.map(), radius(plan));
         this.asksForShare = Stream.concat(
                         plan.stops().stream().map(RunPlan.Stop::when),
@@ -97,6 +99,9 @@ final class Observer implements Facts {
     /// @return how the run ends, if it is over
     Optional<String> look(Optional<SimulationControl> simulation, Map<String, Robot> robots) {
         simulation.ifPresent(truth -> noteContacts(truth.contacts()));
+        if (depots.areThere()) {
+            simulation.ifPresent(truth -> depots.look(truth.things()));
+        }
         records.forEach((id, own) -> {
             simulation.flatMap(truth -> truth.truth(id)).ifPresent(mapFromBase -> noteTruth(own, mapFromBase));
             Optional.ofNullable(robots.get(id))
@@ -311,6 +316,19 @@ final class Observer implements Facts {
     @Override
     public double explored() {
         return mapped.share(maps.values());
+    }
+
+    @Override
+    public int things(String group) {
+        return plan.things().stream()
+                .filter(things -> things.name().equals(group))
+                .mapToInt(things -> things.each().size())
+                .sum();
+    }
+
+    @Override
+    public int collected(String group) {
+        return depots.collected(group);
     }
 
     @Override

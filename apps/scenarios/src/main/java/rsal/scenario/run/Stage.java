@@ -82,6 +82,7 @@ final class Stage implements AutoCloseable {
         }
         system.onChange(this::changed);
         agents.gather(system.simulation());
+        system.simulation().ifPresent(new Arrivals(plan, scheduler, journal)::begin);
         faults.begin();
         plan.agents().forEach(agents::start);
         journal.event(

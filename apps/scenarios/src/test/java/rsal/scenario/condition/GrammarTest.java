@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class GrammarTest {
     private static final List<String> ROLES = List.of("prey", "hunter", "fast-prey");
+    private static final List<String> THINGS = List.of("can", "cup");
 
     /// After 100 s one of two prey is caught, and there were 3 touches, 1 of a wall.
     private static final Facts FACTS = new Facts() {
@@ -39,6 +40,16 @@ class GrammarTest {
         @Override
         public int exploring(String role) {
             return 1;
+        }
+
+        @Override
+        public int things(String group) {
+            return 5;
+        }
+
+        @Override
+        public int collected(String group) {
+            return group.equals("cup") ? 5 : 4;
         }
 
         @Override
@@ -106,6 +117,9 @@ class GrammarTest {
         "lostMessages < 50, false",
         "explored > 0.96, true",
         "exploring(hunter) == 0, false",
+        "collected(can) == 4, true",
+        "allCollected(can), false",
+        "allCollected(cup), true",
         "allCaught(prey), false",
         "allCaught(fast-prey), true",
         "not allCaught(prey), true",
@@ -118,7 +132,7 @@ class GrammarTest {
         "'  time>99and(  collisions>2 )  ', true",
     })
     void saysWhatHolds(String text, boolean holds) {
-        assertThat(Grammar.condition(text, ROLES).holds(FACTS)).isEqualTo(holds);
+        assertThat(Grammar.condition(text, ROLES, THINGS).holds(FACTS)).isEqualTo(holds);
     }
 
     @ParameterizedTest
@@ -127,6 +141,8 @@ class GrammarTest {
                 "firstTime(allCaught(prey) and time > 10)",
                 "count(collisions)",
                 "count(caught(prey))",
+                "count(collected(can))",
+                "firstTime(allCollected(can))",
                 "distance",
                 "distance(hunter)",
                 "p95(poseError)",
@@ -134,7 +150,7 @@ class GrammarTest {
                 "mean(captureDistance)",
             })
     void readsMeasuresAsTheyAreWritten(String text) {
-        assertThat(Grammar.measure(text, ROLES)).hasToString(text);
+        assertThat(Grammar.measure(text, ROLES, THINGS)).hasToString(text);
     }
 
     @ParameterizedTest
