@@ -1,0 +1,76 @@
+package rsal.scenario.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Point2d;
+import rsal.device.SimulationControl.Standing;
+import rsal.scenario.PlannedThings;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+
+@Timeout(600)
+class FindAndCollectIT {
+    private static final Scenario SCENARIO = Scenario.load("find-and-collect");
+
+    /// @param cans where they lie at the end
+    private record Collection(RunPlan plan, RunResult result, List<RunEvent> events, List<Standing> cans) {
+        double measure(String name) {
+            return result.measures().get(name).getAsDouble();
+        }
+
+        /// What agents said that they had collected.
+        long said() {
+            return events.stream()
+                    .filter(event ->
+                            event.kind().equals("message") && event.text().startsWith("Collected["))
+                    .count();
+        }
+    }
+
+    private static Collection collect(String configuration, long seed) {
+        var options =
+                RunOptions.NONE.withConfiguration(configuration).withSeed(seed).withSpeed(Double.POSITIVE_INFINITY);
+        RunPlan plan = SCENARIO.plan(options);
+        try (var run = LiveRun.start(plan)) {
+            var result = run.result()
+                    .toCompletableFuture()
+                    .orTimeout(300, TimeUnit.SECONDS)
+                    .join();
+            List<Standing> cans = run.snapshot().things().stream()
+                    .filter(thing -> thing.name().startsWith("can"))
+                    .toList();
+            return new Collection(plan, result, run.events(0), cans);
+        }
+    }
+
+    /// All cans lie in a depot, and there was nothing of them before.
+    private static void assertTidy(Collection collection) {
+        long seed = collection.result.seed();
+        PlannedThings cans = collection.plan.things().getFirst();
+        assertThat(collection.result.outcome()).as("seed %d", seed).isEqualTo("success");
+        assertThat(collection.cans).as("seed %d", seed).hasSameSizeAs(cans.each());
+        for (Standing can : collection.cans) {
+            Point2d place = can.mapFromThing().position();
+            assertThat(can.height()).as("%s, seed %d", can.name(), seed).isZero();
+            assertThat(cans.depot().orElseThrow().holds(place, 0))
+                    .as("%s at %s, seed %d", can.name(), place, seed)
+                    .isTrue();
+        }
+        assertThat(collection.measure("wallCollisions")).as("seed %d", seed).isZero();
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void everyCanLiesInADepotAtTheEnd(long seed) {
+        Collection rooms = collect("four-rooms", seed);
+        assertTidy(rooms);
+        assertThat(rooms.measure("collisions")).isZero();
+        assertThat(rooms.said()).isLessThanOrEqualTo(rooms.cans.size());
+    }
+}
