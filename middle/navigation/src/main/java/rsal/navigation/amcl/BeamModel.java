@@ -14,6 +14,7 @@ public final class BeamModel implements SensorModel {
     private static final double SHORT_DECAY = 0.3; // λ_short in the book, 1/m
     private static final double FARTHEST = 4; // deviations
     private static final double SIDE_RAY = 0.35; // of the cone, from its middle
+    private static final double SMALL = 1e-100; // far from what a number can hold
 
     private final DistanceField toOccupied;
     private final double deviation;
@@ -31,25 +32,38 @@ public final class BeamModel implements SensorModel {
     public double log(Beams beams, double x, double y, double theta) {
         double cos = Math.cos(theta);
         double sin = Math.sin(theta);
-        double cone = beams.cone();
+        double sideCos = Math.cos(SIDE_RAY * beams.cone());
+        double sideSin = Math.sin(SIDE_RAY * beams.cone());
         double sum = 0;
+        double product = 1; // of likelihoods whose logarithms are not yet in the sum
         for (int i = 0; i < beams.count(); i++) {
             double dx = beams.x()[i] - beams.originX()[i];
             double dy = beams.y()[i] - beams.originY()[i];
             double measured = Math.sqrt(dx * dx + dy * dy);
             double fromX = x + cos * beams.originX()[i] - sin * beams.originY()[i];
             double fromY = y + sin * beams.originX()[i] + cos * beams.originY()[i];
-            double direction = theta + Math.atan2(dy, dx);
-            double limit = measured + FARTHEST * deviation;
-            double expected = toOccupied.firstHit(fromX, fromY, direction, limit);
-            if (cone > 0) {
-                double left = toOccupied.firstHit(fromX, fromY, direction + SIDE_RAY * cone, limit);
-                double right = toOccupied.firstHit(fromX, fromY, direction - SIDE_RAY * cone, limit);
+            double toX = (cos * dx - sin * dy) / measured;
+            double toY = (sin * dx + cos * dy) / measured;
+            double expected = toOccupied.firstHit(fromX, fromY, toX, toY, measured + FARTHEST * deviation);
+            if (beams.cone() > 0) {
+                double nearer = Math.min(expected, measured + FARTHEST * deviation); // farther ones do not count
+                double left = toOccupied.firstHit(
+                        fromX, fromY, sideCos * toX - sideSin * toY, sideSin * toX + sideCos * toY, nearer);
+                double right = toOccupied.firstHit(
+                        fromX,
+                        fromY,
+                        sideCos * toX + sideSin * toY,
+                        sideCos * toY - sideSin * toX,
+                        Math.min(nearer, left));
                 expected = Math.min(expected, Math.min(left, right));
             }
-            sum += Math.log(likelihood(measured, expected));
+            product *= likelihood(measured, expected);
+            if (product < SMALL) {
+                sum += Math.log(product);
+                product = 1;
+            }
         }
-        return sum;
+        return sum + Math.log(product);
     }
 
     /// Below 1, and never less than the share of random readings.

@@ -11,6 +11,7 @@ public final class DistanceField {
     private final double resolution;
     private final double originX;
     private final double originY;
+    private final double cellsPerMeter;
     private final float[] meters;
 
     private DistanceField(OccupancyGrid map, float[] meters) {
@@ -19,6 +20,7 @@ public final class DistanceField {
         this.resolution = map.resolution();
         this.originX = map.originX();
         this.originY = map.originY();
+        this.cellsPerMeter = 1 / map.resolution();
         this.meters = meters;
     }
 
@@ -80,14 +82,23 @@ public final class DistanceField {
     }
 
     private double ray(double x, double y, double cos, double sin, double limit) {
+        float[] field = meters; // the compiler would look it up again after each step
         double slack = resolution * Math.sqrt(2);
+        double least = resolution / 2;
+        double column = (x - originX) * cellsPerMeter;
+        double row = (y - originY) * cellsPerMeter;
+        double columns = cos * cellsPerMeter; // per m
+        double rows = sin * cellsPerMeter;
         double range = 0;
         while (range < limit) {
-            double free = at(x + cos * range, y + sin * range);
-            if (free < resolution / 2) {
+            double c = column + columns * range;
+            double r = row + rows * range;
+            boolean isOnMap = c >= 0 && c < width && r >= 0 && r < height;
+            double free = isOnMap ? field[((int) r) * width + (int) c] : 0;
+            if (free < least) {
                 return range;
             }
-            range += Math.max(free - slack, resolution / 2);
+            range += Math.max(free - slack, least);
         }
         return limit;
     }
@@ -95,8 +106,14 @@ public final class DistanceField {
     /// How far the first cell is that is hit from a place in a direction [m], found as by [#castRay]: +∞ when none is
     /// within `limit` or the map ends before it, 0 when the place itself is outside the map.
     public double firstHit(double x, double y, double direction, double limit) {
-        double cos = Math.cos(direction);
-        double sin = Math.sin(direction);
+        return firstHit(x, y, Math.cos(direction), Math.sin(direction), limit);
+    }
+
+    /// The same in the direction of a vector of length 1.
+    ///
+    /// @param cos of the direction
+    /// @param sin likewise
+    public double firstHit(double x, double y, double cos, double sin, double limit) {
         double range = ray(x, y, cos, sin, limit);
         return range == 0 || (range < limit && contains(x + cos * range, y + sin * range))
                 ? range
