@@ -109,8 +109,8 @@ public final class Amcl {
     private final Refinement refinement;
     private final Rivals rivals;
     private final PoseBins bins;
-    private final Clusters clusters;
-    private final double[] logs;
+    private final Clusters clusters = new Clusters();
+    private double[] logs = {};
     private Particles particles;
     private Particles spare;
     private Pose2d odomFromBase = Pose2d.ORIGIN;
@@ -138,9 +138,7 @@ public final class Amcl {
         this.rivals = new Rivals(search, refinement, settings.independentBeams());
         this.particles = new Particles(settings.maxParticles());
         this.spare = new Particles(settings.maxParticles());
-        this.bins = new PoseBins(0.5, 36, settings.maxParticles());
-        this.clusters = new Clusters(settings.maxParticles());
-        this.logs = new double[settings.maxParticles()];
+        this.bins = new PoseBins(0.5, 36);
     }
 
     /// Starts again from a belief, drawn as KLD-sampling does: as many particles as the bins they fall into ask
@@ -387,6 +385,9 @@ public final class Amcl {
         double beamWeight = Math.min(1, settings.independentBeams() / beams.count());
         SensorModel model = settings.model() == SensorModel.Kind.BEAM ? map.reaches : map.walls;
         double best = Double.NEGATIVE_INFINITY;
+        if (particles.count > logs.length) {
+            logs = new double[particles.x.length];
+        }
         for (int i = 0; i < particles.count; i++) {
             logs[i] = beamWeight * model.log(beams, particles.x[i], particles.y[i], particles.theta[i]);
             best = Math.max(best, logs[i]);

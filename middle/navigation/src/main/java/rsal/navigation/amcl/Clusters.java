@@ -16,20 +16,19 @@ final class Clusters {
     private static final int HEADINGS = 18;
     private static final int MOST = 10;
 
-    private final PoseBins bins;
-    private final int[] binOf;
-    private final int[] clusterOf;
-    private final int[] open;
-
-    Clusters(int capacity) {
-        bins = new PoseBins(BIN, HEADINGS, capacity);
-        binOf = new int[capacity];
-        clusterOf = new int[capacity];
-        open = new int[capacity];
-    }
+    private final PoseBins bins = new PoseBins(BIN, HEADINGS);
+    private int[] binOf = {};
+    private int[] clusterOf = {};
+    private int[] open = {};
 
     PoseEstimate estimate(Particles particles) {
         bins.clear();
+        if (particles.count > binOf.length) {
+            int room = particles.x.length;
+            binOf = new int[room];
+            clusterOf = new int[room];
+            open = new int[room];
+        }
         for (int i = 0; i < particles.count; i++) {
             binOf[i] = bins.add(particles.x[i], particles.y[i], particles.theta[i]);
         }

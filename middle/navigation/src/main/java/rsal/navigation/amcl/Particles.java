@@ -4,26 +4,43 @@ import java.util.Arrays;
 import rsal.data.ParticleCloud;
 
 /// Weighted poses in the map frame [m, rad], in flat arrays. Only the first `count` entries count; their weights
-/// sum to 1.
+/// sum to 1. The arrays grow when they have to: of a thousand robots hardly any needs as many as it may have.
 final class Particles {
-    final double[] x;
-    final double[] y;
-    final double[] theta;
-    final double[] weight;
+    private static final int FEW = 256;
+
+    private final int capacity;
+    double[] x;
+    double[] y;
+    double[] theta;
+    double[] weight;
     int count;
 
     Particles(int capacity) {
-        x = new double[capacity];
-        y = new double[capacity];
-        theta = new double[capacity];
-        weight = new double[capacity];
+        this.capacity = capacity;
+        int room = Math.min(FEW, capacity);
+        x = new double[room];
+        y = new double[room];
+        theta = new double[room];
+        weight = new double[room];
     }
 
+    /// How many there may be.
     int capacity() {
-        return x.length;
+        return capacity;
+    }
+
+    private void makeRoom() {
+        int room = Math.min(2 * x.length, capacity);
+        x = Arrays.copyOf(x, room);
+        y = Arrays.copyOf(y, room);
+        theta = Arrays.copyOf(theta, room);
+        weight = Arrays.copyOf(weight, room);
     }
 
     void add(double x, double y, double theta) {
+        if (count == this.x.length) {
+            makeRoom();
+        }
         this.x[count] = x;
         this.y[count] = y;
         this.theta[count] = theta;

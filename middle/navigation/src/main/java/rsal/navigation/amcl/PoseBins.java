@@ -3,28 +3,49 @@ package rsal.navigation.amcl;
 import java.util.Arrays;
 
 /// Counts how many bins of the pose space are in use, and numbers them in the order in which they came into use:
-/// a hash table of its own, so that nothing is allocated per particle.
+/// a hash table of its own, so that nothing is allocated per particle. It grows when it has to.
 final class PoseBins {
     static final int NONE = -1;
 
+    private static final int FEW = 64; // bins that there is room for at first
+    private static final int ROOM = 4; // places in the table for each of them; both powers of 2
+
     private final double binsPerMeter;
     private final int headings;
-    private final long[] keys;
-    private final int[] numbers;
-    private final int[] slots;
+    private long[] keys;
+    private int[] numbers;
+    private int[] slots;
     private int count;
 
     /// @param meters side of a bin
     /// @param headings bins of a full turn
-    /// @param capacity most bins that can be in use
-    PoseBins(double meters, int headings, int capacity) {
+    PoseBins(double meters, int headings) {
         this.binsPerMeter = 1 / meters;
         this.headings = headings;
-        int size = Integer.highestOneBit(Math.max(16, capacity)) * 4;
-        this.keys = new long[size];
-        this.numbers = new int[size];
-        this.slots = new int[capacity];
+        this.keys = new long[ROOM * FEW];
+        this.numbers = new int[ROOM * FEW];
+        this.slots = new int[FEW];
         Arrays.fill(numbers, NONE);
+    }
+
+    private void grow() {
+        long[] used = new long[count];
+        for (int i = 0; i < count; i++) {
+            used[i] = keys[slots[i]];
+        }
+        keys = new long[2 * keys.length];
+        numbers = new int[keys.length];
+        slots = new int[2 * slots.length];
+        Arrays.fill(numbers, NONE);
+        for (int i = 0; i < count; i++) {
+            put(slot(used[i]), used[i], i);
+        }
+    }
+
+    private void put(int slot, long key, int number) {
+        keys[slot] = key;
+        numbers[slot] = number;
+        slots[number] = slot;
     }
 
     int count() {
@@ -47,9 +68,11 @@ final class PoseBins {
                 Math.min(heading, headings - 1));
         int slot = slot(key);
         if (numbers[slot] == NONE) {
-            keys[slot] = key;
-            numbers[slot] = count;
-            slots[count++] = slot;
+            if (count == slots.length) {
+                grow();
+                slot = slot(key);
+            }
+            put(slot, key, count++);
         }
         return numbers[slot];
     }

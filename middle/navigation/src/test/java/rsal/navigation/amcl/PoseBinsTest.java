@@ -13,7 +13,7 @@ class PoseBinsTest {
     @ValueSource(longs = {1, 2, 3})
     void countsAsASetOfRoundedPosesDoes(long seed) {
         var random = new SplittableRandom(seed);
-        var bins = new PoseBins(0.5, 36, 2000);
+        var bins = new PoseBins(0.5, 36);
         for (int round = 0; round < 3; round++) {
             bins.clear();
             var expected = new LinkedHashSet<List<Long>>();
@@ -32,7 +32,7 @@ class PoseBinsTest {
     @ParameterizedTest
     @ValueSource(doubles = {-3.0, 0.2, 3.0})
     void headingsMeetBehind(double x) {
-        var bins = new PoseBins(0.5, 36, 10);
+        var bins = new PoseBins(0.5, 36);
         int first = bins.add(x, -1, -Math.PI + 0.01);
         int second = bins.add(x + 0.5, -1, Math.PI - 0.01);
         assertThat(bins.neighbor(first, 1, 0, -1)).isEqualTo(second);
