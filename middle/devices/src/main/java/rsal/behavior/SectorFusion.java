@@ -92,7 +92,13 @@ public final class SectorFusion {
         float[] ranges = nothing();
         laser.ifPresent(scan -> look(scan, ranges));
         float[] seen = ranges.clone();
-        sonars.ifPresent(round -> listen(round, seen, ranges));
+        sonars.ifPresent(round -> {
+            if (laser.isPresent()) {
+                listen(round, seen, ranges);
+            } else {
+                listen(round, ranges);
+            }
+        });
         recall(now, odomFromBase, ranges);
         remember(now, odomFromBase, seen);
         return new Surroundings(ranges);
@@ -156,9 +162,28 @@ public final class SectorFusion {
         }
     }
 
+    /// Without a laser, all counts that sonars hear.
+    private void listen(RangeArray round, float[] ranges) {
+        double cone = CONE * round.fieldOfView();
+        int steps = steps(cone);
+        for (int i = 0; i < round.count(); i++) {
+            double range = measured(round.ranges()[i], round.rangeMin(), round.rangeMax());
+            Pose2d baseFromSonar = round.baseFromSensors().get(i);
+            for (int step = 0; step <= steps; step++) {
+                double direction = baseFromSonar.theta() + cone * ((double) step / steps - 0.5);
+                note(baseFromSonar, Math.cos(direction), Math.sin(direction), range, ranges);
+            }
+        }
+    }
+
+    /// In how many parts a cone is looked at, so that no sector in it is missed.
+    private static int steps(double cone) {
+        return Math.max(1, (int) Math.ceil(cone / Surroundings.WIDTH * 2));
+    }
+
     private void listen(RangeArray round, float[] seen, float[] ranges) {
         double cone = CONE * round.fieldOfView();
-        int steps = Math.max(1, (int) Math.ceil(cone / Surroundings.WIDTH * 2));
+        int steps = steps(cone);
         for (int i = 0; i < round.count(); i++) {
             double range = measured(round.ranges()[i], round.rangeMin(), round.rangeMax());
             Pose2d baseFromSonar = round.baseFromSensors().get(i);
