@@ -5,7 +5,7 @@ import rsal.data.OccupancyGrid;
 
 /// A map of caves, the same each time: noise that a cellular automaton smooths, of which a cell is wall when most
 /// around it are (Johnson, Yannakakis and Togelius, Cellular automata for real-time generation of infinite cave
-/// levels, 2010), enlarged to fine cells.
+/// levels, 2010), enlarged to fine cells. Nothing leads out of them.
 public final class Cave {
     private static final double COARSE = 0.8; // [m]; halls get some meters wide
     private static final double WALLS_AT_FIRST = 0.44;
@@ -24,7 +24,9 @@ public final class Cave {
             for (int column = 0; column < fine; column++) {
                 double x = (column + 0.5) * coarse / fine - 0.5;
                 double y = (row + 0.5) * coarse / fine - 0.5;
-                cells[row * fine + column] = density(rock, x, y) > 0.5 ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+                boolean edge = row == 0 || column == 0 || row == fine - 1 || column == fine - 1;
+                cells[row * fine + column] =
+                        edge || density(rock, x, y) > 0.5 ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
             }
         }
         return new OccupancyGrid(fine, fine, resolution, -side / 2, -side / 2, cells);
