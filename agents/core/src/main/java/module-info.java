@@ -23,6 +23,7 @@ module rsal.agents {
             rsal.agents.Explore.Type,
             rsal.agents.Follow.Type,
             rsal.agents.Nav.Type,
+            rsal.agents.Swarm.Type,
             rsal.agents.View.Type,
             rsal.agents.Roamer.WallFollow,
             rsal.agents.Roamer.Wander;
