@@ -1,8 +1,10 @@
 /// How fast RSAL is on this machine, area by area. Robot systems it asks through the middle layer's contracts, as
-/// agents and scenarios do, and knows nothing of what is behind them; navigation's algorithms it calls.
+/// agents and scenarios do, and knows nothing of what is behind them; navigation's algorithms it calls, and scenarios
+/// it runs.
 module rsal.bench {
     requires transitive rsal.devices;
     requires rsal.navigation;
+    requires rsal.scenarios;
     requires jdk.management; // time of the processor, bytes allocated
     requires static org.jspecify;
 
