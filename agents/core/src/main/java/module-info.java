@@ -24,7 +24,9 @@ module rsal.agents {
             rsal.agents.Follow.Type,
             rsal.agents.Nav.Type,
             rsal.agents.Swarm.Type,
+            rsal.agents.Patrol.Type,
             rsal.agents.View.Type,
             rsal.agents.Roamer.WallFollow,
-            rsal.agents.Roamer.Wander;
+            rsal.agents.Roamer.Wander,
+            rsal.agents.WorkerAgent.Type;
 }

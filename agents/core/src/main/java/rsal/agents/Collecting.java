@@ -52,7 +52,7 @@ final class Collecting {
     private final Robot robot;
     private final Reporter reporter;
     private final Driver driver;
-    private final Ways ways;
+    private final PlannedWays ways;
     private final int mostWaiting;
     private final double depotRadius;
     private List<Point2d> depots;
@@ -67,7 +67,7 @@ final class Collecting {
         this.robot = robot;
         this.reporter = reporter;
         this.driver = new Driver(self, robot.require(Navigator.class));
-        this.ways = new Ways(robot.find(Planner.class));
+        this.ways = new PlannedWays(robot.find(Planner.class));
         this.mostWaiting = arguments.integer(QUEUE.name());
         this.depotRadius = arguments.number(DEPOT_RADIUS.name());
         this.depots = arguments.places(DEPOT.name());

@@ -50,7 +50,7 @@ final class Lookouts {
     private final Errands errands;
     private final Pilot pilot;
     private final PlaceFinder finder;
-    private final Ways ways;
+    private final PlannedWays ways;
     private final List<Point2d> left = new ArrayList<>(); // to be looked from in this round
     private final Map<String, Point2d> others = new HashMap<>(); // where they are about to look, by robot
     private List<Point2d> places = List.of();
@@ -65,7 +65,7 @@ final class Lookouts {
         this.errands = new Errands(self, robot.id(), driver, this::pause, this::next);
         this.pilot = robot.require(Pilot.class);
         this.finder = robot.require(PlaceFinder.class);
-        this.ways = new Ways(robot.find(Planner.class));
+        this.ways = new PlannedWays(robot.find(Planner.class));
         self.atEnd(pilot::release);
     }
 

@@ -19,10 +19,10 @@ final class Travel {
     static final Capability CAPABILITY = Capability.of("way-costs");
 
     private final AgentContext self;
-    private final Ways ways;
+    private final PlannedWays ways;
     private final Reporter reporter;
 
-    private Travel(AgentContext self, Ways ways, Reporter reporter) {
+    private Travel(AgentContext self, PlannedWays ways, Reporter reporter) {
         this.self = self;
         this.ways = ways;
         this.reporter = reporter;
@@ -37,7 +37,7 @@ final class Travel {
     static void begin(AgentContext self, Robot robot, Reporter reporter) {
         Optional<Planner> planner = robot.find(Planner.class);
         planner.ifPresent(_ -> {
-            var travel = new Travel(self, new Ways(planner), reporter);
+            var travel = new Travel(self, new PlannedWays(planner), reporter);
             service(self).answer(travel::answer);
             self.offer(CAPABILITY);
         });

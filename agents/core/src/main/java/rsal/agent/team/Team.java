@@ -155,6 +155,8 @@ public final class Team {
                 entries.remove(entry.job.name(), entry);
                 onEvent.accept(new Event.Done(entry.job, member, report));
             }
+            case Ending.Failed<String>(String why)
+            when why.startsWith(Worker.UNFIT) -> onEvent.accept(new Event.Returned(entry.job, member, why));
             case Ending.Failed<String>(String why) -> failed(member, entry, why);
             case Ending.Refused<String>(String why) -> failed(member, entry, why);
             case Ending.NotUnderstood<String>(String why) -> failed(member, entry, why);

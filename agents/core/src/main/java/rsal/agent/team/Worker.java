@@ -20,6 +20,9 @@ import rsal.data.Pose2d;
 
 /// A member's side of a team: tells what jobs would cost it, and does one at a time. On the agent's lane.
 public final class Worker {
+    /// Begins why a job is given back that another, or the same one later, can do as well as before.
+    static final String UNFIT = "Not fit for it now: ";
+
     private static final String NAME = "work";
 
     private final AgentContext self;
@@ -74,7 +77,7 @@ public final class Worker {
     public void unfit(String why) {
         unfit = Optional.of(why);
         if (current != null) {
-            current.fail(why);
+            current.fail(UNFIT + why);
         }
     }
 

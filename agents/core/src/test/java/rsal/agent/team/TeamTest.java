@@ -220,8 +220,9 @@ class TeamTest {
         walkers.get("amy").worker.unfit("charging");
         run.advance(100);
         assertThat(log).containsExactly("amy begins a", "amy ends a");
+        assertThat(team.jobs().getFirst().failures()).isZero();
         walkers.get("amy").worker.fit();
-        run.advance(100);
+        run.advance(16);
         assertThat(team.jobs()).isEmpty();
     }
 

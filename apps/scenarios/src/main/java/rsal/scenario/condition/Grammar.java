@@ -192,7 +192,7 @@ public final class Grammar {
                         Arrays.stream(Measure.Signal.values())
                                 .map(Measure.Signal::word)
                                 .toList()));
-        var role = maybeRole();
+        Optional<String> role = signal.isOfRobots() ? maybeRole() : Optional.empty();
         take(")");
         return new Measure.Statistic(function, signal, role);
     }

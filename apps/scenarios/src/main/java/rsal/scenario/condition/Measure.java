@@ -47,7 +47,7 @@ public sealed interface Measure {
     record Statistic(Function function, Signal signal, Optional<String> role) implements Measure {
         @Override
         public boolean canBePerRobot() {
-            return true;
+            return signal.isOfRobots();
         }
 
         @Override
@@ -80,13 +80,15 @@ public sealed interface Measure {
         }
     }
 
-    /// What robots have samples of.
+    /// What there are samples of.
     enum Signal {
         /// Distance between where a robot really is and where its localizer says it is, at each of the
         /// localizer's readings [m].
         POSE_ERROR("poseError"),
         /// Real distance between a prey and the robot that it says caught it, once per prey, when it says so [m].
-        CAPTURE_DISTANCE("captureDistance");
+        CAPTURE_DISTANCE("captureDistance"),
+        /// For how long nobody has been at a place that is watched, once a second for each place [s].
+        IDLE_TIME("idleTime");
 
         private final String word;
 
@@ -96,6 +98,11 @@ public sealed interface Measure {
 
         public String word() {
             return word;
+        }
+
+        /// Whether each robot has samples of its own.
+        public boolean isOfRobots() {
+            return this != IDLE_TIME;
         }
     }
 }

@@ -18,6 +18,8 @@ import rsal.agent.message.Hello;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
+import rsal.agent.message.Visited;
+import rsal.agent.message.Watch;
 import rsal.agent.protocol.Act;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -165,6 +167,14 @@ final class Agents implements AutoCloseable {
             case Caught caught -> {
                 journal.event("caught", message.sender(), words);
                 observer.heard(caught, simulation);
+            }
+            case Watch watch -> {
+                journal.event("message", message.sender(), words);
+                observer.heard(watch);
+            }
+            case Visited visited -> {
+                journal.event("message", message.sender(), words);
+                observer.heard(visited, simulation);
             }
             case Act act
             when !conversations.isNew(message.sender(), message.to(), act) ->

@@ -20,6 +20,8 @@ import org.jspecify.annotations.Nullable;
 import rsal.agent.message.Caught;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
+import rsal.agent.message.Visited;
+import rsal.agent.message.Watch;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
@@ -58,6 +60,7 @@ final class Observer implements Facts {
     private long lostMessages;
     private Set<String> gone = Set.of(); // robots
     private final Depots depots;
+    private final Watched watched = new Watched();
     private final Mapped mapped;
     private final boolean asksForShare;
     private final Map<String, Stamped<OccupancyGrid>> maps = new LinkedHashMap<>(); // of the world, by robot
@@ -113,6 +116,7 @@ final class Observer implements Facts {
                     .ifPresent(mapper -> noteMap(id, mapper, simulation.flatMap(truth -> truth.truth(id))));
         });
         exploring.keySet().removeIf(robot -> started.contains(robot) && !robots.containsKey(robot));
+        watched.look(time());
         noteFirstTimes();
         return ending();
     }
@@ -202,6 +206,18 @@ final class Observer implements Facts {
         if (mapFromPrey.isPresent() && mapFromHunter.isPresent()) {
             prey.caught(mapFromPrey.get().distanceTo(mapFromHunter.get()));
         }
+    }
+
+    /// A team watches places.
+    void heard(Watch said) {
+        watched.watch(said.mapFromPlaces(), time());
+    }
+
+    /// A robot has been where its team watches. Counts when that is the truth.
+    void heard(Visited said, Optional<SimulationControl> simulation) {
+        simulation
+                .flatMap(truth -> truth.truth(said.robot()))
+                .ifPresent(mapFromBase -> watched.visit(said.mapFromPlace(), mapFromBase, time()));
     }
 
     /// Robots are sent somewhere.
@@ -376,10 +392,13 @@ final class Observer implements Facts {
                         ? OptionalDouble.of(
                                 from.stream().mapToDouble(RobotRecord::distance).sum())
                         : OptionalDouble.empty();
-            case Measure.Statistic statistic -> {
+            case Measure.Statistic(var function, var signal, var _) -> {
+                if (!signal.isOfRobots()) {
+                    yield watched.idleTimes().value(function);
+                }
                 var all = new Samples();
-                from.forEach(own -> all.addAll(own.samples(statistic.signal())));
-                yield all.value(statistic.function());
+                from.forEach(own -> all.addAll(own.samples(signal)));
+                yield all.value(function);
             }
         };
         boolean inBounds =

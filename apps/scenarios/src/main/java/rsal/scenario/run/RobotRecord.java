@@ -85,6 +85,7 @@ final class RobotRecord {
         return switch (signal) {
             case POSE_ERROR -> poseErrors;
             case CAPTURE_DISTANCE -> captureDistances;
+            case IDLE_TIME -> throw new IllegalArgumentException("Idle times are of places, not of robots.");
         };
     }
 

@@ -1,6 +1,8 @@
 package rsal.scenario.run;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import rsal.agent.Message;
 import rsal.agent.message.Caught;
 import rsal.agent.message.Chase;
@@ -10,7 +12,10 @@ import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
 import rsal.agent.message.Text;
+import rsal.agent.message.Visited;
+import rsal.agent.message.Watch;
 import rsal.agent.protocol.Act;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.Health;
@@ -40,10 +45,18 @@ final class Words {
                 String.format(
                         Locale.ROOT, "%s is caught by %s at %.2f m", caught.prey(), caught.hunter(), caught.distance());
             case Chase chase -> "%s goes for %s".formatted(chase.hunter(), chase.prey());
+            case Watch watch -> "We watch " + of(watch.mapFromPlaces());
+            case Visited visited -> "%s was at %s".formatted(visited.robot(), of(List.of(visited.mapFromPlace())));
             case Hello hello -> of(hello);
             case Text text -> text.words();
             default -> content.toString();
         };
+    }
+
+    private static String of(List<Point2d> places) {
+        return places.stream()
+                .map(place -> String.format(Locale.ROOT, "(%.2f, %.2f)", place.x(), place.y()))
+                .collect(Collectors.joining(", "));
     }
 
     private static String of(Hello hello) {

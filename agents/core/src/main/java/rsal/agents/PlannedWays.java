@@ -4,17 +4,27 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import rsal.agent.team.Ways;
 import rsal.data.Pose2d;
 import rsal.device.Planner;
 
-/// What ways cost. A way that ends near a place because the robot does not fit there leads nowhere: it would not be
-/// driven either.
-final class Ways {
+/// What ways cost by a robot's planner. A way that ends farther from a place than that, because the robot does not fit
+/// there, leads nowhere: it would not be driven either.
+final class PlannedWays implements Ways {
     private final Optional<Planner> planner;
+    private final double near;
 
+    /// Ways that lead to the place itself.
+    ///
     /// @param planner without one, ways are straight
-    Ways(Optional<Planner> planner) {
+    PlannedWays(Optional<Planner> planner) {
+        this(planner, 0);
+    }
+
+    /// @param near how far from a place a way may end [m]
+    PlannedWays(Optional<Planner> planner, double near) {
         this.planner = planner;
+        this.near = near;
     }
 
     /// Cost of a way from place to place [m, more where it is narrow]; +∞ where none leads.
@@ -28,12 +38,13 @@ final class Ways {
         return sum;
     }
 
-    CompletionStage<Double> cost(Pose2d mapFromStart, Pose2d mapFromGoal) {
+    @Override
+    public CompletionStage<Double> cost(Pose2d mapFromStart, Pose2d mapFromGoal) {
         if (planner.isEmpty()) {
             return CompletableFuture.completedStage(mapFromStart.distanceTo(mapFromGoal));
         }
         return planner.get().plan(mapFromStart, mapFromGoal).handle((result, _) -> switch (result) {
-            case Planner.Result.Found found when found.offGoal() == 0 -> found.cost();
+            case Planner.Result.Found found when found.offGoal() <= near -> found.cost();
             case null, default -> Double.POSITIVE_INFINITY;
         });
     }

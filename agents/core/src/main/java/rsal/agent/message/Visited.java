@@ -1,0 +1,11 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+import rsal.data.Point2d;
+
+/// A robot has been at a place that its team watches.
+///
+/// @param robot its id
+public record Visited(String robot, Point2d mapFromPlace) {
+    public static final Topic<Visited> TOPIC = new Topic<>("visited", Visited.class);
+}

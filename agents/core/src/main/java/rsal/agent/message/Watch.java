@@ -1,0 +1,17 @@
+package rsal.agent.message;
+
+import java.util.List;
+import rsal.agent.Topic;
+import rsal.data.Point2d;
+
+/// A team watches these places from now on, and none that were said before.
+public record Watch(List<Point2d> mapFromPlaces) {
+    public static final Topic<Watch> TOPIC = new Topic<>("watch", Watch.class);
+
+    public Watch {
+        mapFromPlaces = List.copyOf(mapFromPlaces);
+        if (!mapFromPlaces.stream().allMatch(place -> Double.isFinite(place.x()) && Double.isFinite(place.y()))) {
+            throw new IllegalArgumentException("Places to watch are somewhere, not at %s.".formatted(mapFromPlaces));
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package rsal.agents;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import rsal.agent.AgentContext;
+import rsal.data.BatteryState;
+import rsal.data.Pose2d;
+import rsal.device.Battery;
+import rsal.device.Navigator.Result;
+import rsal.device.Navigator.Tolerance;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Minds a robot's battery: takes it to a charger when it runs low, and gives it back when it is full. The nearest
+/// charger first, then, when it gets to none or is not charged there, the next. Without a battery or chargers it does
+/// nothing.
+final class Recharging {
+    static final Parameter CHARGERS = Parameter.places(
+            "chargers", "Where robots are charged; none when they are not. Whoever charges stands there.");
+    static final Parameter LOW =
+            Parameter.number("lowBattery", 0.3, 0, 1, "", "Share of its battery below which it goes to a charger.");
+    static final Parameter FULL =
+            Parameter.number("fullBattery", 0.9, 0, 1, "", "Share of its battery at which it goes on.");
+
+    static final List<Parameter> PARAMETERS = List.of(CHARGERS, LOW, FULL);
+
+    private static final Tolerance DOCKED = Tolerance.position(0.15);
+    private static final Duration LOOK = Duration.ofSeconds(5);
+
+    private final AgentContext self;
+    private final Driver driver;
+    private final Optional<Battery> battery;
+    private final Supplier<Optional<Pose2d>> mapFromBase;
+    private final List<Pose2d> mapFromChargers;
+    private final double low;
+    private final double full;
+    private final Runnable before;
+    private final Runnable after;
+    private final List<Pose2d> tried = new ArrayList<>();
+    private boolean charging;
+
+    /// @param before lets go of the robot; called when its battery is low
+    /// @param after takes it back; called when it is full
+    Recharging(
+            AgentContext self,
+            Robot robot,
+            Driver driver,
+            Supplier<Optional<Pose2d>> mapFromBase,
+            Arguments arguments,
+            Runnable before,
+            Runnable after) {
+        this.self = self;
+        this.driver = driver;
+        this.battery = robot.find(Battery.class);
+        this.mapFromBase = mapFromBase;
+        this.mapFromChargers = Words.poses(arguments.places(CHARGERS.name()));
+        this.low = arguments.number(LOW.name());
+        this.full = arguments.number(FULL.name());
+        this.before = before;
+        this.after = after;
+    }
+
+    void begin() {
+        if (!mapFromChargers.isEmpty()) {
+            battery.ifPresent(device -> self.subscribe(device, reading -> note(reading.value())));
+        }
+    }
+
+    boolean isCharging() {
+        return charging;
+    }
+
+    private void note(BatteryState state) {
+        if (!charging && state.level() < low) {
+            charging = true;
+            tried.clear();
+            before.run();
+            goToNext();
+        } else if (charging && state.level() >= full) {
+            charging = false;
+            driver.stop();
+            self.state("charged");
+            after.run();
+        }
+    }
+
+    private void goToNext() {
+        if (!charging) {
+            return;
+        }
+        if (tried.size() == mapFromChargers.size()) {
+            tried.clear();
+        }
+        Pose2d here = mapFromBase.get().orElse(Pose2d.ORIGIN);
+        Pose2d mapFromCharger = mapFromChargers.stream()
+                .filter(charger -> !tried.contains(charger))
+                .min(Comparator.comparingDouble(here::distanceTo))
+                .orElseThrow(); // not all are tried
+        tried.add(mapFromCharger);
+        self.state("going to the charger at " + Words.place(mapFromCharger));
+        driver.goTo(mapFromCharger, DOCKED, result -> arrived(mapFromCharger, result));
+    }
+
+    private void arrived(Pose2d mapFromCharger, Result result) {
+        if (!charging || result instanceof Result.Cancelled) {
+            return;
+        }
+        if (result instanceof Result.Reached) {
+            self.state("charging at " + Words.place(mapFromCharger));
+        }
+        self.scheduler().after(LOOK, this::lookWhetherItIsCharged);
+    }
+
+    private void lookWhetherItIsCharged() {
+        boolean fills = battery.flatMap(Battery::latest)
+                .filter(reading -> reading.value().charging() == BatteryState.Charging.CHARGING)
+                .isPresent();
+        if (fills) {
+            self.scheduler().after(LOOK, this::lookWhetherItIsCharged);
+        } else {
+            goToNext();
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package rsal.scenario.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+
+@Timeout(300)
+class PatrolIT {
+    private static final Scenario PATROL = Scenario.load("patrol");
+
+    private record Watch(RunResult result, List<RunEvent> events) {
+        double measure(String name) {
+            return result.measures().get(name).getAsDouble();
+        }
+
+        /// Those who were at a place after some time.
+        Set<String> guards(long after) {
+            var guards = new HashSet<String>();
+            events.stream()
+                    .filter(event ->
+                            event.text().startsWith("guard-") && event.text().contains(" was at "))
+                    .filter(event -> event.time().toSeconds() > after)
+                    .forEach(event -> guards.add(event.text().substring(0, "guard-1".length())));
+            return guards;
+        }
+    }
+
+    private static Watch watch(RunOptions options) {
+        try (var run = LiveRun.start(PATROL.plan(options.withSpeed(Double.POSITIVE_INFINITY)))) {
+            var result = run.result()
+                    .toCompletableFuture()
+                    .orTimeout(200, TimeUnit.SECONDS)
+                    .join();
+            return new Watch(result, run.events(0));
+        }
+    }
+
+    private static Watch watch(String configuration, long seed, long seconds) {
+        return watch(
+                RunOptions.NONE.withConfiguration(configuration).withSeed(seed).withLimit(Duration.ofSeconds(seconds)));
+    }
+
+    @Test
+    void noPlaceIsLeftAloneForLong() {
+        for (long seed = 1; seed <= 3; seed++) {
+            Watch watch = watch("virtual", seed, 400);
+            assertThat(watch.measure("collisions")).as("seed %d", seed).isZero();
+            assertThat(watch.measure("meanIdleTime")).as("seed %d", seed).isLessThan(110);
+            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(360);
+            assertThat(watch.guards(0)).as("seed %d", seed).hasSize(4);
+        }
+    }
+
+    @Test
+    void theOthersTakeOverWhenOneIsGoneAndMessagesAreLost() {
+        for (long seed = 1; seed <= 2; seed++) {
+            Watch watch = watch("faulty", seed, 700);
+            assertThat(watch.guards(0)).as("seed %d", seed).hasSize(4);
+            assertThat(watch.guards(220)).as("seed %d", seed).hasSize(3);
+            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(600);
+        }
+    }
+
+    @Test
+    void placesCanBeFound() {
+        Watch watch = watch("found", 1, 300);
+        assertThat(watch.guards(0)).hasSize(4);
+        assertThat(watch.events)
+                .filteredOn(event -> event.text().startsWith("We watch "))
+                .hasSize(1);
+    }
+}
