@@ -17,6 +17,7 @@ module rsal.agents {
     provides rsal.agent.AgentHostProvider with
             rsal.agent.plain.PlainHostProvider;
     provides rsal.agent.AgentType with
+            rsal.agents.Ceiling.Type,
             rsal.agents.Collect.Type,
             rsal.agents.Dispersion.Type,
             rsal.agents.Escape.Type,

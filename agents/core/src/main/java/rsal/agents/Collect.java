@@ -49,7 +49,15 @@ public final class Collect implements Agent {
 
         @Override
         public List<Parameter> parameters() {
-            return List.of(Reporter.PERIOD, Collecting.DEPOT, Collecting.DEPOT_RADIUS, Collecting.QUEUE);
+            return List.of(
+                    Reporter.PERIOD,
+                    Collecting.DEPOT,
+                    Collecting.DEPOT_RADIUS,
+                    Collecting.QUEUE,
+                    Recharging.CHARGERS,
+                    Recharging.LOW,
+                    Recharging.FULL,
+                    Recharging.RANGE);
         }
 
         @Override

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.Capability;
@@ -46,12 +47,15 @@ final class Collecting {
 
     private static final Duration SETTLING = Duration.ofSeconds(2);
     private static final Duration REPEAT = Duration.ofSeconds(4);
+    private static final String TOO_FAR = "No way leads there, or my battery would not last.";
     private static final double HANDLING = 6; // m that it could drive while it aims, grips and releases
 
     private final AgentContext self;
     private final Robot robot;
     private final Reporter reporter;
     private final Driver driver;
+    private final Recharging recharging;
+    private final double batteryRange;
     private final PlannedWays ways;
     private final int mostWaiting;
     private final double depotRadius;
@@ -67,6 +71,16 @@ final class Collecting {
         this.robot = robot;
         this.reporter = reporter;
         this.driver = new Driver(self, robot.require(Navigator.class));
+        this.recharging = new Recharging(
+                self,
+                robot,
+                driver,
+                reporter::mapFromBase,
+                arguments,
+                () -> current == null,
+                this::giveBack,
+                this::next);
+        this.batteryRange = arguments.number(Recharging.RANGE.name());
         this.ways = new PlannedWays(robot.find(Planner.class));
         this.mostWaiting = arguments.integer(QUEUE.name());
         this.depotRadius = arguments.number(DEPOT_RADIUS.name());
@@ -106,6 +120,7 @@ final class Collecting {
                 take(job);
             }
         });
+        recharging.begin();
         self.state("waiting to know where it stands");
         if (depots.isEmpty()) {
             self.scheduler().after(SETTLING, this::standHere);
@@ -141,29 +156,52 @@ final class Collecting {
     }
 
     private void asked(Asked<CollectGoal, Collected> asked) {
-        if (depots.isEmpty() || current != null) {
-            asked.refuse(current == null ? "I don't know my depot yet." : "I have something to do.");
+        if (depots.isEmpty() || recharging.isNeeded() || current != null) {
+            asked.refuse(depots.isEmpty() ? "I don't know my depot yet." : "I have something to do.");
             return;
         }
-        asked.agree();
-        Job job = job(asked.what(), asked::inform, asked::fail);
-        asked.whenUnwanted(() -> drop(job));
-        take(job);
+        cost(asked.what(), cost -> {
+            if (current != null || !(cost < recharging.reach(batteryRange))) {
+                asked.refuse(current == null ? TOO_FAR : "I have something to do.");
+                return;
+            }
+            asked.agree();
+            Job job = job(asked.what(), asked::inform, asked::fail);
+            asked.whenUnwanted(() -> drop(job));
+            take(job);
+        });
     }
 
     private void called(Call<CollectGoal, Bid> call) {
-        Optional<Pose2d> mapFromBase = reporter.mapFromBase();
-        if (depots.isEmpty() || mapFromBase.isEmpty()) {
-            call.refuse("I don't know where I am.");
+        if (depots.isEmpty()) {
+            call.refuse("I don't know my depot yet.");
+        } else if (recharging.isNeeded()) {
+            call.refuse("I must charge my battery.");
         } else if (jobs().stream().anyMatch(job -> job.goal.isSame(call.task()))) {
             call.refuse("I am about to collect it already.");
         } else if (current != null && waiting.size() >= mostWaiting) {
             call.refuse("I have enough to do.");
         } else {
-            List<Pose2d> route = route(mapFromBase.get(), call.task());
-            double handling = HANDLING * (1 + jobs().size());
-            ways.cost(route).thenAccept(cost -> self.scheduler().execute(() -> call.propose(new Bid(cost + handling))));
+            cost(call.task(), cost -> {
+                if (cost < recharging.reach(batteryRange)) {
+                    call.propose(new Bid(cost));
+                } else {
+                    call.refuse(TOO_FAR);
+                }
+            });
         }
+    }
+
+    /// What it costs until one thing more lies in its depot; told on the agent's lane.
+    private void cost(CollectGoal more, DoubleConsumer told) {
+        Optional<Pose2d> mapFromBase = reporter.mapFromBase();
+        if (mapFromBase.isEmpty()) {
+            told.accept(Double.POSITIVE_INFINITY);
+            return;
+        }
+        double handling = HANDLING * (1 + jobs().size());
+        ways.cost(route(mapFromBase.get(), more))
+                .thenAccept(way -> self.scheduler().execute(() -> told.accept(way + handling)));
     }
 
     /// From here through all that it has to do, and at last to one thing more and with it to the depot.
@@ -220,7 +258,7 @@ final class Collecting {
 
     private void next() {
         self.show("things waiting", Integer.toString(waiting.size()));
-        if (current != null || waiting.isEmpty()) {
+        if (current != null || waiting.isEmpty() || recharging.isNeeded()) {
             return;
         }
         Job job = waiting.remove();
@@ -235,6 +273,13 @@ final class Collecting {
         current = job;
         haul = begun;
         begun.begin();
+    }
+
+    /// What it has taken on, others may do while it charges its battery.
+    private void giveBack() {
+        List<Job> given = List.copyOf(waiting);
+        waiting.clear();
+        given.forEach(job -> job.failed.accept("I must charge my battery."));
     }
 
     private void ended(Job job, Optional<String> why) {

@@ -39,7 +39,7 @@ public final class Explore implements Agent {
         Robot robot = Body.of(self);
         var reporter = new Reporter(self, robot, arguments, _ -> {});
         reporter.begin();
-        var hiring = new Hiring(self, arguments.text(Hiring.ALLOTMENT.name()).equals("bid"));
+        var hiring = new Hiring(self, arguments);
         hiring.begin();
         var finds = new Finds(self, hiring);
         finds.begin();

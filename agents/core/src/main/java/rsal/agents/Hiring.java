@@ -19,6 +19,7 @@ import rsal.agent.protocol.ContractNet.Verdict;
 import rsal.agent.protocol.Ending;
 import rsal.agent.protocol.Request;
 import rsal.agents.Collecting.Bid;
+import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Has things collected by robots that can, and by another when one fails or falls silent. Either all are called and
@@ -55,9 +56,9 @@ final class Hiring {
         }
     }
 
-    Hiring(AgentContext self, boolean bids) {
+    Hiring(AgentContext self, Arguments arguments) {
         this.self = self;
-        this.bids = bids;
+        this.bids = arguments.text(ALLOTMENT.name()).equals("bid");
         this.requests = Collecting.requests(self);
         this.calls = Collecting.calls(self);
     }

@@ -29,13 +29,16 @@ import rsal.robot.Robot;
 import rsal.settings.Parameter;
 
 /// Has a robot go to places that are spread over the map and look all around at each, the nearest first by the way
-/// there, until it or others have been at all of them; then again. Goes to none where another is about to look. Errands
+/// there, until it or others have been at all of them; then at others. Goes to none where another is about to look.
+/// Errands
 /// come first.
 final class Lookouts {
     static final Parameter COUNT = Parameter.integer(
             "lookouts", 12, 1, 1000, "", "At how many places it looks around, when it roams between lookouts.");
 
     private static final double CLEARANCE = 0.45; // m
+    private static final int MORE = 3; // places
+    private static final Duration AGAIN = Duration.ofSeconds(1);
     private static final Tolerance THERE = Tolerance.position(0.4);
     private static final double SAME = 1.5; // m; places nearer to each other are seen from each other
     private static final Twist2d TURN = Twist2d.drive(0, Math.toRadians(45));
@@ -53,7 +56,8 @@ final class Lookouts {
     private final PlannedWays ways;
     private final List<Point2d> left = new ArrayList<>(); // to be looked from in this round
     private final Map<String, Point2d> others = new HashMap<>(); // where they are about to look, by robot
-    private List<Point2d> places = List.of();
+    private List<Point2d> places = List.of(); // of this round
+    private int rounds;
     private Subscription turning = () -> {};
 
     Lookouts(AgentContext self, Robot robot, Reporter reporter, int count) {
@@ -73,26 +77,39 @@ final class Lookouts {
         self.subscribe(Lookout.TOPIC, message -> note(message.content()));
         errands.begin();
         self.state("choosing lookouts");
-        self.scheduler().after(Duration.ofSeconds(1), this::findPlaces);
+        self.scheduler().after(AGAIN, this::findPlaces);
     }
 
+    /// In each round a few more than before, and so others: what none of them shows, some may show in the next.
     private void findPlaces() {
         Optional<Pose2d> mapFromBase = reporter.mapFromBase();
         if (mapFromBase.isEmpty()) {
-            self.scheduler().after(Duration.ofSeconds(1), this::findPlaces);
+            self.scheduler().after(AGAIN, this::findPlaces);
             return;
         }
-        finder.find(mapFromBase.get(), count, CLEARANCE)
+        finder.find(mapFromBase.get(), count + rounds * MORE, CLEARANCE)
                 .whenComplete((result, error) -> self.scheduler().execute(() -> {
                     switch (result) {
                         case PlaceFinder.Result.Found(List<Point2d> found) -> {
+                            rounds++;
                             places = found;
+                            left.addAll(found);
                             next();
                         }
-                        case PlaceFinder.Result.None(String why) -> self.state("has no lookouts: " + why);
+                        case PlaceFinder.Result.None(String why) -> noPlaces(why);
                         case null -> throw new IllegalStateException("Looking for lookouts failed.", error);
                     }
                 }));
+    }
+
+    /// There is no room for more: it begins with the first again.
+    private void noPlaces(String why) {
+        self.state("has no lookouts: " + why);
+        rounds = 0;
+        left.addAll(places);
+        if (!left.isEmpty()) {
+            next();
+        }
     }
 
     private void note(Lookout other) {
@@ -111,11 +128,12 @@ final class Lookouts {
 
     private void next() {
         Optional<Pose2d> mapFromBase = reporter.mapFromBase();
-        if (places.isEmpty() || mapFromBase.isEmpty() || errands.busy()) {
+        if (places.isEmpty() || errands.busy()) {
             return;
         }
-        if (left.isEmpty()) {
-            left.addAll(places);
+        if (left.isEmpty() || mapFromBase.isEmpty()) {
+            findPlaces();
+            return;
         }
         List<Point2d> free = left.stream()
                 .filter(place -> others.values().stream().noneMatch(other -> other.distanceTo(place) < SAME))

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import rsal.agent.AgentContext;
 import rsal.data.BatteryState;
@@ -17,8 +18,8 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Minds a robot's battery: takes it to a charger when it runs low, and gives it back when it is full. The nearest
-/// charger first, then, when it gets to none or is not charged there, the next. Without a battery or chargers it does
-/// nothing.
+/// charger first, then, when it gets to none or is not charged there, the next. It waits until the robot can leave what
+/// it does. Without a battery or chargers it does nothing.
 final class Recharging {
     static final Parameter CHARGERS = Parameter.places(
             "chargers", "Where robots are charged; none when they are not. Whoever charges stands there.");
@@ -27,8 +28,17 @@ final class Recharging {
     static final Parameter FULL =
             Parameter.number("fullBattery", 0.9, 0, 1, "", "Share of its battery at which it goes on.");
 
+    static final Parameter RANGE = Parameter.number(
+            "batteryRange",
+            150,
+            1,
+            1e6,
+            "m",
+            "How far it drives on a full battery, with all that it does meanwhile; what takes more it does not begin.");
+
     static final List<Parameter> PARAMETERS = List.of(CHARGERS, LOW, FULL);
 
+    private static final double SPARE = 0.1; // share of the battery that no plan may use
     private static final Tolerance DOCKED = Tolerance.position(0.15);
     private static final Duration LOOK = Duration.ofSeconds(5);
 
@@ -37,8 +47,9 @@ final class Recharging {
     private final Optional<Battery> battery;
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final List<Pose2d> mapFromChargers;
-    private final double low;
+    private final double least;
     private final double full;
+    private final BooleanSupplier canLeave;
     private final Runnable before;
     private final Runnable after;
     private final List<Pose2d> tried = new ArrayList<>();
@@ -54,12 +65,26 @@ final class Recharging {
             Arguments arguments,
             Runnable before,
             Runnable after) {
+        this(self, robot, driver, mapFromBase, arguments, () -> true, before, after);
+    }
+
+    /// @param canLeave whether the robot can go to a charger now
+    Recharging(
+            AgentContext self,
+            Robot robot,
+            Driver driver,
+            Supplier<Optional<Pose2d>> mapFromBase,
+            Arguments arguments,
+            BooleanSupplier canLeave,
+            Runnable before,
+            Runnable after) {
+        this.canLeave = canLeave;
         this.self = self;
         this.driver = driver;
         this.battery = robot.find(Battery.class);
         this.mapFromBase = mapFromBase;
         this.mapFromChargers = Words.poses(arguments.places(CHARGERS.name()));
-        this.low = arguments.number(LOW.name());
+        this.least = arguments.number(LOW.name());
         this.full = arguments.number(FULL.name());
         this.before = before;
         this.after = after;
@@ -75,8 +100,28 @@ final class Recharging {
         return charging;
     }
 
+    /// Whether the battery is being charged, or is so low that it must be.
+    boolean isNeeded() {
+        boolean low = battery.flatMap(Battery::latest)
+                .filter(reading -> reading.value().level() < least)
+                .isPresent();
+        return charging || (low && !mapFromChargers.isEmpty());
+    }
+
+    /// How far the robot can drive before it must have been charged [m]; +∞ when it never is.
+    ///
+    /// @param range on a full battery [m]
+    double reach(double range) {
+        return mapFromChargers.isEmpty()
+                ? Double.POSITIVE_INFINITY
+                : battery.flatMap(Battery::latest)
+                        .map(reading -> (reading.value().level() - SPARE) * range)
+                        .filter(reach -> !reach.isNaN())
+                        .orElse(Double.POSITIVE_INFINITY);
+    }
+
     private void note(BatteryState state) {
-        if (!charging && state.level() < low) {
+        if (!charging && state.level() < least && canLeave.getAsBoolean()) {
             charging = true;
             tried.clear();
             before.run();
