@@ -25,7 +25,7 @@ import rsal.settings.Suggestion;
 /// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
 ///            | function "(" signal ["(" role ")"] ")"
 /// function   = "min" | "mean" | "p50" | "p95" | "p99" | "max"
-/// signal     = "poseError" | "captureDistance"
+/// signal     = "poseError" | "captureDistance" | "batteryLevel" | "idleTime"
 /// ```
 public final class Grammar {
     /// Characters of an expression; longer ones are refused.

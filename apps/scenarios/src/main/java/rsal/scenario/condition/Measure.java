@@ -88,7 +88,9 @@ public sealed interface Measure {
         /// Real distance between a prey and the robot that it says caught it, once per prey, when it says so [m].
         CAPTURE_DISTANCE("captureDistance"),
         /// For how long nobody has been at a place that is watched, once a second for each place [s].
-        IDLE_TIME("idleTime");
+        IDLE_TIME("idleTime"),
+        /// Share of its battery that is left to a robot, after each step of the run, 0 to 1.
+        BATTERY_LEVEL("batteryLevel");
 
         private final String word;
 

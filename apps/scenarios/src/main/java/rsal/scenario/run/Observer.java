@@ -26,6 +26,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.Stamped;
+import rsal.device.Battery;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.SimulationControl;
@@ -111,6 +112,10 @@ final class Observer implements Facts {
                     .flatMap(robot -> robot.find(Localizer.class))
                     .flatMap(Localizer::latest)
                     .ifPresent(estimate -> noteEstimate(own, estimate));
+            Optional.ofNullable(robots.get(id))
+                    .flatMap(robot -> robot.find(Battery.class))
+                    .flatMap(Battery::latest)
+                    .ifPresent(battery -> own.charged(battery.value().level()));
             Optional.ofNullable(robots.get(id))
                     .flatMap(robot -> robot.find(Mapper.class))
                     .ifPresent(mapper -> noteMap(id, mapper, simulation.flatMap(truth -> truth.truth(id))));

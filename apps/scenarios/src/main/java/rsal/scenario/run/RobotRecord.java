@@ -20,6 +20,7 @@ final class RobotRecord {
     private final Deque<Truth> history = new ArrayDeque<>(); // newest first
     private final Samples poseErrors = new Samples();
     private final Samples captureDistances = new Samples();
+    private final Samples batteryLevels = new Samples();
     private @Nullable Instant compared;
     private double distance;
     private boolean seen;
@@ -71,6 +72,13 @@ final class RobotRecord {
         captureDistances.add(distance);
     }
 
+    /// Share of the battery that is left; NaN when the battery can't tell.
+    void charged(double level) {
+        if (!Double.isNaN(level)) {
+            batteryLevels.add(level);
+        }
+    }
+
     /// The way it really made [m].
     double distance() {
         return distance;
@@ -85,6 +93,7 @@ final class RobotRecord {
         return switch (signal) {
             case POSE_ERROR -> poseErrors;
             case CAPTURE_DISTANCE -> captureDistances;
+            case BATTERY_LEVEL -> batteryLevels;
             case IDLE_TIME -> throw new IllegalArgumentException("Idle times are of places, not of robots.");
         };
     }

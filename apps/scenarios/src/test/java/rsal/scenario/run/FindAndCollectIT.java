@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Point2d;
 import rsal.device.SimulationControl.Standing;
@@ -66,11 +67,35 @@ class FindAndCollectIT {
     }
 
     @ParameterizedTest
+    @CsvSource({"four-rooms, 1", "four-rooms, 2", "four-rooms, 3", "office, 1", "office, 2", "office, 3"})
+    void everyCanLiesInADepotAtTheEnd(String configuration, long seed) {
+        Collection all = collect(configuration, seed);
+        assertTidy(all);
+        assertThat(all.measure("collisions")).isZero();
+        assertThat(all.said()).isEqualTo(all.cans.size());
+    }
+
+    @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
-    void everyCanLiesInADepotAtTheEnd(long seed) {
-        Collection rooms = collect("four-rooms", seed);
-        assertTidy(rooms);
-        assertThat(rooms.measure("collisions")).isZero();
-        assertThat(rooms.said()).isLessThanOrEqualTo(rooms.cans.size());
+    void cansThatComeLaterAreCollectedByRobotsThatMindTheirBatteries(long seed) {
+        Collection all = collect("advanced", seed);
+        assertTidy(all);
+        for (int collector = 1; collector <= 4; collector++) {
+            double least = all.measure("leastCharge.collector-" + collector);
+            assertThat(least).as("collector-%d, seed %d", collector, seed).isGreaterThan(0.05);
+        }
+        assertThat(all.events)
+                .filteredOn(
+                        event -> event.kind().equals("agent") && event.text().startsWith("charging"))
+                .isNotEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void theOthersCollectAllWhenOneStopsAndMessagesAreLost(long seed) {
+        Collection all = collect("faulty", seed);
+        assertTidy(all);
+        assertThat(all.measure("gone")).isOne();
+        assertThat(all.measure("collisions")).isZero();
     }
 }
