@@ -23,6 +23,7 @@ module rsal.agents {
             rsal.agents.Escape.Type,
             rsal.agents.Explore.Type,
             rsal.agents.Follow.Type,
+            rsal.agents.Formation.Type,
             rsal.agents.Nav.Type,
             rsal.agents.Swarm.Type,
             rsal.agents.Patrol.Type,

@@ -44,6 +44,20 @@ final class Roaming {
         roam();
     }
 
+    /// Whether it drives where it was told.
+    boolean isOnErrand() {
+        return errands.filter(Errands::busy).isPresent();
+    }
+
+    /// Lets go of the robot until it is to go on.
+    void pause() {
+        pilot.release();
+    }
+
+    void goOn() {
+        roam();
+    }
+
     /// Lets go of the robot for good.
     void end() {
         errands.ifPresent(Errands::end);

@@ -14,13 +14,21 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// One of many: tells all where it is, hears where they are, follows the wall on its left and drives where it is told.
-/// Its robot needs few devices, so that hundreds fit into a run; without a pilot it waits where others follow walls.
+/// One of many: tells all where it is, hears where they are, follows the wall on its left, drives where it is told and
+/// keeps its place in formations. Its robot needs few devices, so that hundreds fit into a run; without a pilot it
+/// waits
+/// where others follow walls.
 public final class Swarm implements Agent {
     static final Parameter RADIUS = Parameter.number(
             "radius", 0, 0, 10_000, "m", "Robots farther away than this are not heard; 0 hears all of them.");
     static final Parameter NEAR =
             Parameter.number("near", 5, 0.1, 1000, "m", "Robots that are nearer than this are its neighbors.");
+
+    private static final String ROAM = "roam";
+    static final Parameter IDLE = Parameter.choice(
+            "idle", ROAM, List.of(ROAM, "wait"), "What it does when it is told nothing; without a pilot it waits.");
+
+    private static final String WAITING = "waiting for a goal";
 
     private final Arguments arguments;
 
@@ -35,15 +43,20 @@ public final class Swarm implements Agent {
         var reporter = new Reporter(self, robot, arguments, said -> neighbors.isAt(said.mapFromBase()));
         double radius = arguments.number(RADIUS.name());
         neighbors.begin(radius == 0 ? Interest.all() : PoseReport.within(radius, reporter::mapFromBase));
-        if (robot.find(Pilot.class).isPresent()) {
-            Roaming.alongWalls(self, robot).begin();
+        var driver = new Driver(self, robot.require(Navigator.class));
+        if (arguments.text(IDLE.name()).equals(ROAM) && robot.find(Pilot.class).isPresent()) {
+            Roaming roaming = Roaming.alongWalls(self, robot);
+            roaming.begin();
+            new RankKeeping(self, robot.id(), driver, roaming::isOnErrand, roaming::pause, roaming::goOn).begin();
         } else {
-            var driver = new Driver(self, robot.require(Navigator.class));
-            new Errands(self, robot.id(), driver, () -> {}, () -> {}).begin();
-            self.state("waiting for a goal");
+            var errands = new Errands(self, robot.id(), driver, () -> {}, () -> {});
+            errands.begin();
+            new RankKeeping(self, robot.id(), driver, errands::busy, () -> {}, () -> self.state(WAITING)).begin();
+            self.state(WAITING);
         }
         reporter.begin();
         Travel.begin(self, robot, reporter);
+        Survey.begin(self, robot);
         Presence.begin(self);
     }
 
@@ -65,7 +78,7 @@ public final class Swarm implements Agent {
 
         @Override
         public List<Parameter> parameters() {
-            return List.of(Reporter.PERIOD, RADIUS, NEAR);
+            return List.of(Reporter.PERIOD, RADIUS, NEAR, IDLE);
         }
 
         @Override

@@ -45,6 +45,9 @@ public interface Facts {
     /// How many things of a group lie in their depot, in truth.
     int collected(String group);
 
+    /// For how long a formation was not in place so far, from when it was first told until now [s].
+    double forming();
+
     /// How many robots of a role draw a map and can still get to where it ends.
     int exploring(String role);
 }

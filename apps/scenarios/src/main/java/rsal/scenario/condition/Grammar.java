@@ -19,13 +19,13 @@ import rsal.settings.Suggestion;
 ///            | "allCollected" "(" things ")"
 ///            | quantity relation number
 /// quantity   = "time" | "collisions" | "wallCollisions" | "faults"
-///            | "messages" | "heardMessages" | "lostMessages" | "explored"
+///            | "messages" | "heardMessages" | "lostMessages" | "explored" | "forming"
 ///            | ("caught" | "arrived" | "gone" | "exploring") "(" role ")" | "collected" "(" things ")"
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
 /// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
 ///            | function "(" signal ["(" role ")"] ")"
-/// function   = "min" | "mean" | "p50" | "p95" | "p99" | "max"
-/// signal     = "poseError" | "captureDistance" | "batteryLevel" | "idleTime"
+/// function   = "min" | "mean" | "rms" | "p50" | "p95" | "p99" | "max"
+/// signal     = "poseError" | "captureDistance" | "batteryLevel" | "formationError" | "idleTime"
 /// ```
 public final class Grammar {
     /// Characters of an expression; longer ones are refused.
@@ -41,7 +41,7 @@ public final class Grammar {
             .flatMap(List::stream)
             .toList();
     private static final List<String> MEASURES =
-            List.of("firstTime", "count", "explored", "distance", "min", "mean", "p50", "p95", "p99", "max");
+            List.of("firstTime", "count", "explored", "distance", "min", "mean", "rms", "p50", "p95", "p99", "max");
 
     private static final Quantity EXPLORED = new Quantity(Quantity.Kind.EXPLORED, "");
 

@@ -64,6 +64,8 @@ public sealed interface Measure {
     enum Function {
         MIN("min"),
         MEAN("mean"),
+        /// Root of the mean square.
+        RMS("rms"),
         P50("p50"),
         P95("p95"),
         P99("p99"),
@@ -90,7 +92,10 @@ public sealed interface Measure {
         /// For how long nobody has been at a place that is watched, once a second for each place [s].
         IDLE_TIME("idleTime"),
         /// Share of its battery that is left to a robot, after each step of the run, 0 to 1.
-        BATTERY_LEVEL("batteryLevel");
+        BATTERY_LEVEL("batteryLevel"),
+        /// Distance between where a robot really is and its place in the formation, at each step in which the formation
+        /// is in place [m].
+        FORMATION_ERROR("formationError");
 
         private final String word;
 

@@ -20,6 +20,8 @@ public record Quantity(Kind kind, String whose) {
         /// Share of the reachable floor, 0 to 1; NaN while no robot tells a map.
         EXPLORED("explored", Of.RUN),
         EXPLORING("exploring", Of.ROLE),
+        /// [s]
+        FORMING("forming", Of.RUN),
         COLLECTED("collected", Of.THINGS);
 
         private final String word;
@@ -61,6 +63,7 @@ public record Quantity(Kind kind, String whose) {
             case LOST_MESSAGES -> facts.lostMessages();
             case EXPLORED -> facts.explored();
             case EXPLORING -> facts.exploring(whose);
+            case FORMING -> facts.forming();
             case COLLECTED -> facts.collected(whose);
         };
     }

@@ -18,6 +18,7 @@ import rsal.agent.message.Hello;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
+import rsal.agent.message.Ranks;
 import rsal.agent.message.Visited;
 import rsal.agent.message.Watch;
 import rsal.agent.protocol.Act;
@@ -153,6 +154,10 @@ final class Agents implements AutoCloseable {
             case Hello hello
             when hello.kind() == Hello.Kind.PING || hello.kind() == Hello.Kind.PONG ->
                 journal.hash(message.sender(), message.topic().name(), words);
+            case Ranks ranks -> {
+                journal.hash(message.sender(), message.topic().name(), words);
+                observer.heard(message.sender(), ranks);
+            }
             case PoseReport _, PoseRequest _ ->
                 journal.hash(message.sender(), message.topic().name(), words);
             case NewGoal order -> {

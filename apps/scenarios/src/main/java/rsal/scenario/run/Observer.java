@@ -20,6 +20,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.agent.message.Caught;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
+import rsal.agent.message.Ranks;
 import rsal.agent.message.Visited;
 import rsal.agent.message.Watch;
 import rsal.data.OccupancyGrid;
@@ -62,6 +63,7 @@ final class Observer implements Facts {
     private Set<String> gone = Set.of(); // robots
     private final Depots depots;
     private final Watched watched = new Watched();
+    private final Parade parade = new Parade();
     private final Mapped mapped;
     private final boolean asksForShare;
     private final Map<String, Stamped<OccupancyGrid>> maps = new LinkedHashMap<>(); // of the world, by robot
@@ -107,7 +109,7 @@ final class Observer implements Facts {
             simulation.ifPresent(truth -> depots.look(truth.things()));
         }
         records.forEach((id, own) -> {
-            simulation.flatMap(truth -> truth.truth(id)).ifPresent(mapFromBase -> noteTruth(own, mapFromBase));
+            simulation.flatMap(truth -> truth.truth(id)).ifPresent(mapFromBase -> noteTruth(id, own, mapFromBase));
             Optional.ofNullable(robots.get(id))
                     .flatMap(robot -> robot.find(Localizer.class))
                     .flatMap(Localizer::latest)
@@ -120,6 +122,7 @@ final class Observer implements Facts {
                     .flatMap(robot -> robot.find(Mapper.class))
                     .ifPresent(mapper -> noteMap(id, mapper, simulation.flatMap(truth -> truth.truth(id))));
         });
+        parade.look(clock.instant());
         exploring.keySet().removeIf(robot -> started.contains(robot) && !robots.containsKey(robot));
         watched.look(time());
         noteFirstTimes();
@@ -163,9 +166,13 @@ final class Observer implements Facts {
         contacts = all.size();
     }
 
-    private void noteTruth(RobotRecord own, Pose2d mapFromBase) {
+    private void noteTruth(String robot, RobotRecord own, Pose2d mapFromBase) {
         journal.hash(mapFromBase);
         own.moved(clock.instant(), mapFromBase);
+        if (!gone.contains(robot)) {
+            parade.mapFromSlot(robot, clock.instant())
+                    .ifPresent(mapFromSlot -> own.outOfPlace(mapFromSlot.distanceTo(mapFromBase)));
+        }
     }
 
     private void noteEstimate(RobotRecord own, Stamped<PoseEstimate> estimate) {
@@ -241,6 +248,11 @@ final class Observer implements Facts {
         if (newest && end.reached()) {
             arrived.add(end.robot());
         }
+    }
+
+    /// Somebody tells robots of a formation where they should be.
+    void heard(String leader, Ranks ranks) {
+        parade.heard(leader, ranks, clock.instant());
     }
 
     /// A robot has come. Robots that leave count on, as they were last.
@@ -359,6 +371,11 @@ final class Observer implements Facts {
                 .map(Map.Entry::getKey)
                 .collect(Collectors.toSet());
         return among(busy, role);
+    }
+
+    @Override
+    public double forming() {
+        return parade.forming().toNanos() / 1e9;
     }
 
     private int among(Set<String> robots, String role) {

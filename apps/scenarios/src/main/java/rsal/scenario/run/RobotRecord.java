@@ -21,6 +21,7 @@ final class RobotRecord {
     private final Samples poseErrors = new Samples();
     private final Samples captureDistances = new Samples();
     private final Samples batteryLevels = new Samples();
+    private final Samples formationErrors = new Samples();
     private @Nullable Instant compared;
     private double distance;
     private boolean seen;
@@ -79,6 +80,11 @@ final class RobotRecord {
         }
     }
 
+    /// It really is so far from its place in a formation [m].
+    void outOfPlace(double distance) {
+        formationErrors.add(distance);
+    }
+
     /// The way it really made [m].
     double distance() {
         return distance;
@@ -95,6 +101,7 @@ final class RobotRecord {
             case CAPTURE_DISTANCE -> captureDistances;
             case BATTERY_LEVEL -> batteryLevels;
             case IDLE_TIME -> throw new IllegalArgumentException("Idle times are of places, not of robots.");
+            case FORMATION_ERROR -> formationErrors;
         };
     }
 

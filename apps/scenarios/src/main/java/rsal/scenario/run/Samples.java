@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.OptionalDouble;
 import rsal.scenario.condition.Measure;
 
-/// Samples of a signal. Least, greatest and mean count all of them; percentiles count every one up to a number,
+/// Samples of a signal. Least, greatest and means count all of them; percentiles count every one up to a number,
 /// then every second, every fourth…, so that memory stays bounded.
 final class Samples {
     private static final int MOST = 1 << 16;
@@ -14,6 +14,7 @@ final class Samples {
     private long stride = 1;
     private long count;
     private double sum;
+    private double squares;
     private double min = Double.POSITIVE_INFINITY;
     private double max = Double.NEGATIVE_INFINITY;
 
@@ -22,6 +23,7 @@ final class Samples {
             keep(sample);
         }
         sum += sample;
+        squares += sample * sample;
         min = Math.min(min, sample);
         max = Math.max(max, sample);
     }
@@ -36,6 +38,7 @@ final class Samples {
         }
         count += other.count;
         sum += other.sum;
+        squares += other.squares;
         min = Math.min(min, other.min);
         max = Math.max(max, other.max);
     }
@@ -68,6 +71,7 @@ final class Samples {
                     case MIN -> min;
                     case MAX -> max;
                     case MEAN -> sum / count;
+                    case RMS -> Math.sqrt(squares / count);
                     case P50 -> percentile(50);
                     case P95 -> percentile(95);
                     case P99 -> percentile(99);

@@ -38,6 +38,11 @@ class GrammarTest {
         }
 
         @Override
+        public double forming() {
+            return 7;
+        }
+
+        @Override
         public int exploring(String role) {
             return 1;
         }
@@ -148,6 +153,8 @@ class GrammarTest {
                 "p95(poseError)",
                 "max(poseError(hunter))",
                 "mean(captureDistance)",
+                "rms(formationError(prey))",
+                "count(forming)",
             })
     void readsMeasuresAsTheyAreWritten(String text) {
         assertThat(Grammar.measure(text, ROLES, THINGS)).hasToString(text);

@@ -1,0 +1,151 @@
+package rsal.agents;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.stream.Collectors;
+import rsal.agent.AgentContext;
+import rsal.agent.Capability;
+import rsal.agent.protocol.Request;
+import rsal.agent.protocol.Request.Asked;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.device.Planner;
+import rsal.robot.Robot;
+
+/// Looks along a way for others who ask, by a robot's planner: where it leads, and where on it a formation has room. A
+/// place of the formation is free where a way leads to it from the way's middle that is hardly longer than the straight
+/// line. Where there is no room on the way there may be beside it. Asking moves nothing.
+final class Survey {
+    /// Of those who can.
+    static final Capability CAPABILITY = Capability.of("survey");
+
+    private static final double LONGER = 1.25; // than straight
+    private static final double SLACK = 0.5; // m
+
+    private final AgentContext self;
+    private final Planner planner;
+
+    private Survey(AgentContext self, Planner planner) {
+        this.self = self;
+        this.planner = planner;
+    }
+
+    /// The service by which one asks: [Wanted] → [Lane].
+    static Request<Wanted, Lane> service(AgentContext self) {
+        return new Request<>(self, CAPABILITY.name(), Wanted.class, Lane.class);
+    }
+
+    /// From now on answers whoever asks, if the robot has a planner.
+    static void begin(AgentContext self, Robot robot) {
+        Optional<Planner> planner = robot.find(Planner.class);
+        planner.ifPresent(device -> {
+            var survey = new Survey(self, device);
+            service(self).answer(survey::answer);
+            self.offer(CAPABILITY);
+        });
+    }
+
+    private void answer(Asked<Wanted, Lane> asked) {
+        asked.agree(); // it may take longer than somebody waits for an answer
+        way(asked.what().mapFromPlaces())
+                .thenCompose(points -> lane(points, asked.what()))
+                .whenComplete((lane, error) -> self.scheduler().execute(() -> {
+                    if (error == null) {
+                        asked.inform(lane);
+                    } else {
+                        Throwable cause = error.getCause() == null ? error : error.getCause();
+                        asked.fail(String.valueOf(cause.getMessage()));
+                    }
+                }));
+    }
+
+    /// From each place to the next.
+    private CompletionStage<List<Point2d>> way(List<Pose2d> mapFromPlaces) {
+        CompletionStage<List<Point2d>> way = CompletableFuture.completedFuture(
+                List.of(mapFromPlaces.getFirst().position()));
+        for (int i = 1; i < mapFromPlaces.size(); i++) {
+            Pose2d from = mapFromPlaces.get(i - 1);
+            Pose2d to = mapFromPlaces.get(i);
+            way = way.thenCombine(planner.plan(from, to), (before, leg) -> joined(before, leg, from, to));
+        }
+        return way;
+    }
+
+    private static List<Point2d> joined(List<Point2d> before, Planner.Result leg, Pose2d from, Pose2d to) {
+        return switch (leg) {
+            case Planner.Result.Found found -> {
+                var points = new ArrayList<>(before);
+                points.addAll(found.path().points());
+                yield points;
+            }
+            case Planner.Result.NoPath(String why) ->
+                throw new IllegalStateException(
+                        "No way leads from %s to %s: %s".formatted(Words.place(from), Words.place(to), why));
+        };
+    }
+
+    private CompletionStage<Lane> lane(List<Point2d> points, Wanted wanted) {
+        List<Pose2d> poses = Lane.along(points, wanted.reach());
+        int asides = 1 + 2 * (int) Math.ceil(wanted.aside() / Lane.STEP);
+        var room = new boolean[poses.size()][asides];
+        var looking = new ArrayList<CompletableFuture<?>>();
+        for (int i = 0; i < room.length; i++) {
+            for (int aside = 0; aside < asides; aside++) {
+                boolean[] here = room[i];
+                int number = aside;
+                Pose2d shifted = poses.get(i).compose(new Pose2d(0, Lane.aside(aside, asides), 0));
+                looking.add(room(poses.get(i), shifted, wanted.offsets())
+                        .thenAccept(free -> here[number] = free)
+                        .toCompletableFuture());
+            }
+        }
+        return CompletableFuture.allOf(looking.toArray(CompletableFuture[]::new))
+                .thenApply(_ -> Lane.of(poses, room));
+    }
+
+    /// @param mapFromWay on the way
+    /// @param mapFromFormation beside it
+    private CompletionStage<Boolean> room(Pose2d mapFromWay, Pose2d mapFromFormation, List<Point2d> offsets) {
+        CompletionStage<Boolean> room = CompletableFuture.completedFuture(true);
+        for (Point2d offset : offsets) {
+            Point2d slot = mapFromFormation.transform(offset);
+            room = room.thenCombine(
+                    planner.plan(mapFromWay, new Pose2d(slot.x(), slot.y(), 0)),
+                    (others, way) -> others && isFree(way, mapFromWay.position().distanceTo(slot)));
+        }
+        return room;
+    }
+
+    private static boolean isFree(Planner.Result way, double straight) {
+        return switch (way) {
+            case Planner.Result.Found found ->
+                found.offGoal() == 0 && found.path().length() <= LONGER * straight + SLACK;
+            case Planner.Result.NoPath _ -> false;
+        };
+    }
+
+    /// @param mapFromPlaces at least two, to pass one after the other
+    /// @param offsets places in the formation's frame [m]
+    /// @param reach how far before and after a place the way counts for where the formation looks [m]
+    /// @param aside how far from the way it may go to have room [m]
+    record Wanted(List<Pose2d> mapFromPlaces, List<Point2d> offsets, double reach, double aside) {
+        Wanted {
+            mapFromPlaces = List.copyOf(mapFromPlaces);
+            offsets = List.copyOf(offsets);
+            if (mapFromPlaces.size() < 2) {
+                throw new IllegalArgumentException("A way has at least two places, not %s.".formatted(mapFromPlaces));
+            }
+        }
+
+        @Override
+        public String toString() {
+            return "a way for %d by %s"
+                    .formatted(
+                            offsets.size(),
+                            mapFromPlaces.stream().map(Words::place).collect(Collectors.joining(", ")));
+        }
+    }
+}
