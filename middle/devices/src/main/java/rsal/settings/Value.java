@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 
@@ -58,19 +59,32 @@ public sealed interface Value {
             return "a group of " + entries.size() + " settings";
         }
 
-        /// This with `over` laid on top: groups merge key by key, all else is replaced.
+        /// This with `over` laid on top: groups merge key by key, all else is replaced; so is a group that says it is
+        /// of
+        /// another `type`, as the options of one make no sense for another.
         public Mapping merge(Mapping over) {
             var merged = new LinkedHashMap<>(entries);
             var places = new LinkedHashMap<>(keys);
             over.entries.forEach((key, value) -> {
                 Value below = merged.get(key);
-                merged.put(key, below instanceof Mapping a && value instanceof Mapping b ? a.merge(b) : value);
+                boolean merges = below instanceof Mapping a && value instanceof Mapping b && !b.isOfAnotherType(a);
+                merged.put(key, merges && below instanceof Mapping a ? a.merge((Mapping) value) : value);
                 Location place = over.keys.get(key);
                 if (place != null) {
                     places.put(key, place);
                 }
             });
             return new Mapping(location, merged, places);
+        }
+
+        private boolean isOfAnotherType(Mapping below) {
+            return find("type")
+                    .flatMap(own -> below.find("type").filter(other -> !isSame(own, other)))
+                    .isPresent();
+        }
+
+        private static boolean isSame(Value one, Value other) {
+            return one instanceof Scalar a && other instanceof Scalar b && Objects.equals(a.value(), b.value());
         }
 
         public Mapping without(String key) {

@@ -3,9 +3,16 @@ package rsal.scenario.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 
@@ -56,5 +63,61 @@ class SwarmIT {
         assertThat(measure(result, "heardMessages")).isEqualTo(999 * 3000);
         assertThat(measure(result, "distance")).isGreaterThan(50);
         assertThat(measure(result, "wallCollisions")).isZero();
+    }
+
+    /// @param formation what its leader did, by time
+    private record Marched(RunResult result, NavigableMap<Double, String> formation, List<Double> faults) {}
+
+    private static Marched march(String configuration, long seed, String shape) {
+        var options = RunOptions.NONE
+                .withConfiguration(configuration)
+                .withSeed(seed)
+                .withSpeed(Double.POSITIVE_INFINITY)
+                .withArguments(Map.of("shape", shape));
+        try (var run = LiveRun.start(SWARM.plan(options))) {
+            RunResult result = run.result()
+                    .toCompletableFuture()
+                    .orTimeout(120, TimeUnit.SECONDS)
+                    .join();
+            var formation = new TreeMap<Double, String>();
+            var faults = new ArrayList<Double>();
+            for (RunEvent event : run.events(0)) {
+                double time = event.time().toMillis() * 1e-3;
+                if (event.subject().equals("formation")) {
+                    formation.put(time, event.text());
+                }
+                if (event.kind().equals("fault") && event.text().startsWith("gone")) {
+                    faults.add(time);
+                }
+            }
+            return new Marched(result, formation, faults);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"line, 1", "wedge, 2", "circle, 3"})
+    void aFormationIsHeldAcrossTheCaveAndGoesInAColumnWhereThatIsNarrow(String shape, long seed) {
+        Marched marched = march("formation", seed, shape);
+        assertThat(marched.result.outcome()).isEqualTo("success");
+        assertThat(measure(marched.result, "arrived")).isEqualTo(6);
+        assertThat(measure(marched.result, "collisions")).isZero();
+        assertThat(measure(marched.result, "formationError")).isLessThan(0.7);
+        assertThat(measure(marched.result, "forming")).isLessThan(200);
+        assertThat(marched.formation.values()).contains("leading a column", "leading a " + shape, "has arrived");
+    }
+
+    @Test
+    void theOthersCloseRanksWithinFourSecondsWhenSomeStopAndFallSilent() {
+        for (long seed = 1; seed <= 3; seed++) {
+            Marched marched = march("faulty", seed, "wedge");
+            assertThat(marched.result.outcome()).as("seed %d", seed).isEqualTo("success");
+            assertThat(measure(marched.result, "arrived")).as("seed %d", seed).isGreaterThanOrEqualTo(5);
+            assertThat(marched.faults).hasSize(3);
+            for (double fault : marched.faults) {
+                assertThat(marched.formation.subMap(fault + 1, fault + 4).values())
+                        .as("seed %d", seed)
+                        .anyMatch(words -> words.startsWith("forming a "));
+            }
+        }
     }
 }
