@@ -260,9 +260,8 @@ final class March {
         places.forEach((robot, place) -> slots.put(robot, new Ranks.Slot(here.get(place), later.get(place))));
         String name = (column ? Shape.COLUMN : shape).word();
         self.publish(Ranks.TOPIC, new Ranks(name, formed, AHEAD, slots));
-        self.state(formed ? "leading a " + name : "forming a " + name);
+        self.state("%s a %s of %d".formatted(formed ? "leading" : "forming", name, count));
         self.show("way", String.format(Locale.ROOT, "%.0f of %.0f m", way, now.length()));
-        self.show("robots", String.valueOf(count));
     }
 
     private void arrive(Lane now, NavigableMap<String, Pose2d> team) {

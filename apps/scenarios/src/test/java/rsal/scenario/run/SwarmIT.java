@@ -103,7 +103,8 @@ class SwarmIT {
         assertThat(measure(marched.result, "collisions")).isZero();
         assertThat(measure(marched.result, "formationError")).isLessThan(0.7);
         assertThat(measure(marched.result, "forming")).isLessThan(200);
-        assertThat(marched.formation.values()).contains("leading a column", "leading a " + shape, "has arrived");
+        assertThat(marched.formation.values())
+                .contains("leading a column of 6", "leading a %s of 6".formatted(shape), "has arrived");
     }
 
     @Test
@@ -113,11 +114,14 @@ class SwarmIT {
             assertThat(marched.result.outcome()).as("seed %d", seed).isEqualTo("success");
             assertThat(measure(marched.result, "arrived")).as("seed %d", seed).isGreaterThanOrEqualTo(5);
             assertThat(marched.faults).hasSize(3);
-            for (double fault : marched.faults) {
-                assertThat(marched.formation.subMap(fault + 1, fault + 4).values())
-                        .as("seed %d", seed)
-                        .anyMatch(words -> words.startsWith("forming a "));
-            }
+            double first = marched.faults.getFirst();
+            double last = marched.faults.getLast();
+            assertThat(marched.formation.subMap(first, first + 4).values())
+                    .as("seed %d", seed)
+                    .anyMatch(words -> words.matches("forming a .* of 7"));
+            assertThat(marched.formation.subMap(last, last + 4).values())
+                    .as("seed %d", seed)
+                    .anyMatch(words -> words.matches("forming a .* of 5"));
         }
     }
 }
