@@ -1,6 +1,8 @@
 package rsal.agents;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -88,35 +90,45 @@ final class Survey {
     }
 
     private CompletionStage<Lane> lane(List<Point2d> points, Wanted wanted) {
-        List<Pose2d> poses = Lane.along(points, wanted.reach());
-        int asides = 1 + 2 * (int) Math.ceil(wanted.aside() / Lane.STEP);
-        var room = new boolean[poses.size()][asides];
+        List<Pose2d> mapFromWay = Lane.along(points, wanted.reach());
+        var hasRoom = new boolean[mapFromWay.size()][1 + 2 * (int) Math.ceil(wanted.aside() / Lane.STEP)];
+        for (boolean[] lanes : hasRoom) {
+            Arrays.fill(lanes, true);
+        }
+        CompletionStage<Void> looked = CompletableFuture.completedFuture(null);
+        for (Point2d offset : farthestFirst(wanted.offsets())) {
+            looked = looked.thenCompose(_ -> look(mapFromWay, offset, hasRoom));
+        }
+        return looked.thenApply(_ -> Lane.of(mapFromWay, hasRoom));
+    }
+
+    /// They have room least often, and where one has none the others need not be looked at.
+    private static List<Point2d> farthestFirst(List<Point2d> offsets) {
+        return offsets.stream()
+                .sorted(Comparator.comparingDouble((Point2d place) -> Math.hypot(place.x(), place.y()))
+                        .reversed())
+                .toList();
+    }
+
+    /// Notes where one place of the formation is not free.
+    private CompletionStage<Void> look(List<Pose2d> mapFromWay, Point2d offset, boolean[][] hasRoom) {
         var looking = new ArrayList<CompletableFuture<?>>();
-        for (int i = 0; i < room.length; i++) {
-            for (int aside = 0; aside < asides; aside++) {
-                boolean[] here = room[i];
-                int number = aside;
-                Pose2d shifted = poses.get(i).compose(new Pose2d(0, Lane.aside(aside, asides), 0));
-                looking.add(room(poses.get(i), shifted, wanted.offsets())
-                        .thenAccept(free -> here[number] = free)
+        for (int i = 0; i < hasRoom.length; i++) {
+            boolean[] lanes = hasRoom[i];
+            Pose2d from = mapFromWay.get(i);
+            for (int number = 0; number < lanes.length; number++) {
+                if (!lanes[number]) {
+                    continue;
+                }
+                int lane = number;
+                Point2d slot = from.transform(new Point2d(offset.x(), offset.y() + Lane.aside(number, lanes.length)));
+                looking.add(planner.plan(from, new Pose2d(slot.x(), slot.y(), 0))
+                        .thenAccept(
+                                way -> lanes[lane] = isFree(way, from.position().distanceTo(slot)))
                         .toCompletableFuture());
             }
         }
-        return CompletableFuture.allOf(looking.toArray(CompletableFuture[]::new))
-                .thenApply(_ -> Lane.of(poses, room));
-    }
-
-    /// @param mapFromWay on the way
-    /// @param mapFromFormation beside it
-    private CompletionStage<Boolean> room(Pose2d mapFromWay, Pose2d mapFromFormation, List<Point2d> offsets) {
-        CompletionStage<Boolean> room = CompletableFuture.completedFuture(true);
-        for (Point2d offset : offsets) {
-            Point2d slot = mapFromFormation.transform(offset);
-            room = room.thenCombine(
-                    planner.plan(mapFromWay, new Pose2d(slot.x(), slot.y(), 0)),
-                    (others, way) -> others && isFree(way, mapFromWay.position().distanceTo(slot)));
-        }
-        return room;
+        return CompletableFuture.allOf(looking.toArray(CompletableFuture[]::new));
     }
 
     private static boolean isFree(Planner.Result way, double straight) {
