@@ -22,8 +22,9 @@ public final class Follow implements Agent {
     static final Parameter ASSIGNMENT = Parameter.choice(
             "assignment",
             "fixed",
-            List.of("fixed", "nearest"),
-            "How hunters divide several prey: in turn, once and for all, or each time with the least way for all.");
+            List.of("fixed", "nearest", "bids"),
+            "How hunters divide several prey: in turn, once and for all; each time with the least distance for all; or"
+                    + " as an agent of type (hunt) allots them by what hunters bid.");
 
     private final Arguments arguments;
 
@@ -33,7 +34,11 @@ public final class Follow implements Agent {
 
     @Override
     public void start(AgentContext self) {
-        new Hunt(self, Body.of(self), arguments).begin();
+        if (arguments.text(ASSIGNMENT.name()).equals("bids")) {
+            new Hunter(self, Body.of(self), arguments).begin();
+        } else {
+            new Hunt(self, Body.of(self), arguments).begin();
+        }
         Presence.begin(self);
     }
 

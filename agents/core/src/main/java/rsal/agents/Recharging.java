@@ -39,7 +39,7 @@ final class Recharging {
     static final List<Parameter> PARAMETERS = List.of(CHARGERS, LOW, FULL);
 
     private static final double SPARE = 0.1; // share of the battery that no plan may use
-    private static final Tolerance DOCKED = Tolerance.position(0.15);
+    static final Tolerance DOCKED = Tolerance.position(0.15);
     private static final Duration LOOK = Duration.ofSeconds(5);
 
     private final AgentContext self;

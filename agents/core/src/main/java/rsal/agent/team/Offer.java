@@ -6,7 +6,8 @@ import java.util.stream.Collectors;
 /// Jobs that are called for, or that are given to one.
 ///
 /// @param inRoutes whether a bid should also tell what each costs after each other
-record Offer(List<Job> jobs, boolean inRoutes) {
+/// @param anew whether a bid should be as if the member had no job
+record Offer(List<Job> jobs, boolean inRoutes, boolean anew) {
     Offer {
         jobs = List.copyOf(jobs);
     }

@@ -9,22 +9,42 @@ import java.time.Duration;
 /// @param ping a member of which nothing was heard for that long is asked
 /// @param silence after that long without a sign a member counts as silent; at least twice the ping
 /// @param replyWithin how long a call for bids waits
+/// @param reconsider how often jobs that are under way are allotted anew, too, one each, as fits things that move; 0
+/// for
+/// never. Who has a job keeps it unless another can do it for clearly less.
 /// @param tries after as many failures a job is given up; 0 for never
 public record Rules(
-        Objective objective, boolean inRoutes, Duration ping, Duration silence, Duration replyWithin, int tries) {
-    public static final Rules DEFAULT =
-            new Rules(Objective.LONGEST, true, Duration.ofSeconds(1), Duration.ofSeconds(5), Duration.ofSeconds(2), 5);
+        Objective objective,
+        boolean inRoutes,
+        Duration ping,
+        Duration silence,
+        Duration replyWithin,
+        Duration reconsider,
+        int tries) {
+    public static final Rules DEFAULT = new Rules(
+            Objective.LONGEST,
+            true,
+            Duration.ofSeconds(1),
+            Duration.ofSeconds(5),
+            Duration.ofSeconds(2),
+            Duration.ZERO,
+            5);
 
     public Rules withObjective(Objective other) {
-        return new Rules(other, inRoutes, ping, silence, replyWithin, tries);
+        return new Rules(other, inRoutes, ping, silence, replyWithin, reconsider, tries);
     }
 
     /// Only the next job of each counts.
     public Rules oneAtATime() {
-        return new Rules(objective, false, ping, silence, replyWithin, tries);
+        return new Rules(objective, false, ping, silence, replyWithin, reconsider, tries);
     }
 
     public Rules withTries(int other) {
-        return new Rules(objective, inRoutes, ping, silence, replyWithin, other);
+        return new Rules(objective, inRoutes, ping, silence, replyWithin, reconsider, other);
+    }
+
+    /// Allots one job each, and all of them anew so often.
+    public Rules reconsideredEvery(Duration period) {
+        return new Rules(objective, false, ping, silence, replyWithin, period, tries);
     }
 }

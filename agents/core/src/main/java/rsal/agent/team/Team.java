@@ -35,6 +35,7 @@ import rsal.agent.protocol.Tender;
 public final class Team {
     private static final int MOST_AT_ONCE = 16; // jobs in one call
     private static final Duration PAUSE = Duration.ofSeconds(5); // until what nobody could do is called again
+    private static final double LOYALTY = 0.8; // what a job costs the one that has it, when all is allotted anew
     private static final Duration BARRED = Duration.ofSeconds(60); // for one that failed at a job
 
     private final AgentContext self;
@@ -60,6 +61,9 @@ public final class Team {
         roll.begin();
         self.directory().onChange(_ -> callSoon());
         self.scheduler().every(PAUSE, this::callSoon);
+        if (rules.reconsider().isPositive()) {
+            self.scheduler().every(rules.reconsider(), () -> call(true));
+        }
         callSoon();
     }
 
@@ -85,9 +89,7 @@ public final class Team {
     public void withdraw(String name) {
         Entry entry = entries.remove(name);
         if (entry != null && entry.contract != null) {
-            Contract contract = entry.contract;
-            entry.contract = null;
-            contract.tender.cancel(contract.member);
+            entry.release();
             callSoon();
         }
     }
@@ -110,29 +112,31 @@ public final class Team {
             due = true;
             self.scheduler().execute(() -> {
                 due = false;
-                call();
+                call(false);
             });
         }
     }
 
-    private void call() {
+    /// @param anew whether those under way are allotted again, too
+    private void call(boolean anew) {
         if (undecided != null) {
             return; // calls again when that is decided
         }
-        List<Entry> open = entries.values().stream()
-                .filter(entry -> entry.contract == null)
+        List<Entry> called = entries.values().stream()
+                .filter(entry -> anew || entry.contract == null)
                 .limit(MOST_AT_ONCE)
                 .toList();
         List<String> members = roll.present().stream()
                 .map(Roll.Member::name)
                 .filter(name -> Worker.isOne(self, name))
                 .toList();
-        boolean allBusy = busy().containsAll(members);
-        if (open.isEmpty() || allBusy) {
+        boolean nobodyCan = members.isEmpty() || (!anew && busy().containsAll(members));
+        if (called.isEmpty() || nobodyCan) {
             return;
         }
-        var offer = new Offer(open.stream().map(entry -> entry.job).toList(), rules.inRoutes());
-        undecided = net.call(members, offer, rules.replyWithin(), Patience.DEFAULT, new Manager(open));
+        List<Job> jobs = called.stream().map(entry -> entry.job).toList();
+        var offer = new Offer(jobs, rules.inRoutes() && !anew, anew);
+        undecided = net.call(members, offer, rules.replyWithin(), Patience.DEFAULT, new Manager(called, anew));
     }
 
     private Set<String> busy() {
@@ -146,8 +150,8 @@ public final class Team {
     }
 
     private void ended(String member, Entry entry, Ending<String> how) {
-        if (entry.contract == null || !entry.contract.member.equals(member)) {
-            return; // withdrawn
+        if (!entry.isWith(member)) {
+            return; // withdrawn, or given to another
         }
         entry.contract = null;
         switch (how) {
@@ -178,8 +182,8 @@ public final class Team {
     }
 
     /// Jobs for those who are free, by the jobs' numbers in the call.
-    private SortedMap<String, Integer> allot(List<Entry> open, NavigableMap<String, Estimate> estimates) {
-        return rules.inRoutes() ? firstOfRoutes(estimates) : oneEach(open, estimates);
+    private SortedMap<String, Integer> allot(List<Entry> open, NavigableMap<String, Estimate> estimates, boolean anew) {
+        return rules.inRoutes() && !anew ? firstOfRoutes(estimates) : oneEach(open, estimates);
     }
 
     private SortedMap<String, Integer> firstOfRoutes(NavigableMap<String, Estimate> estimates) {
@@ -202,7 +206,8 @@ public final class Team {
             if (estimate.free()) {
                 var cost = new double[urgency.length];
                 for (int job = 0; job < cost.length; job++) {
-                    cost[job] = estimate.first().get(job) + most - urgency[job];
+                    double loyal = open.get(job).isWith(member) ? LOYALTY : 1;
+                    cost[job] = loyal * estimate.first().get(job) + most - urgency[job];
                 }
                 costs.put(member, cost);
             }
@@ -212,10 +217,12 @@ public final class Team {
 
     private final class Manager implements ContractNet.Manager<Offer, Estimate, String> {
         private final List<Entry> called;
+        private final boolean anew;
         private final Map<String, Entry> given = new HashMap<>();
 
-        Manager(List<Entry> called) {
+        Manager(List<Entry> called, boolean anew) {
             this.called = called;
+            this.anew = anew;
         }
 
         @Override
@@ -229,15 +236,27 @@ public final class Team {
                 }
             }
             var shares = new HashMap<String, Offer>();
-            allot(called, estimates).forEach((member, number) -> {
+            allot(called, estimates, anew).forEach((member, number) -> {
                 Entry entry = called.get(number);
                 boolean known = entries.get(entry.job.name()) == entry; // not withdrawn meanwhile
-                if (known && tender != null && !busy().contains(member)) {
+                if (!known || tender == null || entry.isWith(member)) {
+                    return;
+                }
+                if (anew) {
+                    entry.release();
+                    entries.values().stream()
+                            .filter(other -> other.isWith(member))
+                            .forEach(Entry::release);
+                }
+                if (entry.contract == null && !busy().contains(member)) {
                     entry.contract = new Contract(member, tender);
                     given.put(member, entry);
-                    shares.put(member, new Offer(List.of(entry.job), false));
+                    shares.put(member, new Offer(List.of(entry.job), false, false));
                 }
             });
+            if (anew) {
+                callSoon(); // for those that lost their member to another job
+            }
             self.scheduler()
                     .execute(() ->
                             given.forEach((member, entry) -> onEvent.accept(new Event.Allotted(entry.job, member))));
@@ -303,6 +322,19 @@ public final class Team {
         Entry(Job job, DoubleSupplier urgency) {
             this.job = job;
             this.urgency = urgency;
+        }
+
+        boolean isWith(String member) {
+            return contract != null && contract.member.equals(member);
+        }
+
+        /// Whoever does it stops.
+        void release() {
+            Contract old = contract;
+            contract = null;
+            if (old != null) {
+                old.tender.cancel(old.member);
+            }
         }
 
         boolean isBarred(String member, Instant now) {

@@ -105,7 +105,7 @@ public final class Worker {
         Job job = contract.task().jobs().getFirst();
         Optional<Skill<Job>> skill = skill(job);
         if (unfit.isPresent() || current != null || skill.isEmpty()) {
-            contract.fail(unfit.orElse(current == null ? "I can't do that." : "I am doing something else."));
+            contract.fail(skill.isEmpty() ? "I can't do that." : UNFIT + unfit.orElse("I am doing something else."));
             return;
         }
         var assigned = new Assigned(job, contract);
@@ -145,15 +145,16 @@ public final class Worker {
     private final class Costing {
         private final List<Optional<Course>> courses;
         private final Call<Offer, Estimate> call;
-        private final boolean free = current == null;
+        private final boolean free;
 
         Costing(List<Optional<Course>> courses, Call<Offer, Estimate> call) {
             this.courses = courses;
             this.call = call;
+            this.free = current == null || call.task().anew();
         }
 
         void begin(Pose2d here) {
-            Optional<Course> left = job().flatMap(Worker.this::course);
+            Optional<Course> left = free ? Optional.empty() : job().flatMap(Worker.this::course);
             Pose2d mapFromStart = left.map(Course::mapFromEnd).orElse(here);
             var before = left.map(course -> cost(here, course)).orElseGet(() -> CompletableFuture.completedFuture(0.0));
             var own = new ArrayList<CompletableFuture<Double>>();

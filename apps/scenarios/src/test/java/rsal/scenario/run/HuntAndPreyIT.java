@@ -155,12 +155,23 @@ class HuntAndPreyIT {
     }
 
     @Test
-    void fourHuntersCatchThreePreyOneByOne() {
-        Hunt hunt = hunt("advanced", 2);
-        assertThat(hunt.result.outcome()).isEqualTo("success");
-        assertThat(hunt.events)
-                .filteredOn(event -> event.kind().equals("caught"))
-                .extracting(RunEvent::subject)
-                .containsExactlyInAnyOrder("escape-1", "escape-2", "escape-3");
+    void fourHuntersThatBidCatchThreeCleverPrey() {
+        for (long seed = 1; seed <= 3; seed++) {
+            Hunt hunt = hunt("advanced", seed);
+            assertThat(hunt.result.outcome()).as("seed %d", seed).isEqualTo("success");
+            assertThat(hunt.result.measures().get("collisions").getAsDouble())
+                    .as("seed %d", seed)
+                    .isZero();
+            assertThat(hunt.events)
+                    .as("seed %d", seed)
+                    .filteredOn(event -> event.kind().equals("caught"))
+                    .extracting(RunEvent::subject)
+                    .containsExactlyInAnyOrder("escape-1", "escape-2", "escape-3");
+            assertThat(hunt.events)
+                    .as("seed %d", seed)
+                    .extracting(RunEvent::text)
+                    .contains("not be caught: run")
+                    .anyMatch(text -> text.endsWith("accept-proposal: cut off prey-1"));
+        }
     }
 }

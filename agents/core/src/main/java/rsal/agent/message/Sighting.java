@@ -1,0 +1,13 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+import rsal.data.Pose2d;
+
+/// Somebody has seen a robot.
+///
+/// @param robot its id
+/// @param role its role
+/// @param mapFromBase where it was seen
+public record Sighting(String robot, String role, Pose2d mapFromBase) {
+    public static final Topic<Sighting> TOPIC = new Topic<>("sighting", Sighting.class);
+}

@@ -1,0 +1,200 @@
+package rsal.agents;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import rsal.agent.AgentContext;
+import rsal.agent.bdi.Belief;
+import rsal.agent.bdi.Doing;
+import rsal.agent.bdi.Mind;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.Sighting;
+import rsal.behavior.Pilot;
+import rsal.behavior.PioneerStack;
+import rsal.data.Pose2d;
+import rsal.device.Battery;
+import rsal.device.Navigator;
+import rsal.device.Navigator.Result;
+import rsal.device.Navigator.Tolerance;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// One clever prey's part of a hunt: wants to explore, to have a full battery, and most of all not to be caught. It
+/// sees hunters that are near and tells the other prey, as they tell it; and runs where hunters get much later than it
+/// does ([Evasion]).
+final class Evader {
+    private static final Duration MEMORY = Duration.ofSeconds(5); // of a hunter that nobody sees any more
+    private static final Duration THINK = Duration.ofSeconds(1);
+    private static final Duration NEW_WAY = Duration.ofSeconds(3); // between two choices of where to run to
+    private static final double RELIEF = 1.3; // times as far as where it began to run, hunters worry it no more
+    private static final double SAME = 0.5; // m
+    private static final double LOW = 0.25; // share of its battery
+    private static final double FULL = 0.9;
+
+    private final AgentContext self;
+    private final Robot robot;
+    private final Pilot pilot;
+    private final Driver driver;
+    private final Reporter reporter;
+    private final Surrender surrender;
+    private final Evasion evasion;
+    private final double sight;
+    private final double fear;
+    private final List<Pose2d> mapFromChargers;
+    private final Mind mind;
+    private final Belief<Double> nearest; // hunter [m]
+    private final Belief<Double> charge;
+    private boolean running;
+    private boolean charging;
+
+    Evader(AgentContext self, Robot robot, Arguments arguments) {
+        this.self = self;
+        this.robot = robot;
+        this.pilot = robot.require(Pilot.class);
+        this.driver = new Driver(self, robot.require(Navigator.class));
+        this.reporter = new Reporter(self, robot, arguments, _ -> look());
+        this.evasion = new Evasion(self, robot);
+        this.sight = arguments.number(Evade.SIGHT.name());
+        this.fear = arguments.number(Evade.FEAR.name());
+        this.mapFromChargers = Words.poses(arguments.places(Recharging.CHARGERS.name()));
+        this.mind = new Mind(self);
+        this.nearest = mind.belief("nearest hunter", Double.POSITIVE_INFINITY);
+        this.charge = mind.belief("charge", 1.0);
+        this.surrender = new Surrender(
+                self,
+                robot,
+                arguments.text(Escape.HUNTER.name()),
+                arguments.number(Escape.CATCH_DISTANCE.name()),
+                this::letGo);
+        this.self.atEnd(pilot::release);
+    }
+
+    void begin() {
+        self.subscribe(PoseReport.TOPIC, message -> hear(message.content()));
+        self.subscribe(Sighting.TOPIC, message -> note(message.content()));
+        robot.find(Battery.class)
+                .ifPresent(battery -> self.subscribe(
+                        battery, reading -> charge.set(reading.value().level())));
+        reporter.begin();
+        mind.goal("not be caught")
+                .priority(() -> 10)
+                .when(() -> !surrender.isCaught() && nearest.get() < (running ? RELIEF * fear : fear))
+                .plan("run", this::run);
+        mind.goal("recharge")
+                .priority(() -> 5)
+                .when(() -> !surrender.isCaught() && wantsToCharge())
+                .plan("stand at a charger", this::recharge);
+        mind.goal("explore").priority(() -> 1).when(() -> !surrender.isCaught()).plan("follow the wall", this::explore);
+        mind.begin(THINK);
+    }
+
+    private boolean wantsToCharge() {
+        charging = charge.get() < (charging ? FULL : LOW);
+        return charging && !mapFromChargers.isEmpty();
+    }
+
+    private void letGo() {
+        mind.think();
+        driver.stop();
+        pilot.release();
+    }
+
+    private void hear(PoseReport report) {
+        surrender.note(report, reporter.mapFromBase());
+        boolean seen = surrender.isHunter(report)
+                && reporter.mapFromBase()
+                        .filter(here -> here.distanceTo(report.mapFromBase()) < sight)
+                        .isPresent();
+        if (seen) {
+            var sighting = new Sighting(report.robot(), report.role(), report.mapFromBase());
+            self.publish(Sighting.TOPIC, sighting);
+            note(sighting);
+        }
+    }
+
+    private void note(Sighting sighting) {
+        self.blackboard().write(Sighting.TOPIC, sighting.robot(), sighting, MEMORY);
+        look();
+    }
+
+    private SortedMap<String, Pose2d> hunters() {
+        var poses = new TreeMap<String, Pose2d>();
+        self.blackboard()
+                .read(Sighting.TOPIC)
+                .forEach(
+                        note -> poses.put(note.content().robot(), note.content().mapFromBase()));
+        return poses;
+    }
+
+    private void look() {
+        reporter.mapFromBase().ifPresent(here -> {
+            evasion.learn(here);
+            surrender.lookAround(Optional.of(here));
+            nearest.set(hunters().values().stream()
+                    .mapToDouble(here::distanceTo)
+                    .min()
+                    .orElse(Double.POSITIVE_INFINITY));
+        });
+    }
+
+    private void explore(Doing doing) {
+        pilot.engage(PioneerStack.followLeftWall(robot.model()));
+        doing.onSuspend(pilot::release)
+                .onResume(() -> pilot.engage(PioneerStack.followLeftWall(robot.model())))
+                .onEnd(pilot::release);
+    }
+
+    private void run(Doing doing) {
+        running = true;
+        var choices = self.scheduler().every(NEW_WAY, this::choose);
+        doing.onEnd(() -> {
+            running = false;
+            choices.cancel();
+            driver.stop();
+            pilot.release();
+        });
+        choose();
+    }
+
+    /// Runs to where it has the greatest lead; where there is no such place, it follows the wall.
+    private void choose() {
+        Optional<Pose2d> here = reporter.mapFromBase();
+        if (here.isEmpty() || !running) {
+            return;
+        }
+        evasion.flee(here.get(), new ArrayList<>(hunters().values()), refuge -> {
+            if (!running) {
+                return;
+            }
+            refuge.ifPresentOrElse(this::runTo, () -> pilot.engage(PioneerStack.followLeftWall(robot.model())));
+        });
+    }
+
+    private void runTo(Pose2d mapFromRefuge) {
+        boolean underWay = driver.mapFromGoal()
+                .filter(goal -> goal.distanceTo(mapFromRefuge) < SAME)
+                .isPresent();
+        if (!underWay) {
+            pilot.release();
+            driver.goTo(mapFromRefuge, Tolerance.position(SAME), _ -> {});
+        }
+    }
+
+    private void recharge(Doing doing) {
+        Pose2d here = reporter.mapFromBase().orElse(Pose2d.ORIGIN);
+        Pose2d mapFromCharger = mapFromChargers.stream()
+                .min(Comparator.comparingDouble(here::distanceTo))
+                .orElseThrow(); // it is wanted only with chargers
+        Runnable go = () -> driver.goTo(mapFromCharger, Recharging.DOCKED, result -> {
+            if (!(result instanceof Result.Reached || result instanceof Result.Cancelled)) {
+                doing.fail(Words.reason(result));
+            }
+        });
+        doing.onSuspend(driver::stop).onResume(go).onEnd(driver::stop);
+        go.run();
+    }
+}

@@ -1,0 +1,92 @@
+package rsal.agents;
+
+import java.time.Duration;
+import java.util.Comparator;
+import java.util.Optional;
+import rsal.agent.AgentContext;
+import rsal.agent.message.Caught;
+import rsal.agent.message.PoseReport;
+import rsal.behavior.LimitTurnRate;
+import rsal.behavior.Pilot;
+import rsal.behavior.SetSpeed;
+import rsal.behavior.Subsumption;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
+import rsal.robot.Robot;
+
+/// What a prey does when it believes a hunter too near: it says that it is caught, and spins on the spot. What it knows
+/// of its hunters are the poses they report.
+final class Surrender {
+    private static final Twist2d SPIN = Twist2d.drive(0, Math.toRadians(40));
+    private static final Duration SPIN_TIME = Duration.ofSeconds(15);
+
+    private final AgentContext self;
+    private final Robot robot;
+    private final Pilot pilot;
+    private final Sightings hunters;
+    private final String hunterName;
+    private final double catchDistance;
+    private final Runnable lettingGo;
+    private boolean caught;
+
+    /// @param hunterName role of the robots that catch it, or id of the one; empty when any other robot does
+    /// @param lettingGo lets go of the robot for good
+    Surrender(AgentContext self, Robot robot, String hunterName, double catchDistance, Runnable lettingGo) {
+        this.self = self;
+        this.robot = robot;
+        this.pilot = robot.require(Pilot.class);
+        this.hunters = new Sightings(self.blackboard());
+        this.hunterName = hunterName;
+        this.catchDistance = catchDistance;
+        this.lettingGo = lettingGo;
+    }
+
+    /// @param mapFromBase where the prey believes to be; empty while it does not know
+    void note(PoseReport report, Optional<Pose2d> mapFromBase) {
+        if (isHunter(report)) {
+            hunters.note(report);
+            lookAround(mapFromBase);
+        }
+    }
+
+    boolean isHunter(PoseReport report) {
+        return hunterName.isEmpty() || report.isFrom(hunterName);
+    }
+
+    boolean isCaught() {
+        return caught;
+    }
+
+    void lookAround(Optional<Pose2d> mapFromBase) {
+        if (!caught) {
+            mapFromBase
+                    .flatMap(this::nearestHunter)
+                    .filter(hunter -> hunter.distance < catchDistance)
+                    .ifPresent(this::giveUp);
+        }
+    }
+
+    private Optional<Hunter> nearestHunter(Pose2d mapFromBase) {
+        return hunters.of(_ -> true).entrySet().stream()
+                .map(hunter -> new Hunter(hunter.getKey(), mapFromBase.distanceTo(hunter.getValue())))
+                .min(Comparator.comparingDouble(Hunter::distance)); // of equals the first by id
+    }
+
+    private void giveUp(Hunter hunter) {
+        caught = true;
+        lettingGo.run();
+        self.publish(Caught.TOPIC, new Caught(robot.id(), hunter.robot, hunter.distance));
+        self.state("caught by " + hunter.robot);
+        self.show("distance", Words.distance(hunter.distance));
+        spin();
+    }
+
+    private void spin() {
+        pilot.engage(new Subsumption()
+                .layer("spin", new SetSpeed(SPIN))
+                .layer("limit-turn-rate", new LimitTurnRate(robot.model().footprint(), SPIN.omega())));
+        self.scheduler().after(SPIN_TIME, pilot::release);
+    }
+
+    private record Hunter(String robot, double distance) {}
+}
