@@ -41,7 +41,7 @@ final class Collecting {
             "Where it brings things: of several places to the one nearest to a thing. None: where it stood 2 s after"
                     + " its start.");
     static final Parameter QUEUE = Parameter.integer(
-            "queue", 1, 0, 100, "", "How many things it takes on at most besides the one that it is after.");
+            "queue", 20, 0, 100, "", "How many things it takes on at most besides the one that it is after.");
     static final Parameter DEPOT_RADIUS =
             Parameter.number("depotRadius", 1.5, 0.3, 10, "m", "What lies that near to the depot is collected.");
 

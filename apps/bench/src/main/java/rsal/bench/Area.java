@@ -37,6 +37,6 @@ public record Area(String name, List<Bench> benches) {
                                 new OfficeBench(),
                                 new MappingBench(),
                                 new ExploreBench())),
-                new Area("scenarios", List.of(new SpreadBench(), new FleetBench())));
+                new Area("scenarios", List.of(new SpreadBench(), new FleetBench(), new CollectBench())));
     }
 }
