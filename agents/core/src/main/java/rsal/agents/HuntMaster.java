@@ -18,8 +18,8 @@ import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Has a team catch prey: hunters that bid (`follow` with `assignment: bids`) each get the prey that makes the ways of
-/// all least, as long as there are enough one to go where each prey is and one to cut it off, and again and again while
+/// Has a team catch prey: hunters that bid (`follow` with `assignment: bids`) each get a prey so that no way is
+/// long, as long as there are enough one to go where each prey is and one to cut it off, and again and again while
 /// they move. Needs no robot.
 public final class HuntMaster implements Agent {
     static final Parameter PREY =
@@ -40,7 +40,8 @@ public final class HuntMaster implements Agent {
     @Override
     public void start(AgentContext self) {
         Duration interval = arguments.seconds(INTERVAL.name());
-        Rules rules = Rules.DEFAULT.withObjective(Objective.SUM).withTries(0).reconsideredEvery(interval);
+        Rules rules =
+                Rules.DEFAULT.withObjective(Objective.LONGEST).withTries(0).reconsideredEvery(interval);
         var team = new Team(self, rules, _ -> tell(self));
         String prey = arguments.text(PREY.name());
         self.subscribe(PoseReport.TOPIC, PoseReport.ofRobots(prey), message -> {

@@ -197,6 +197,7 @@ public final class Team {
         return firstOf;
     }
 
+    /// By squares where the longest is to be short: long ways then count much more than short ones.
     private SortedMap<String, Integer> oneEach(List<Entry> open, NavigableMap<String, Estimate> estimates) {
         var costs = new TreeMap<String, double[]>();
         double[] urgency =
@@ -207,12 +208,14 @@ public final class Team {
                 var cost = new double[urgency.length];
                 for (int job = 0; job < cost.length; job++) {
                     double loyal = open.get(job).isWith(member) ? LOYALTY : 1;
-                    cost[job] = loyal * estimate.first().get(job) + most - urgency[job];
+                    double way = loyal * estimate.first().get(job);
+                    double later = most - urgency[job];
+                    cost[job] = rules.objective() == Objective.SUM ? way + later : way * way + later * later;
                 }
                 costs.put(member, cost);
             }
         });
-        return new TreeMap<>(rules.objective() == Objective.SUM ? Assignment.cheapest(costs) : Assignment.even(costs));
+        return new TreeMap<>(Assignment.cheapest(costs));
     }
 
     private final class Manager implements ContractNet.Manager<Offer, Estimate, String> {
