@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import rsal.agent.AgentContext;
 import rsal.agent.bdi.Belief;
 import rsal.agent.bdi.Doing;
+import rsal.agent.bdi.Goal;
 import rsal.agent.bdi.Mind;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.Sighting;
@@ -46,6 +47,7 @@ final class Evader {
     private final double fear;
     private final List<Pose2d> mapFromChargers;
     private final Mind mind;
+    private final List<Goal> goals = new ArrayList<>();
     private final Belief<Double> nearest; // hunter [m]
     private final Belief<Double> charge;
     private boolean running;
@@ -80,15 +82,15 @@ final class Evader {
                 .ifPresent(battery -> self.subscribe(
                         battery, reading -> charge.set(reading.value().level())));
         reporter.begin();
-        mind.goal("not be caught")
+        goals.add(mind.goal("not be caught")
                 .priority(() -> 10)
-                .when(() -> !surrender.isCaught() && nearest.get() < (running ? RELIEF * fear : fear))
-                .plan("run", this::run);
-        mind.goal("recharge")
+                .when(() -> nearest.get() < (running ? RELIEF * fear : fear))
+                .plan("run", this::run));
+        goals.add(mind.goal("recharge")
                 .priority(() -> 5)
-                .when(() -> !surrender.isCaught() && wantsToCharge())
-                .plan("stand at a charger", this::recharge);
-        mind.goal("explore").priority(() -> 1).when(() -> !surrender.isCaught()).plan("follow the wall", this::explore);
+                .when(this::wantsToCharge)
+                .plan("stand at a charger", this::recharge));
+        goals.add(mind.goal("explore").priority(() -> 1).plan("follow the wall", this::explore));
         mind.begin(THINK);
     }
 
@@ -97,10 +99,9 @@ final class Evader {
         return charging && !mapFromChargers.isEmpty();
     }
 
+    /// Wants nothing any more.
     private void letGo() {
-        mind.think();
-        driver.stop();
-        pilot.release();
+        goals.forEach(Goal::drop);
     }
 
     private void hear(PoseReport report) {

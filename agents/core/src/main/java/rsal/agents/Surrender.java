@@ -53,10 +53,6 @@ final class Surrender {
         return hunterName.isEmpty() || report.isFrom(hunterName);
     }
 
-    boolean isCaught() {
-        return caught;
-    }
-
     void lookAround(Optional<Pose2d> mapFromBase) {
         if (!caught) {
             mapFromBase

@@ -91,7 +91,9 @@ class EvadeTest {
         scene.report("h1", "hunter", 1, 0);
         scene.advance(3);
         assertThat(scene.said("p1", Caught.TOPIC)).containsExactly(new Caught("p1", "h1", 1));
+        assertThat(scene.state("p1")).isEqualTo("caught by h1");
         assertThat(p1.navigator.driving()).isFalse();
+        assertThat(p1.pilot.engaged()).as("it spins").isTrue();
         scene.advance(60);
         assertThat(p1.pilot.engaged()).isFalse();
     }
