@@ -80,7 +80,7 @@ final class Evader {
         self.subscribe(Sighting.TOPIC, message -> note(message.content()));
         robot.find(Battery.class)
                 .ifPresent(battery -> self.subscribe(
-                        battery, reading -> charge.set(reading.value().level())));
+                        battery, reading -> charge.set(tenths(reading.value().level() * 10) / 10)));
         reporter.begin();
         goals.add(mind.goal("not be caught")
                 .priority(() -> 10)
@@ -135,11 +135,17 @@ final class Evader {
         reporter.mapFromBase().ifPresent(here -> {
             evasion.learn(here);
             surrender.lookAround(Optional.of(here));
-            nearest.set(hunters().values().stream()
+            double distance = hunters().values().stream()
                     .mapToDouble(here::distanceTo)
                     .min()
-                    .orElse(Double.POSITIVE_INFINITY));
+                    .orElse(Double.POSITIVE_INFINITY);
+            nearest.set(tenths(distance));
         });
+    }
+
+    /// Rounded, for people, and so that it does not think again for every bit of it.
+    private static double tenths(double value) {
+        return Double.isInfinite(value) ? value : Math.round(value * 10) / 10.0;
     }
 
     private void explore(Doing doing) {

@@ -6,11 +6,15 @@ import java.util.stream.Collectors;
 import rsal.agent.Message;
 import rsal.agent.message.Caught;
 import rsal.agent.message.Chase;
+import rsal.agent.message.Collected;
+import rsal.agent.message.Depot;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.Hello;
+import rsal.agent.message.Lookout;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
+import rsal.agent.message.Sighting;
 import rsal.agent.message.Text;
 import rsal.agent.message.Visited;
 import rsal.agent.message.Watch;
@@ -44,7 +48,18 @@ final class Words {
             case Caught caught ->
                 String.format(
                         Locale.ROOT, "%s is caught by %s at %.2f m", caught.prey(), caught.hunter(), caught.distance());
+            case Chase chase when chase.prey().isEmpty() -> "%s cuts a prey off".formatted(chase.hunter());
             case Chase chase -> "%s goes for %s".formatted(chase.hunter(), chase.prey());
+            case Sighting sighting -> "I see %s at %s".formatted(sighting.robot(), of(sighting.mapFromBase()));
+            case Depot depot -> "%s brings things to %s".formatted(depot.robot(), of(List.of(depot.mapFromDepot())));
+            case Lookout lookout
+            when lookout.done() ->
+                "%s has looked around at %s".formatted(lookout.robot(), of(List.of(lookout.mapFromPlace())));
+            case Lookout lookout ->
+                "%s goes to look around at %s".formatted(lookout.robot(), of(List.of(lookout.mapFromPlace())));
+            case Collected collected ->
+                "%s has brought %s to %s"
+                        .formatted(collected.robot(), collected.goal(), of(List.of(collected.mapFromDepot())));
             case Watch watch -> "We watch " + of(watch.mapFromPlaces());
             case Visited visited -> "%s was at %s".formatted(visited.robot(), of(List.of(visited.mapFromPlace())));
             case Hello hello -> of(hello);

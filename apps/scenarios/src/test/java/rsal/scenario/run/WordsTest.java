@@ -13,16 +13,24 @@ import rsal.agent.Message;
 import rsal.agent.Topic;
 import rsal.agent.message.Caught;
 import rsal.agent.message.Chase;
+import rsal.agent.message.CollectGoal;
+import rsal.agent.message.Collected;
+import rsal.agent.message.Depot;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.Hello;
+import rsal.agent.message.Lookout;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
+import rsal.agent.message.Sighting;
 import rsal.agent.message.Text;
+import rsal.agent.message.Visited;
+import rsal.agent.message.Watch;
 import rsal.agent.protocol.Act;
 import rsal.agent.protocol.Performative;
 import rsal.agent.protocol.Side;
 import rsal.data.Pose2d;
+import rsal.data.Rgb;
 import rsal.device.Navigator.Result;
 
 class WordsTest {
@@ -32,6 +40,15 @@ class WordsTest {
         return List.of(
                 new Caught("prey-1", "hunter-1", 1.234),
                 new Chase("hunter-1", "prey-1"),
+                new Chase("hunter-1", ""),
+                new CollectGoal(Rgb.of(0x2ca02c), PLACE.position()),
+                new Collected("r-1", new CollectGoal(Rgb.of(0x2ca02c), PLACE.position()), PLACE.position()),
+                new Depot("r-1", PLACE.position(), 1.5),
+                new Lookout("r-1", PLACE.position(), true),
+                new Lookout("r-1", PLACE.position(), false),
+                new Sighting("hunter-1", "hunter", PLACE),
+                new Visited("r-1", PLACE.position()),
+                new Watch(List.of(PLACE.position(), PLACE.position())),
                 new GoalReached("hunter-1", PLACE, "stuck", "A box is ahead."),
                 new Hello("hunter-1", Hello.Kind.PONG, "prey-1"),
                 new NewGoal("hunter-1", PLACE),
