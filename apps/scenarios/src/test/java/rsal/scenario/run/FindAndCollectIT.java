@@ -30,7 +30,7 @@ class FindAndCollectIT {
         long said() {
             return events.stream()
                     .filter(event ->
-                            event.kind().equals("message") && event.text().startsWith("Collected["))
+                            event.kind().equals("message") && event.text().matches("collector-\\d+ has brought .*"))
                     .count();
         }
     }
