@@ -17,20 +17,20 @@ module rsal.agents {
     provides rsal.agent.AgentHostProvider with
             rsal.agent.plain.PlainHostProvider;
     provides rsal.agent.AgentType with
-            rsal.agents.Ceiling.Type,
-            rsal.agents.Collect.Type,
-            rsal.agents.Dispersion.Type,
-            rsal.agents.Escape.Type,
-            rsal.agents.Evade.Type,
-            rsal.agents.Explore.Type,
-            rsal.agents.Follow.Type,
-            rsal.agents.Formation.Type,
-            rsal.agents.HuntMaster.Type,
-            rsal.agents.Nav.Type,
-            rsal.agents.Swarm.Type,
-            rsal.agents.Patrol.Type,
-            rsal.agents.View.Type,
+            rsal.agents.Ceiling,
+            rsal.agents.Collect,
+            rsal.agents.Dispersion,
+            rsal.agents.Escape,
+            rsal.agents.Evade,
+            rsal.agents.Explore,
+            rsal.agents.Follow,
+            rsal.agents.Formation,
+            rsal.agents.HuntMaster,
+            rsal.agents.Nav,
+            rsal.agents.Swarm,
+            rsal.agents.Patrol,
+            rsal.agents.View,
             rsal.agents.Roamer.WallFollow,
             rsal.agents.Roamer.Wander,
-            rsal.agents.WorkerAgent.Type;
+            rsal.agents.WorkerAgent;
 }

@@ -4,14 +4,10 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.AgentType;
 import rsal.agent.message.CollectGoal;
-import rsal.agent.presence.Presence;
 import rsal.data.Point2d;
 import rsal.data.Prism;
-import rsal.device.Device;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Standing;
 import rsal.settings.Arguments;
@@ -19,7 +15,7 @@ import rsal.settings.Parameter;
 
 /// Sensors on the ceiling, which see what lies under them and have robots that can collect it. In the simulated world
 /// they see the truth, through walls too: places and range are to be chosen so that a sensor sees one room.
-public final class Ceiling implements Agent {
+public final class Ceiling extends Kind {
     static final Parameter PLACES = Parameter.places("places", "Where there is a sensor.");
     static final Parameter THINGS = Parameter.text("things", "What the things are called that it looks for (can).");
     static final Parameter RANGE =
@@ -28,14 +24,16 @@ public final class Ceiling implements Agent {
 
     private static final double LIFTED = 0.01; // m above the floor: a robot holds it
 
-    private final Arguments arguments;
-
-    Ceiling(Arguments arguments) {
-        this.arguments = arguments;
+    public Ceiling() {
+        super(
+                "ceiling",
+                "Sensors on the ceiling of a simulated world, which have collected what they see.",
+                List.of(PLACES, THINGS, RANGE, PERIOD, Hiring.ALLOTMENT),
+                List.of());
     }
 
     @Override
-    public void start(AgentContext self) {
+    void begin(AgentContext self, Arguments arguments) {
         SimulationControl world = self.simulation()
                 .orElseThrow(() -> new IllegalStateException(
                         "Agent (%s) sees things in a simulated world, and there is none.".formatted(self.name())));
@@ -44,28 +42,22 @@ public final class Ceiling implements Agent {
         var finds = new Finds(self, hiring);
         finds.begin();
         List<Point2d> places = arguments.places(PLACES.name());
+        String name = arguments.text(THINGS.name());
         double range = arguments.number(RANGE.name());
         Duration period = arguments.seconds(PERIOD.name());
         self.scheduler().every(period, () -> {
             for (Standing thing : world.things()) {
                 Point2d where = thing.mapFromThing().position();
                 boolean seen = places.stream().anyMatch(place -> place.distanceTo(where) <= range);
-                if (seen && isWanted(thing)) {
+                if (seen && isWanted(thing, name)) {
                     goal(thing).ifPresent(finds::see);
                 }
             }
         });
         self.state("watching %d places".formatted(places.size()));
-        Presence.begin(self);
     }
 
-    @Override
-    public void stop(AgentContext self) {
-        Presence.end(self);
-    }
-
-    private boolean isWanted(Standing thing) {
-        String name = arguments.text(THINGS.name());
+    private static boolean isWanted(Standing thing, String name) {
         boolean called = thing.name().equals(name) || thing.name().matches(Pattern.quote(name) + "-\\d+");
         return called && thing.height() < LIFTED;
     }
@@ -75,32 +67,5 @@ public final class Ceiling implements Agent {
                 .flatMap((Prism piece) -> piece.color().stream())
                 .findFirst()
                 .map(color -> new CollectGoal(color, thing.mapFromThing().position()));
-    }
-
-    public static final class Type implements AgentType {
-        @Override
-        public String key() {
-            return "ceiling";
-        }
-
-        @Override
-        public String description() {
-            return "Sensors on the ceiling of a simulated world, which have collected what they see.";
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of(PLACES, THINGS, RANGE, PERIOD, Hiring.ALLOTMENT);
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of();
-        }
-
-        @Override
-        public Agent create(Arguments arguments) {
-            return new Ceiling(arguments);
-        }
     }
 }

@@ -1,18 +1,14 @@
 package rsal.agents;
 
 import java.util.List;
-import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.AgentType;
-import rsal.agent.presence.Presence;
 import rsal.behavior.Pilot;
-import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// A prey: follows the wall on its left and says where it is, until a hunter comes too near. Then it gives up and
 /// spins on the spot.
-public final class Escape implements Agent {
+public final class Escape extends Kind {
     static final Parameter HUNTER = Parameter.robots(
             "hunter",
             "",
@@ -21,47 +17,16 @@ public final class Escape implements Agent {
     static final Parameter CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It is caught when a hunter is nearer than this.");
 
-    private final Arguments arguments;
-
-    Escape(Arguments arguments) {
-        this.arguments = arguments;
+    public Escape() {
+        super(
+                "escape",
+                "Prey: follows the wall on its left until a hunter comes too near, then gives up.",
+                List.of(HUNTER, CATCH_DISTANCE, Reporter.PERIOD),
+                List.of(Pilot.class));
     }
 
     @Override
-    public void start(AgentContext self) {
+    void begin(AgentContext self, Arguments arguments) {
         new Prey(self, Body.of(self), arguments).begin();
-        Presence.begin(self);
-    }
-
-    @Override
-    public void stop(AgentContext self) {
-        Presence.end(self);
-    }
-
-    public static final class Type implements AgentType {
-        @Override
-        public String key() {
-            return "escape";
-        }
-
-        @Override
-        public String description() {
-            return "Prey: follows the wall on its left until a hunter comes too near, then gives up.";
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of(HUNTER, CATCH_DISTANCE, Reporter.PERIOD);
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of(Pilot.class);
-        }
-
-        @Override
-        public Agent create(Arguments arguments) {
-            return new Escape(arguments);
-        }
     }
 }

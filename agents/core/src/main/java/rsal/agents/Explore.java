@@ -2,20 +2,16 @@ package rsal.agents;
 
 import java.util.List;
 import java.util.Optional;
-import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.AgentType;
-import rsal.agent.presence.Presence;
 import rsal.behavior.Pilot;
 import rsal.data.Rgb;
 import rsal.device.BlobFinder;
-import rsal.device.Device;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Looks for things of a color, and has others collect them.
-public final class Explore implements Agent {
+public final class Explore extends Kind {
     static final Parameter COLOR =
             Parameter.text("color", "", "Of the things that it looks for, #rrggbb; any when empty.");
     static final Parameter RANGE =
@@ -28,14 +24,16 @@ public final class Explore implements Agent {
             "How it gets about: along the walls, or between places spread over the map, which takes a navigator and"
                     + " a device of type (places).");
 
-    private final Arguments arguments;
-
-    Explore(Arguments arguments) {
-        this.arguments = arguments;
+    public Explore() {
+        super(
+                "explore",
+                "Looks for colored things, and has them collected by robots that can.",
+                List.of(Reporter.PERIOD, ROAM, Lookouts.COUNT, COLOR, RANGE, Hiring.ALLOTMENT),
+                List.of(BlobFinder.class, Pilot.class));
     }
 
     @Override
-    public void start(AgentContext self) {
+    void begin(AgentContext self, Arguments arguments) {
         Robot robot = Body.of(self);
         var reporter = new Reporter(self, robot, arguments, _ -> {});
         reporter.begin();
@@ -49,12 +47,6 @@ public final class Explore implements Agent {
         } else {
             Roaming.alongWalls(self, robot).begin();
         }
-        Presence.begin(self);
-    }
-
-    @Override
-    public void stop(AgentContext self) {
-        Presence.end(self);
     }
 
     /// @throws IllegalArgumentException when it is none
@@ -65,32 +57,5 @@ public final class Explore implements Agent {
                 : Optional.of(Rgb.parse(text)
                         .orElseThrow(() -> new IllegalArgumentException(
                                 "(color) must be like #1f77b4, not (%s).".formatted(text))));
-    }
-
-    public static final class Type implements AgentType {
-        @Override
-        public String key() {
-            return "explore";
-        }
-
-        @Override
-        public String description() {
-            return "Looks for colored things, and has them collected by robots that can.";
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of(Reporter.PERIOD, ROAM, Lookouts.COUNT, COLOR, RANGE, Hiring.ALLOTMENT);
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of(BlobFinder.class, Pilot.class);
-        }
-
-        @Override
-        public Agent create(Arguments arguments) {
-            return new Explore(arguments);
-        }
     }
 }

@@ -1,18 +1,14 @@
 package rsal.agents;
 
 import java.util.List;
-import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.AgentType;
 import rsal.agent.message.NewGoal;
-import rsal.agent.presence.Presence;
-import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Leads a team through the map in a formation, each robot at a place of its own in it. Where there is no room it goes
 /// in a column. Needs no robot.
-public final class Formation implements Agent {
+public final class Formation extends Kind {
     static final Parameter ROBOTS =
             Parameter.robots("robots", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to lead, or all.");
     static final Parameter SHAPE =
@@ -26,52 +22,21 @@ public final class Formation implements Agent {
     static final Parameter SILENCE = Parameter.number(
             "silence", 3, 1, 600, "s", "A robot of which nothing was heard for that long has its place no more.");
 
-    private final Arguments arguments;
-
-    Formation(Arguments arguments) {
-        this.arguments = arguments;
+    public Formation() {
+        super(
+                "formation",
+                "Leads a team through the map in a formation, and in a column where there is no room.",
+                List.of(ROBOTS, SHAPE, SPACING, ROUTE, SPEED, SILENCE),
+                List.of());
     }
 
     @Override
-    public void start(AgentContext self) {
+    void begin(AgentContext self, Arguments arguments) {
         if (arguments.places(ROUTE.name()).size() < 2) {
             throw new IllegalArgumentException(
                     "Agent (%s) needs a route of at least two places. Maybe set its argument (route) to \"0 0; 10 0\"."
                             .formatted(self.name()));
         }
         new March(self, arguments).begin();
-        Presence.begin(self);
-    }
-
-    @Override
-    public void stop(AgentContext self) {
-        Presence.end(self);
-    }
-
-    public static final class Type implements AgentType {
-        @Override
-        public String key() {
-            return "formation";
-        }
-
-        @Override
-        public String description() {
-            return "Leads a team through the map in a formation, and in a column where there is no room.";
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of(ROBOTS, SHAPE, SPACING, ROUTE, SPEED, SILENCE);
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of();
-        }
-
-        @Override
-        public Agent create(Arguments arguments) {
-            return new Formation(arguments);
-        }
     }
 }

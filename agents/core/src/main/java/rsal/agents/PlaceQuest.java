@@ -13,10 +13,14 @@ import rsal.agent.protocol.Request;
 import rsal.agents.PlaceSearch.Found;
 import rsal.agents.PlaceSearch.Wanted;
 import rsal.data.Point2d;
+import rsal.settings.Parameter;
 
 /// Has places found for a team by one of its robots that can ([PlaceSearch]); by another when that one fails or is
 /// silent. Says in its agent's state what it waits for.
 final class PlaceQuest {
+    static final Parameter CLEARANCE = Parameter.number(
+            "clearance", 0.4, 0.05, 10, "m", "Least distance from places to find, and from ways to them, to walls.");
+
     private final AgentContext self;
     private final Consumer<List<Point2d>> onFound;
     private final Request<Wanted, Found> search;

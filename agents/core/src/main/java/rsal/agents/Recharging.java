@@ -36,8 +36,6 @@ final class Recharging {
             "m",
             "How far it drives on a full battery, with all that it does meanwhile; what takes more it does not begin.");
 
-    static final List<Parameter> PARAMETERS = List.of(CHARGERS, LOW, FULL);
-
     private static final double SPARE = 0.1; // share of the battery that no plan may use
     static final Tolerance DOCKED = Tolerance.position(0.15);
     private static final Duration LOOK = Duration.ofSeconds(5);
@@ -55,20 +53,9 @@ final class Recharging {
     private final List<Pose2d> tried = new ArrayList<>();
     private boolean charging;
 
+    /// @param canLeave whether the robot can go to a charger now
     /// @param before lets go of the robot; called when its battery is low
     /// @param after takes it back; called when it is full
-    Recharging(
-            AgentContext self,
-            Robot robot,
-            Driver driver,
-            Supplier<Optional<Pose2d>> mapFromBase,
-            Arguments arguments,
-            Runnable before,
-            Runnable after) {
-        this(self, robot, driver, mapFromBase, arguments, () -> true, before, after);
-    }
-
-    /// @param canLeave whether the robot can go to a charger now
     Recharging(
             AgentContext self,
             Robot robot,

@@ -63,7 +63,7 @@ final class Spreading {
         this.mapFromPlaces = Words.poses(arguments.places(Dispersion.PLACES.name()));
         this.areGiven = !mapFromPlaces.isEmpty();
         this.count = arguments.integer(Dispersion.COUNT.name());
-        this.clearance = arguments.number(Dispersion.CLEARANCE.name());
+        this.clearance = arguments.number(PlaceQuest.CLEARANCE.name());
         this.quest = new PlaceQuest(self, this::spreadOver);
         this.interval = arguments.seconds(Dispersion.DISPERSION_INTERVAL.name());
         Duration ping = arguments.seconds(Dispersion.PING_INTERVAL.name());

@@ -1,14 +1,10 @@
 package rsal.agents;
 
 import java.util.List;
-import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.AgentType;
 import rsal.agent.Interest;
 import rsal.agent.message.PoseReport;
-import rsal.agent.presence.Presence;
 import rsal.behavior.Pilot;
-import rsal.device.Device;
 import rsal.device.Navigator;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
@@ -18,7 +14,7 @@ import rsal.settings.Parameter;
 /// keeps its place in formations. Its robot needs few devices, so that hundreds fit into a run; without a pilot it
 /// waits
 /// where others follow walls.
-public final class Swarm implements Agent {
+public final class Swarm extends Kind {
     static final Parameter RADIUS = Parameter.number(
             "radius", 0, 0, 10_000, "m", "Robots farther away than this are not heard; 0 hears all of them.");
     static final Parameter NEAR =
@@ -30,14 +26,16 @@ public final class Swarm implements Agent {
 
     private static final String WAITING = "waiting for a goal";
 
-    private final Arguments arguments;
-
-    Swarm(Arguments arguments) {
-        this.arguments = arguments;
+    public Swarm() {
+        super(
+                "swarm",
+                "One of many: tells all where it is, follows the wall on its left, drives where it is told.",
+                List.of(Reporter.PERIOD, RADIUS, NEAR, IDLE),
+                List.of(Navigator.class));
     }
 
     @Override
-    public void start(AgentContext self) {
+    void begin(AgentContext self, Arguments arguments) {
         Robot robot = Body.of(self);
         var neighbors = new Neighbors(self, arguments.number(NEAR.name()));
         var reporter = new Reporter(self, robot, arguments, said -> neighbors.isAt(said.mapFromBase()));
@@ -57,38 +55,5 @@ public final class Swarm implements Agent {
         reporter.begin();
         Travel.begin(self, robot, reporter);
         Survey.begin(self, robot);
-        Presence.begin(self);
-    }
-
-    @Override
-    public void stop(AgentContext self) {
-        Presence.end(self);
-    }
-
-    public static final class Type implements AgentType {
-        @Override
-        public String key() {
-            return "swarm";
-        }
-
-        @Override
-        public String description() {
-            return "One of many: tells all where it is, follows the wall on its left, drives where it is told.";
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of(Reporter.PERIOD, RADIUS, NEAR, IDLE);
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of(Navigator.class);
-        }
-
-        @Override
-        public Agent create(Arguments arguments) {
-            return new Swarm(arguments);
-        }
     }
 }

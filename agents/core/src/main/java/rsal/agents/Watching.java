@@ -56,8 +56,8 @@ final class Watching {
         this.team = new Team(self, rules, this::note);
         List<Point2d> given = arguments.places(Patrol.PLACES.name());
         this.wanted = given.isEmpty()
-                ? Optional.of(
-                        new Wanted(arguments.integer(Patrol.COUNT.name()), arguments.number(Patrol.CLEARANCE.name())))
+                ? Optional.of(new Wanted(
+                        arguments.integer(Patrol.COUNT.name()), arguments.number(PlaceQuest.CLEARANCE.name())))
                 : Optional.empty();
         if (!given.isEmpty()) {
             self.scheduler().execute(() -> watch(given));

@@ -1,32 +1,28 @@
 package rsal.agents;
 
-import java.util.ArrayList;
 import java.util.List;
-import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.AgentType;
-import rsal.agent.presence.Presence;
 import rsal.agent.team.Worker;
-import rsal.device.Device;
 import rsal.device.Navigator;
 import rsal.device.Planner;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 
 /// A member of a team: bids for what the team has to do and does what it gets. Its battery comes first, then driving
 /// where it is told.
-public final class WorkerAgent implements Agent {
+public final class WorkerAgent extends Kind {
     private static final double NEAR = 0.5; // m, of a place
 
-    private final Arguments arguments;
-
-    WorkerAgent(Arguments arguments) {
-        this.arguments = arguments;
+    public WorkerAgent() {
+        super(
+                "worker",
+                "Bids for what its team has to do, does what it gets, and minds its battery.",
+                List.of(Recharging.CHARGERS, Recharging.LOW, Recharging.FULL, Reporter.PERIOD),
+                List.of(Navigator.class));
     }
 
     @Override
-    public void start(AgentContext self) {
+    void begin(AgentContext self, Arguments arguments) {
         Robot robot = Body.of(self);
         var driver = new Driver(self, robot.require(Navigator.class));
         var reporter = new Reporter(self, robot, arguments, _ -> {});
@@ -44,6 +40,7 @@ public final class WorkerAgent implements Agent {
                         driver,
                         reporter::mapFromBase,
                         arguments,
+                        () -> true,
                         () -> worker.unfit("charging"),
                         worker::fit)
                 .begin();
@@ -52,41 +49,6 @@ public final class WorkerAgent implements Agent {
         Travel.begin(self, robot, reporter);
         PlaceSearch.begin(self, robot, reporter);
         worker.begin();
-        Presence.begin(self);
         self.state("waiting for a job");
-    }
-
-    @Override
-    public void stop(AgentContext self) {
-        Presence.end(self);
-    }
-
-    public static final class Type implements AgentType {
-        @Override
-        public String key() {
-            return "worker";
-        }
-
-        @Override
-        public String description() {
-            return "Bids for what its team has to do, does what it gets, and minds its battery.";
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            var parameters = new ArrayList<>(Recharging.PARAMETERS);
-            parameters.add(Reporter.PERIOD);
-            return parameters;
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of(Navigator.class);
-        }
-
-        @Override
-        public Agent create(Arguments arguments) {
-            return new WorkerAgent(arguments);
-        }
     }
 }
