@@ -163,8 +163,6 @@ public final class ScenarioSchema {
     }
 
     private Map<String, Object> robot(boolean partial) {
-        var number = orReference(fields("type", "number"));
-        var pose = fields("type", "array", "items", number, "minItems", 3, "maxItems", 3);
         return group(
                 fields(
                         "count", parameter(Format.COUNT),
@@ -177,38 +175,23 @@ public final class ScenarioSchema {
                                         "What kind of robot it is."),
                         "pose",
                                 described(
-                                        anyOf(List.of(
-                                                pose,
-                                                fields("type", "array", "items", pose, "minItems", 1),
-                                                partial ? fields("type", "object") : free())),
+                                        poses(partial),
                                         "Where they start: [x, y, degrees], a list of those, or somewhere free."),
-                        "color",
-                                described(
-                                        orReference(fields("type", "string", "pattern", "^#[0-9a-fA-F]{6}$")),
-                                        "How people see them."),
+                        "color", described(color(), "How people see them."),
                         "devices", devices(partial)),
                 partial ? List.of() : List.of("model"));
     }
 
     private static Map<String, Object> thing(boolean partial) {
-        var number = orReference(fields("type", "number"));
-        var pose = fields("type", "array", "items", number, "minItems", 3, "maxItems", 3);
-        var place = fields("type", "array", "items", number, "minItems", 2, "maxItems", 2);
         return group(
                 fields(
                         "count", parameter(Format.COUNT),
                         "pose",
                                 described(
-                                        anyOf(List.of(
-                                                pose,
-                                                fields("type", "array", "items", pose, "minItems", 1),
-                                                partial ? fields("type", "object") : free())),
+                                        poses(partial),
                                         "Where they are: [x, y, degrees], a list of those, or somewhere free."),
                         "body", described(fields("type", "object"), "A box, a disc, an outline, or pieces of those."),
-                        "color",
-                                described(
-                                        orReference(fields("type", "string", "pattern", "^#[0-9a-fA-F]{6}$")),
-                                        "As cameras see them."),
+                        "color", described(color(), "As cameras see them."),
                         "obstacle", parameter(Format.OBSTACLE),
                         "grippable", parameter(Format.GRIPPABLE),
                         "fiducial", parameter(Format.FIDUCIAL),
@@ -219,23 +202,43 @@ public final class ScenarioSchema {
                                         group(
                                                 fields(
                                                         "around", described(text(), "Where robots of a role start."),
-                                                        "at", fields("type", "array", "items", place, "minItems", 1),
+                                                        "at",
+                                                                fields(
+                                                                        "type",
+                                                                        "array",
+                                                                        "items",
+                                                                        numbers(2),
+                                                                        "minItems",
+                                                                        1),
                                                         "radius", parameter(Format.DEPOT_RADIUS)),
                                                 List.of()),
                                         "Where they are to be brought.")),
                 partial ? List.of() : List.of("pose", "body"));
     }
 
-    private static Map<String, Object> free() {
+    private static Map<String, Object> poses(boolean partial) {
+        Map<String, Object> pose = numbers(3);
+        return anyOf(List.of(
+                pose,
+                fields("type", "array", "items", pose, "minItems", 1),
+                partial ? fields("type", "object") : free()));
+    }
+
+    private static Map<String, Object> numbers(int count) {
         var number = orReference(fields("type", "number"));
+        return fields("type", "array", "items", number, "minItems", count, "maxItems", count);
+    }
+
+    private static Map<String, Object> color() {
+        return orReference(fields("type", "string", "pattern", "^#[0-9a-fA-F]{6}$"));
+    }
+
+    private static Map<String, Object> free() {
         return group(
                 fields(
                         "free", fields("const", true),
                         "clearance", parameter(Format.CLEARANCE),
-                        "within",
-                                described(
-                                        fields("type", "array", "items", number, "minItems", 4, "maxItems", 4),
-                                        "Least x, least y, greatest x, greatest y [m].")),
+                        "within", described(numbers(4), "Least x, least y, greatest x, greatest y [m].")),
                 List.of("free"));
     }
 
