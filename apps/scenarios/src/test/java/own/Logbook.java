@@ -1,11 +1,8 @@
 package own;
 
-import java.util.List;
 import rsal.agent.Agent;
 import rsal.agent.AgentType;
-import rsal.device.Device;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 
 /// Counts the visits of each post. Needs no robot.
 public final class Logbook implements AgentType {
@@ -17,16 +14,6 @@ public final class Logbook implements AgentType {
     @Override
     public String description() {
         return "Counts the visits of each post.";
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of();
-    }
-
-    @Override
-    public List<Class<? extends Device>> needs() {
-        return List.of();
     }
 
     @Override

@@ -1,6 +1,7 @@
 package rsal.agent;
 
 import java.util.List;
+import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
@@ -12,10 +13,14 @@ public interface AgentType {
     /// A sentence about what it does.
     String description();
 
-    List<Parameter> parameters();
+    default List<Parameter> parameters() {
+        return List.of();
+    }
 
     /// Types of devices without which it can't work; none for agents without a robot.
-    List<Class<? extends rsal.device.Device>> needs();
+    default List<Class<? extends Device>> needs() {
+        return List.of();
+    }
 
     /// @param arguments for [#parameters]
     Agent create(Arguments arguments);

@@ -6,10 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rsal.agent.plain.PlainHostProvider;
-import rsal.device.Device;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.LockstepScheduler;
 
 /// A society on the plain host in simulated time, with agents written as lambdas.
@@ -77,16 +75,6 @@ public final class Run {
         @Override
         public String description() {
             return "Does what a test wants.";
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of();
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of();
         }
 
         @Override

@@ -35,9 +35,13 @@ public interface DeviceDriver {
     }
 
     /// Types of devices that the robot must have before this one can be made.
-    List<Class<? extends Device>> needs();
+    default List<Class<? extends Device>> needs() {
+        return List.of();
+    }
 
-    List<Parameter> parameters();
+    default List<Parameter> parameters() {
+        return List.of();
+    }
 
     /// What to say to somebody who sets something that is no parameter here but is one of a program that people come
     /// from: what is instead, or why there is nothing. In a sentence; empty when it is not known.

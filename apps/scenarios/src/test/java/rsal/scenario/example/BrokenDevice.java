@@ -36,11 +36,6 @@ public final class BrokenDevice implements DeviceDriver {
     }
 
     @Override
-    public List<Class<? extends Device>> needs() {
-        return List.of();
-    }
-
-    @Override
     public List<Parameter> parameters() {
         return List.of(
                 Parameter.flag("atOnce", false, "Whether it can't even be made."),

@@ -3,15 +3,12 @@ package rsal.scenario.example;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Set;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
 import rsal.agent.message.Text;
-import rsal.device.Device;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 
 /// Says something ten times a second and counts what it hears of others: how much, how often the same, how late.
 public final class Chatter implements AgentType {
@@ -23,16 +20,6 @@ public final class Chatter implements AgentType {
     @Override
     public String description() {
         return "Says something ten times a second and counts what it hears.";
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of();
-    }
-
-    @Override
-    public List<Class<? extends Device>> needs() {
-        return List.of();
     }
 
     @Override

@@ -1,7 +1,6 @@
 package rsal.scenario.example;
 
 import java.time.Duration;
-import java.util.List;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
@@ -10,11 +9,9 @@ import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.data.Solid;
-import rsal.device.Device;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Thing;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 
 /// Adds robots and things every second, and after a while takes the first ones out again.
 public final class Recruiter implements AgentType {
@@ -26,16 +23,6 @@ public final class Recruiter implements AgentType {
     @Override
     public String description() {
         return "Adds robots and takes them out again.";
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of();
-    }
-
-    @Override
-    public List<Class<? extends Device>> needs() {
-        return List.of();
     }
 
     @Override

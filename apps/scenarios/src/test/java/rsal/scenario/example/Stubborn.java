@@ -8,7 +8,6 @@ import rsal.data.Twist2d;
 import rsal.device.Device;
 import rsal.device.DriveBase;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 
 /// Switches its motors on at each step, and drives ahead.
 public final class Stubborn implements AgentType {
@@ -20,11 +19,6 @@ public final class Stubborn implements AgentType {
     @Override
     public String description() {
         return "Switches its motors on at each step, and drives ahead.";
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of();
     }
 
     @Override

@@ -6,7 +6,6 @@ import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
 import rsal.data.Pose2d;
-import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
@@ -30,11 +29,6 @@ public final class Witness implements AgentType {
                 Parameter.robots("of", "prey", List.of(), "Id of the robot."),
                 Parameter.number("x", 0, -1000, 1000, "m", "Where the place is."),
                 Parameter.number("y", 0, -1000, 1000, "m", "Where the place is."));
-    }
-
-    @Override
-    public List<Class<? extends Device>> needs() {
-        return List.of();
     }
 
     @Override

@@ -31,11 +31,6 @@ public final class JumpPointDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Class<? extends Device>> needs() {
-        return List.of();
-    }
-
-    @Override
     public List<Parameter> parameters() {
         return List.of(Ways.WALL_DISTANCE);
     }

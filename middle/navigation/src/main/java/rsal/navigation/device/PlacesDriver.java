@@ -1,13 +1,11 @@
 package rsal.navigation.device;
 
-import java.util.List;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
 import rsal.navigation.spread.Ground;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 
 /// Makes place finders that spread places over the run's map ([rsal.navigation.spread.Spreader]).
 public final class PlacesDriver implements DeviceDriver {
@@ -26,16 +24,6 @@ public final class PlacesDriver implements DeviceDriver {
     @Override
     public Class<? extends Device> makes() {
         return PlaceFinder.class;
-    }
-
-    @Override
-    public List<Class<? extends Device>> needs() {
-        return List.of();
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of();
     }
 
     @Override

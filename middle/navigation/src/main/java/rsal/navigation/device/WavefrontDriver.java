@@ -32,11 +32,6 @@ public final class WavefrontDriver implements DeviceDriver {
     }
 
     @Override
-    public List<Class<? extends Device>> needs() {
-        return List.of();
-    }
-
-    @Override
     public List<Parameter> parameters() {
         var parameters = new ArrayList<>(Ways.parameters());
         parameters.add(Parameter.number(

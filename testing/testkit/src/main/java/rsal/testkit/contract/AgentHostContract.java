@@ -15,9 +15,7 @@ import rsal.agent.AgentType;
 import rsal.agent.Society;
 import rsal.agent.Society.Status;
 import rsal.agent.Topic;
-import rsal.device.Device;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.LockstepScheduler;
 
 /// What every agent host that follows simulated time must do: agents on it start, hear, wait and end alike.
@@ -197,16 +195,6 @@ public abstract class AgentHostContract {
         @Override
         public String description() {
             return "Does what a test wants.";
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of();
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of();
         }
 
         @Override

@@ -14,7 +14,6 @@ import rsal.device.Localizer;
 import rsal.device.SensorCore;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.Phase;
 
 /// Knows where the robot is, until it is told a belief: then it is wrong by as much as that was, and as sure.
@@ -69,11 +68,6 @@ public final class FakeLocalizer extends SensorCore<PoseEstimate> implements Loc
         @Override
         public List<Class<? extends Device>> needs() {
             return List.of(FakeDriveBase.class);
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of();
         }
 
         @Override

@@ -21,7 +21,6 @@ import rsal.device.Navigator;
 import rsal.device.Planner;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 
@@ -155,11 +154,6 @@ public final class FakeNavigator extends DeviceCore implements Navigator {
         @Override
         public List<Class<? extends Device>> needs() {
             return List.of(FakeDriveBase.class);
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of();
         }
 
         @Override

@@ -16,7 +16,6 @@ import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.Scheduler;
 
 /// Takes places each as far as can be, as the crow flies, from those before.
@@ -106,16 +105,6 @@ public final class FakePlaceFinder extends DeviceCore implements PlaceFinder {
         @Override
         public Class<? extends Device> makes() {
             return PlaceFinder.class;
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of();
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of();
         }
 
         @Override

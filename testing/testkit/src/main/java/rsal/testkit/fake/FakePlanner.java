@@ -12,7 +12,6 @@ import rsal.device.DeviceInfo;
 import rsal.device.Planner;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.Scheduler;
 
 /// Knows only straight ways.
@@ -65,16 +64,6 @@ public final class FakePlanner extends DeviceCore implements Planner {
         @Override
         public Class<? extends Device> makes() {
             return Planner.class;
-        }
-
-        @Override
-        public List<Class<? extends Device>> needs() {
-            return List.of();
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of();
         }
 
         @Override
