@@ -18,7 +18,7 @@ public record Area(String name, List<Bench> benches) {
     /// Measures what is asked for. Takes minutes.
     public void measure(Assignment assignment) {
         for (Bench bench : benches) {
-            if (bench.names().stream().anyMatch(assignment::wants)) {
+            if (assignment.wantsAny(bench.names())) {
                 bench.measure(assignment);
             }
         }
@@ -37,6 +37,14 @@ public record Area(String name, List<Bench> benches) {
                                 new OfficeBench(),
                                 new MappingBench(),
                                 new ExploreBench())),
-                new Area("scenarios", List.of(new SpreadBench(), new FleetBench(), new CollectBench())));
+                new Area(
+                        "scenarios",
+                        List.of(
+                                new SpreadBench(),
+                                new FleetBench(),
+                                new FormationBench(),
+                                new CollectBench(),
+                                new HuntBench(),
+                                new PatrolBench())));
     }
 }

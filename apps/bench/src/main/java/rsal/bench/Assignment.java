@@ -5,13 +5,14 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
 
 /// What benchmarks are to measure, with what, and whom they tell.
 ///
 /// @param wanted names of what to measure
-/// @param repeats how often each is measured; the median counts
+/// @param often how often each is to be measured; empty for as often as is usual
 /// @param data where public data is: folders `logs`, `maps` and `barn`
 /// @param results told of each as soon as it is known
 /// @param plots told of each picture of them
@@ -19,18 +20,38 @@ import java.util.function.Consumer;
 /// @param progress told how far something is that takes long, perhaps many times a second and by several threads
 public record Assignment(
         Set<String> wanted,
-        int repeats,
+        OptionalInt often,
         Optional<Path> data,
         Consumer<Result> results,
         Consumer<Plot> plots,
         Consumer<String> notes,
         Consumer<String> progress) {
+    /// How often is usual where the median counts.
+    public static final int REPEATS = 5;
+
+    /// How often is usual where ways of doing something are compared in runs with equal seeds.
+    public static final int SEEDS = 30;
+
     public Assignment {
         wanted = Set.copyOf(wanted);
     }
 
     public boolean wants(String name) {
         return wanted.contains(name);
+    }
+
+    boolean wantsAny(Collection<String> names) {
+        return names.stream().anyMatch(this::wants);
+    }
+
+    /// How often each is measured of which the median counts.
+    int repeats() {
+        return often.orElse(REPEATS);
+    }
+
+    /// With how many seeds runs are made of which the mean counts.
+    int seeds() {
+        return often.orElse(SEEDS);
     }
 
     /// Tells results that are asked for.

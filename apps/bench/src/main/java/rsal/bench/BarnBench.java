@@ -8,9 +8,6 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -263,32 +260,17 @@ final class BarnBench implements Bench {
     }
 
     private static List<Run> runs(Avoidance avoidance, List<BarnWorld> worlds, int repeat, Assignment assignment) {
-        int cores = Runtime.getRuntime().availableProcessors();
-        try (var workers = Executors.newFixedThreadPool(
-                cores, Thread.ofPlatform().daemon().name("barn-", 1).factory())) {
-            var futures = new ArrayList<Future<Run>>();
-            for (BarnWorld world : worlds) {
-                long seed = 1000L * repeat + world.number();
-                futures.add(workers.submit(() -> {
+        return AllCores.each(
+                "barn",
+                worlds,
+                world -> {
                     var planner = new Timed(avoidance.planner());
-                    Outcome outcome = new BarnRun(world, planner, seed).run();
+                    Outcome outcome = new BarnRun(world, planner, 1000L * repeat + world.number()).run();
                     return new Run(world, outcome, planner.milliseconds());
-                }));
-            }
-            var runs = new ArrayList<Run>();
-            for (Future<Run> future : futures) {
-                runs.add(future.get());
-                assignment.reach(
+                },
+                done -> assignment.reach(
                         "barn.%s, worlds".formatted(lower(avoidance)),
-                        repeat * worlds.size() + runs.size(),
-                        assignment.repeats() * worlds.size());
-            }
-            return runs;
-        } catch (ExecutionException e) {
-            throw new IllegalStateException("A run failed.", e.getCause());
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException("Measuring was interrupted.", e);
-        }
+                        repeat * worlds.size() + done,
+                        assignment.repeats() * worlds.size()));
     }
 }

@@ -1,8 +1,10 @@
 package rsal.bench;
 
 import java.util.Arrays;
+import java.util.List;
 
-/// How sure a mean is.
+/// How sure a mean is: `<name>`, the mean, comes with `<name>.low` and `<name>.high`, ends of its 95 % confidence
+/// interval (Student's t, two-sided). There is none of a single value.
 final class Confidence {
     /// 97.5 % quantiles of Student's t distribution for 1, 2, … degrees of freedom.
     private static final double[] STUDENT = {
@@ -13,6 +15,34 @@ final class Confidence {
     private static final double NORMAL = 1.960;
 
     private Confidence() {}
+
+    static List<String> names(String name) {
+        return List.of(name, name + ".low", name + ".high");
+    }
+
+    static List<Result> more(String name, String unit, double... values) {
+        return of(Result.more(name, unit, values), values);
+    }
+
+    static List<Result> less(String name, String unit, double... values) {
+        return of(Result.less(name, unit, values), values);
+    }
+
+    private static List<Result> of(Result result, double... values) {
+        return interval(result.withValue(Arrays.stream(values).average().orElseThrow()), margin(values));
+    }
+
+    /// @param margin half the width of the interval around the value; NaN when it is not known
+    static List<Result> interval(Result middle, double margin) {
+        if (Double.isNaN(margin)) {
+            return List.of(middle);
+        }
+        List<String> names = names(middle.name());
+        return List.of(
+                middle,
+                middle.at(names.get(1), middle.value() - margin),
+                middle.at(names.get(2), middle.value() + margin));
+    }
 
     /// Half the width of the 95 % confidence interval of the mean, two-sided, of values that are about normally
     /// distributed; NaN for fewer than two. Beyond 31 values the quantile is approximated as by Cornish and Fisher

@@ -5,7 +5,7 @@ import java.util.Arrays;
 /// A number that was measured.
 ///
 /// @param name dotted (`sim.laser180.1000.core1.rtf`)
-/// @param value the median
+/// @param value the median; the mean where that is said
 /// @param least of all repeats
 /// @param most of all repeats
 /// @param better `more` or `less`
@@ -25,5 +25,15 @@ public record Result(String name, double value, double least, double most, Strin
         int last = sorted.length - 1;
         double median = (sorted[last / 2] + sorted[(last + 1) / 2]) / 2;
         return new Result(name, median, sorted[0], sorted[last], unit, better);
+    }
+
+    /// The same with another value.
+    Result withValue(double other) {
+        return new Result(name, other, least, most, unit, better);
+    }
+
+    /// Something else of the same kind, known once.
+    Result at(String otherName, double other) {
+        return new Result(otherName, other, other, other, unit, better);
     }
 }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.IntConsumer;
 import rsal.bench.Plot.Bars.Bar;
 import rsal.data.OccupancyGrid;
 import rsal.map.Maps;
@@ -97,7 +98,9 @@ final class SpreadBench implements Bench {
             assignment.tell(
                     Result.less(site.name(number, "ms"), "ms", times(site, map, number, assignment.repeats(), found)));
             if (compared) {
-                Evenness best = best(new Spreader(Ground.largest(map, site.clearance), number));
+                Evenness best = best(
+                        new Spreader(Ground.largest(map, site.clearance), number),
+                        done -> assignment.reach(site.name(number, "lloyd"), done, RUNS));
                 var ratio = Result.less(
                         site.name(number, "ratio"),
                         "",
@@ -134,7 +137,9 @@ final class SpreadBench implements Bench {
     }
 
     /// The least of each.
-    private static Evenness best(Spreader spreader) {
+    ///
+    /// @param done told how many runs are
+    private static Evenness best(Spreader spreader, IntConsumer done) {
         double mean = Double.POSITIVE_INFINITY;
         double rms = Double.POSITIVE_INFINITY;
         double greatest = Double.POSITIVE_INFINITY;
@@ -144,6 +149,7 @@ final class SpreadBench implements Bench {
             mean = Math.min(mean, one.mean());
             rms = Math.min(rms, one.rms());
             greatest = Math.min(greatest, one.greatest());
+            done.accept(run + 1);
         }
         return new Evenness(mean, rms, greatest);
     }

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,7 +23,8 @@ class AreaTest {
     @Test
     void tellsWhatIsLeftOutForWantOfData(@TempDir Path temp) throws IOException {
         var notes = new ArrayList<String>();
-        var assignment = new Assignment(Set.of("a"), 1, Optional.of(temp), _ -> {}, _ -> {}, notes::add, _ -> {});
+        var assignment = new Assignment(
+                Set.of("a"), OptionalInt.of(1), Optional.of(temp), _ -> {}, _ -> {}, notes::add, _ -> {});
         assertThat(assignment.data("logs/some.log")).isEmpty();
         assertThat(notes).singleElement().asString().contains("logs/some.log", "--data");
         Files.createDirectory(temp.resolve("logs"));
@@ -40,8 +42,8 @@ class AreaTest {
     void whatIsNotWantedIsNotMeasured() {
         var results = new ArrayList<Object>();
         for (Area area : Area.all()) {
-            area.measure(
-                    new Assignment(Set.of(), 1, Optional.empty(), results::add, results::add, results::add, _ -> {}));
+            area.measure(new Assignment(
+                    Set.of(), OptionalInt.of(1), Optional.empty(), results::add, results::add, results::add, _ -> {}));
         }
         assertThat(results).isEmpty();
     }

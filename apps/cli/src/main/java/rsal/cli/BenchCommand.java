@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
@@ -25,7 +26,8 @@ import rsal.settings.Suggestion;
 /// `rsal bench`
 @Command(
         name = "bench",
-        description = "Measure how fast RSAL is on this machine. Leave it alone meanwhile; an area takes minutes.")
+        description =
+                "Measure how fast RSAL is on this machine. Leave it alone meanwhile; an area takes minutes, some take hours.")
 final class BenchCommand extends Subcommand {
     @Parameters(paramLabel = "AREA", arity = "0..1", description = "What to measure; left out: lists the areas.")
     private Optional<String> area = Optional.empty();
@@ -39,9 +41,11 @@ final class BenchCommand extends Subcommand {
     @Option(
             names = "--repeat",
             paramLabel = "N",
-            defaultValue = "5",
-            description = "How often each is measured; ${DEFAULT-VALUE} when left out. The median counts.")
-    private int repeats;
+            description = {
+                "How often each is measured; " + Assignment.REPEATS + " when left out. The median counts.",
+                "With how many seeds runs are compared; " + Assignment.SEEDS + " when left out. The mean counts."
+            })
+    private Optional<Integer> repeats = Optional.empty();
 
     @Option(
             names = "--data",
@@ -68,7 +72,8 @@ final class BenchCommand extends Subcommand {
 
     @Override
     int run() {
-        check(repeats >= 1, "--repeat must be at least 1, not (%d).".formatted(repeats));
+        OptionalInt often = repeats.stream().mapToInt(Integer::intValue).findFirst();
+        often.ifPresent(times -> check(times >= 1, "--repeat must be at least 1, not (%d).".formatted(times)));
         if (area.isEmpty()) {
             Area.all().forEach(a -> out().println(a.name()));
             out().flush();
@@ -90,7 +95,7 @@ final class BenchCommand extends Subcommand {
         var plots = new ArrayList<Plot>();
         chosen.measure(new Assignment(
                 Set.copyOf(wanted),
-                repeats,
+                often,
                 publicData,
                 result -> {
                     results.add(result);
@@ -174,9 +179,10 @@ final class BenchCommand extends Subcommand {
 
     /// Three digits that say something.
     static String number(double value) {
-        if (value >= 1e6) {
+        double size = Math.abs(value);
+        if (size >= 1e6) {
             return String.format(Locale.ROOT, "%.3g M", value / 1e6);
         }
-        return String.format(Locale.ROOT, value >= 100 ? "%.0f" : "%.3g", value);
+        return String.format(Locale.ROOT, size >= 100 ? "%.0f" : "%.3g", value);
     }
 }

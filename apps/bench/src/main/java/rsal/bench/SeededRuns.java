@@ -1,0 +1,54 @@
+package rsal.bench;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.LongStream;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunResult;
+
+/// Whole runs of a scenario with the seeds 1, 2, 3, …: the same for all that is compared. As many go on at once as
+/// there are cores, which changes nothing in them, as their time is simulated.
+final class SeededRuns {
+    private SeededRuns() {}
+
+    /// @param name for those who wait (`patrol.bids`)
+    /// @return by seed
+    static List<RunResult> of(String name, Scenario scenario, RunOptions options, Assignment assignment) {
+        List<Long> seeds = LongStream.rangeClosed(1, assignment.seeds()).boxed().toList();
+        assignment.reach(name + ".runs", 0, seeds.size());
+        return AllCores.each(
+                name,
+                seeds,
+                seed -> run(scenario, options.withSeed(seed)),
+                done -> assignment.reach(name + ".runs", done, seeds.size()));
+    }
+
+    private static RunResult run(Scenario scenario, RunOptions options) {
+        try (var run = LiveRun.start(scenario.plan(options.withSpeed(Double.POSITIVE_INFINITY)))) {
+            return run.result().toCompletableFuture().join();
+        }
+    }
+
+    /// What was measured in each run.
+    ///
+    /// @param otherwise what counts for a run without
+    static double[] values(List<RunResult> runs, String measure, ToDoubleFunction<RunResult> otherwise) {
+        return runs.stream()
+                .mapToDouble(run -> {
+                    OptionalDouble value = run.measures().getOrDefault(measure, OptionalDouble.empty());
+                    return value.orElseGet(() -> otherwise.applyAsDouble(run));
+                })
+                .toArray();
+    }
+
+    /// Share of the runs that ended in success.
+    static double successes(List<RunResult> runs) {
+        return runs.stream()
+                .mapToDouble(run -> run.outcome().equals("success") ? 1 : 0)
+                .average()
+                .orElseThrow();
+    }
+}
