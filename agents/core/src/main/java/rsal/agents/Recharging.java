@@ -1,14 +1,20 @@
 package rsal.agents;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
+import rsal.agent.message.ChargerTaken;
 import rsal.data.BatteryState;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Battery;
 import rsal.device.Navigator.Result;
@@ -18,8 +24,11 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Minds a robot's battery: takes it to a charger when it runs low, and gives it back when it is full. The nearest
-/// charger first, then, when it gets to none or is not charged there, the next. It waits until the robot can leave what
-/// it does. Without a battery or chargers it does nothing.
+/// charger first that no other says it goes to, then, when it gets to none or is not charged there, the next. Who is
+/// sent
+/// elsewhere meanwhile soon goes back. It waits until the robot can leave what it does. Without a battery or chargers
+/// it
+/// does nothing.
 final class Recharging {
     static final Parameter CHARGERS = Parameter.places(
             "chargers", "Where robots are charged; none when they are not. Whoever charges stands there.");
@@ -39,8 +48,10 @@ final class Recharging {
     private static final double SPARE = 0.1; // share of the battery that no plan may use
     static final Tolerance DOCKED = Tolerance.position(0.15);
     private static final Duration LOOK = Duration.ofSeconds(5);
+    private static final Duration MEMORY = LOOK.multipliedBy(2); // of what others say, every so often
 
     private final AgentContext self;
+    private final String robot;
     private final Driver driver;
     private final Optional<Battery> battery;
     private final Supplier<Optional<Pose2d>> mapFromBase;
@@ -51,6 +62,8 @@ final class Recharging {
     private final Runnable before;
     private final Runnable after;
     private final List<Pose2d> tried = new ArrayList<>();
+    private final Map<Point2d, Instant> takenUntil = new HashMap<>(); // chargers, by others
+    private @Nullable Pose2d mapFromOwn; // the charger that it goes to
     private boolean charging;
 
     /// @param canLeave whether the robot can go to a charger now
@@ -67,6 +80,7 @@ final class Recharging {
             Runnable after) {
         this.canLeave = canLeave;
         this.self = self;
+        this.robot = robot.id();
         this.driver = driver;
         this.battery = robot.find(Battery.class);
         this.mapFromBase = mapFromBase;
@@ -78,8 +92,10 @@ final class Recharging {
     }
 
     void begin() {
-        if (!mapFromChargers.isEmpty()) {
-            battery.ifPresent(device -> self.subscribe(device, reading -> note(reading.value())));
+        if (!mapFromChargers.isEmpty() && battery.isPresent()) {
+            self.subscribe(battery.get(), reading -> note(reading.value()));
+            self.subscribe(ChargerTaken.TOPIC, message -> note(message.content()));
+            self.scheduler().every(LOOK, this::tell);
         }
     }
 
@@ -121,6 +137,23 @@ final class Recharging {
         }
     }
 
+    private void note(ChargerTaken said) {
+        if (!said.robot().equals(robot)) {
+            takenUntil.put(said.mapFromCharger(), self.scheduler().instant().plus(MEMORY));
+        }
+    }
+
+    private void tell() {
+        if (charging && mapFromOwn != null) {
+            self.publish(ChargerTaken.TOPIC, new ChargerTaken(robot, mapFromOwn.position()));
+        }
+    }
+
+    private boolean isTaken(Pose2d mapFromCharger) {
+        Instant until = takenUntil.get(mapFromCharger.position());
+        return until != null && self.scheduler().instant().isBefore(until);
+    }
+
     private void goToNext() {
         if (!charging) {
             return;
@@ -131,16 +164,21 @@ final class Recharging {
         Pose2d here = mapFromBase.get().orElse(Pose2d.ORIGIN);
         Pose2d mapFromCharger = mapFromChargers.stream()
                 .filter(charger -> !tried.contains(charger))
-                .min(Comparator.comparingDouble(here::distanceTo))
+                .min(Comparator.comparing(this::isTaken).thenComparingDouble(here::distanceTo))
                 .orElseThrow(); // not all are tried
         tried.add(mapFromCharger);
+        mapFromOwn = mapFromCharger;
+        tell();
         self.state("going to the charger at " + Words.place(mapFromCharger));
         driver.goTo(mapFromCharger, DOCKED, result -> arrived(mapFromCharger, result));
     }
 
     private void arrived(Pose2d mapFromCharger, Result result) {
-        if (!charging || result instanceof Result.Cancelled) {
+        if (!charging) {
             return;
+        }
+        if (result instanceof Result.Cancelled) {
+            tried.remove(mapFromCharger); // it was sent elsewhere
         }
         if (result instanceof Result.Reached) {
             self.state("charging at " + Words.place(mapFromCharger));

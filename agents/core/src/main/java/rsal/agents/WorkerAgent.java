@@ -33,17 +33,23 @@ public final class WorkerAgent extends Kind {
             }
         });
         worker.learn(Visit.class, new Visiting(self, robot.id(), driver));
-        var errands = new Errands(self, robot.id(), driver, () -> worker.unfit("on an errand"), worker::fit);
-        new Recharging(
-                        self,
-                        robot,
-                        driver,
-                        reporter::mapFromBase,
-                        arguments,
-                        () -> true,
-                        () -> worker.unfit("charging"),
-                        worker::fit)
-                .begin();
+        var recharging = new Recharging(
+                self,
+                robot,
+                driver,
+                reporter::mapFromBase,
+                arguments,
+                () -> true,
+                () -> worker.unfit("charging"),
+                worker::fit);
+        var errands = new Errands(self, robot.id(), driver, () -> worker.unfit("on an errand"), () -> {
+            if (recharging.isCharging()) {
+                worker.unfit("charging");
+            } else {
+                worker.fit();
+            }
+        });
+        recharging.begin();
         errands.begin();
         reporter.begin();
         Travel.begin(self, robot, reporter);

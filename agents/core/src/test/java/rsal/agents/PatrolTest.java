@@ -130,6 +130,33 @@ class PatrolTest {
     }
 
     @Test
+    void guardsAreChargedWhereNobodyElseIs() {
+        guard("a", 40);
+        guard("b", 45);
+        patrol(Map.of("places", "1 0"));
+        charge("b", 0.2, Charging.DISCHARGING);
+        assertThat(goal("b")).isEqualTo(50);
+        scene.advance(60);
+        charge("a", 0.2, Charging.DISCHARGING);
+        assertThat(goal("a")).isEqualTo(90);
+    }
+
+    @Test
+    void guardThatIsSentAwayFromItsChargerGoesBackAndTakesNoJobs() {
+        guard("a", 40);
+        patrol(Map.of("places", "1 0"));
+        charge("a", 0.2, Charging.DISCHARGING);
+        scene.order("a", 5, 0);
+        assertThat(goal("a")).isEqualTo(5);
+        reach("a");
+        scene.advance(6);
+        assertThat(goal("a")).isEqualTo(50);
+        charge("a", 0.95, Charging.CHARGING);
+        scene.advance(6);
+        assertThat(goal("a")).isEqualTo(1);
+    }
+
+    @Test
     void errandsComeFirst() {
         guard("a", 0);
         patrol(Map.of("places", "1 0"));

@@ -61,6 +61,7 @@ public final class RobotModels {
                 "pioneer2dx-bumpers",
                 "turntable",
                 "pioneer-battery",
+                "small-battery",
                 "beacon");
     }
 

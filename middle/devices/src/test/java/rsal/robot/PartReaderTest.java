@@ -42,6 +42,7 @@ class PartReaderTest {
             Map.entry("pioneer2dx-bumpers", "bumper"),
             Map.entry("turntable", "turntable"),
             Map.entry("pioneer-battery", "battery"),
+            Map.entry("small-battery", "battery"),
             Map.entry("beacon", "light"));
 
     @TempDir

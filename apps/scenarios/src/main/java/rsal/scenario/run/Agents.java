@@ -13,6 +13,7 @@ import rsal.agent.Delivery;
 import rsal.agent.Message;
 import rsal.agent.Society;
 import rsal.agent.message.Caught;
+import rsal.agent.message.ChargerTaken;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.Hello;
 import rsal.agent.message.NewGoal;
@@ -158,7 +159,7 @@ final class Agents implements AutoCloseable {
                 journal.hash(message.sender(), message.topic().name(), words);
                 observer.heard(message.sender(), ranks);
             }
-            case PoseReport _, PoseRequest _ ->
+            case PoseReport _, PoseRequest _, ChargerTaken _ ->
                 journal.hash(message.sender(), message.topic().name(), words);
             case NewGoal order -> {
                 journal.event("goal", message.sender(), words);

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import rsal.agent.Message;
 import rsal.agent.message.Caught;
+import rsal.agent.message.ChargerTaken;
 import rsal.agent.message.Chase;
 import rsal.agent.message.Collected;
 import rsal.agent.message.Depot;
@@ -62,6 +63,8 @@ final class Words {
                         .formatted(collected.robot(), collected.goal(), of(List.of(collected.mapFromDepot())));
             case Watch watch -> "We watch " + of(watch.mapFromPlaces());
             case Visited visited -> "%s was at %s".formatted(visited.robot(), of(List.of(visited.mapFromPlace())));
+            case ChargerTaken taken ->
+                "%s has the charger at %s".formatted(taken.robot(), of(List.of(taken.mapFromCharger())));
             case Hello hello -> of(hello);
             case Text text -> text.words();
             default -> content.toString();

@@ -70,6 +70,21 @@ class PatrolIT {
     }
 
     @Test
+    void guardsWhoseBatteriesRunLowAreChargedAndGoOn() {
+        for (long seed = 1; seed <= 3; seed++) {
+            Watch watch = watch("recharging", seed, 900);
+            assertThat(watch.measure("collisions")).as("seed %d", seed).isZero();
+            for (int guard = 1; guard <= 4; guard++) {
+                assertThat(watch.measure("leastCharge.guard-" + guard))
+                        .as("seed %d", seed)
+                        .isBetween(0.05, 0.3);
+            }
+            assertThat(watch.guards(600)).as("seed %d", seed).hasSize(4);
+            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(500);
+        }
+    }
+
+    @Test
     void placesCanBeFound() {
         Watch watch = watch("found", 1, 300);
         assertThat(watch.guards(0)).hasSize(4);

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rsal.agent.Message;
 import rsal.agent.Topic;
 import rsal.agent.message.Caught;
+import rsal.agent.message.ChargerTaken;
 import rsal.agent.message.Chase;
 import rsal.agent.message.CollectGoal;
 import rsal.agent.message.Collected;
@@ -48,6 +49,7 @@ class WordsTest {
                 new Lookout("r-1", PLACE.position(), false),
                 new Sighting("hunter-1", "hunter", PLACE),
                 new Visited("r-1", PLACE.position()),
+                new ChargerTaken("r-1", PLACE.position()),
                 new Watch(List.of(PLACE.position(), PLACE.position())),
                 new GoalReached("hunter-1", PLACE, "stuck", "A box is ahead."),
                 new Hello("hunter-1", Hello.Kind.PONG, "prey-1"),

@@ -1,0 +1,12 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+import rsal.data.Point2d;
+
+/// A robot goes to a charger, or is charged there. It says so again and again; what it has not said for ten seconds is
+/// so no more.
+///
+/// @param robot its id
+public record ChargerTaken(String robot, Point2d mapFromCharger) {
+    public static final Topic<ChargerTaken> TOPIC = new Topic<>("charger-taken", ChargerTaken.class);
+}
