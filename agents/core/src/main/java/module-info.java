@@ -23,6 +23,7 @@ module rsal.agents {
             rsal.agents.Escape,
             rsal.agents.Evade,
             rsal.agents.Explore,
+            rsal.agents.FetchMaster,
             rsal.agents.Follow,
             rsal.agents.Formation,
             rsal.agents.HuntMaster,

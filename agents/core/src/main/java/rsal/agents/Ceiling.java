@@ -28,7 +28,7 @@ public final class Ceiling extends Kind {
         super(
                 "ceiling",
                 "Sensors on the ceiling of a simulated world, which have collected what they see.",
-                List.of(PLACES, THINGS, RANGE, PERIOD, Hiring.ALLOTMENT),
+                List.of(PLACES, THINGS, RANGE, PERIOD),
                 List.of());
     }
 
@@ -37,9 +37,7 @@ public final class Ceiling extends Kind {
         SimulationControl world = self.simulation()
                 .orElseThrow(() -> new IllegalStateException(
                         "Agent (%s) sees things in a simulated world, and there is none.".formatted(self.name())));
-        var hiring = new Hiring(self, arguments);
-        hiring.begin();
-        var finds = new Finds(self, hiring);
+        var finds = new Finds(self);
         finds.begin();
         List<Point2d> places = arguments.places(PLACES.name());
         String name = arguments.text(THINGS.name());

@@ -20,7 +20,6 @@ public final class Collect extends Kind {
                         Reporter.PERIOD,
                         Collecting.DEPOT,
                         Collecting.DEPOT_RADIUS,
-                        Collecting.QUEUE,
                         Recharging.CHARGERS,
                         Recharging.LOW,
                         Recharging.FULL,

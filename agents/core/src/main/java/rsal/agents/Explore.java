@@ -28,7 +28,7 @@ public final class Explore extends Kind {
         super(
                 "explore",
                 "Looks for colored things, and has them collected by robots that can.",
-                List.of(Reporter.PERIOD, ROAM, Lookouts.COUNT, COLOR, RANGE, Hiring.ALLOTMENT),
+                List.of(Reporter.PERIOD, ROAM, Lookouts.COUNT, COLOR, RANGE),
                 List.of(BlobFinder.class, Pilot.class));
     }
 
@@ -37,9 +37,7 @@ public final class Explore extends Kind {
         Robot robot = Body.of(self);
         var reporter = new Reporter(self, robot, arguments, _ -> {});
         reporter.begin();
-        var hiring = new Hiring(self, arguments);
-        hiring.begin();
-        var finds = new Finds(self, hiring);
+        var finds = new Finds(self);
         finds.begin();
         new Spotting(self, robot, reporter, color(arguments), arguments.number(RANGE.name()), finds::see).begin();
         if (arguments.text(ROAM.name()).equals("lookouts")) {

@@ -1,13 +1,18 @@
 package rsal.agents;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.agent.message.CollectGoal;
 import rsal.agent.message.Depot;
 import rsal.agent.message.PoseReport;
+import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.Request;
 import rsal.data.Point2d;
 
-/// What was found, by oneself and by others. New is a thing of which nobody has said for ten seconds that it is taken
+/// What was found, by oneself and by others, and is to be fetched: new things are asked for ([Orders]). New is a thing
+/// of which nobody has said for ten seconds that it is taken
 /// care of, that lies in no depot, and that is not where a robot is, which may carry it.
 final class Finds {
     /// How long is remembered what is not heard of again.
@@ -17,14 +22,14 @@ final class Finds {
 
     private final AgentContext self;
     private final Sightings robots;
-    private final Hiring hiring;
+    private final Request<CollectGoal, String> orders;
+    private final List<CollectGoal> asked = new ArrayList<>();
     private int noted;
 
-    /// @param hiring has what is new collected
-    Finds(AgentContext self, Hiring hiring) {
+    Finds(AgentContext self) {
         this.self = self;
         this.robots = new Sightings(self.blackboard());
-        this.hiring = hiring;
+        this.orders = Orders.service(self);
     }
 
     void begin() {
@@ -39,14 +44,31 @@ final class Finds {
     /// Something is seen: now, or still.
     void see(CollectGoal seen) {
         if (!isKnown(seen) && !isInADepot(seen.mapFromThing()) && !isWhereARobotIs(seen.mapFromThing())) {
-            note(seen);
-            self.publish(CollectGoal.TOPIC, seen);
-            hiring.add(seen);
+            ask(seen);
         }
     }
 
+    /// Has it fetched, as soon as there is somebody to ask.
+    private void ask(CollectGoal found) {
+        self.directory().offering(Orders.CAPABILITY.name()).stream().findFirst().ifPresent(master -> {
+            asked.add(found);
+            tell();
+            orders.ask(master.name(), found, ending -> {
+                asked.remove(found); // when it still lies there, it will be seen again
+                if (ending instanceof Ending.Refused) {
+                    note(found);
+                }
+                tell();
+            });
+        });
+    }
+
+    private void tell() {
+        self.show("things", asked.isEmpty() ? "none" : asked.size() + " to be fetched");
+    }
+
     private boolean isKnown(CollectGoal seen) {
-        return hiring.isUnderWay(seen)
+        return asked.stream().anyMatch(seen::isSame)
                 || self.blackboard().read(CollectGoal.TOPIC).stream()
                         .anyMatch(note -> note.content().isSame(seen));
     }

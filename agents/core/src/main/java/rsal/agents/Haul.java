@@ -127,7 +127,7 @@ final class Haul {
         stage = Stage.GOING;
         arrived = false;
         self.state("driving to " + goal);
-        driver.goTo(pose(goal.mapFromThing()), STANDOFF, result -> {
+        driver.goTo(Words.pose(goal.mapFromThing()), STANDOFF, result -> {
             if (stage == Stage.GOING) {
                 if (result instanceof Navigator.Result.Reached) {
                     arrived = true;
@@ -246,7 +246,7 @@ final class Haul {
     private void bring() {
         stage = Stage.BRINGING;
         self.state("bringing %s to the depot".formatted(goal));
-        driver.goTo(pose(mapFromDepot), AT_DEPOT, result -> {
+        driver.goTo(Words.pose(mapFromDepot), AT_DEPOT, result -> {
             if (stage == Stage.BRINGING) {
                 if (result instanceof Navigator.Result.Reached) {
                     release();
@@ -338,10 +338,6 @@ final class Haul {
                                 .odomFromBase()
                                 .compose(mapFromBase.inverse())
                                 .transform(mapFromPlace)));
-    }
-
-    private static Pose2d pose(Point2d mapFromPlace) {
-        return new Pose2d(mapFromPlace.x(), mapFromPlace.y(), 0);
     }
 
     private Instant now() {

@@ -144,7 +144,7 @@ final class Lookouts {
     private void chooseOf(List<Point2d> candidates, Pose2d mapFromBase) {
         var told = new ArrayList<Way>();
         for (Point2d candidate : candidates) {
-            ways.cost(mapFromBase, pose(candidate))
+            ways.cost(mapFromBase, Words.pose(candidate))
                     .thenAccept(cost -> self.scheduler().execute(() -> {
                         told.add(new Way(candidate, cost));
                         if (told.size() == candidates.size()) {
@@ -163,8 +163,8 @@ final class Lookouts {
         }
         left.remove(place);
         self.publish(Lookout.TOPIC, new Lookout(robot.id(), place, false));
-        self.state("going to look around at " + Words.place(pose(place)));
-        driver.goTo(pose(place), THERE, result -> {
+        self.state("going to look around at " + Words.place(Words.pose(place)));
+        driver.goTo(Words.pose(place), THERE, result -> {
             if (errands.busy()) {
                 return;
             }
@@ -200,9 +200,5 @@ final class Lookouts {
     private void done(Point2d place) {
         self.publish(Lookout.TOPIC, new Lookout(robot.id(), place, true));
         next();
-    }
-
-    private static Pose2d pose(Point2d mapFromPlace) {
-        return new Pose2d(mapFromPlace.x(), mapFromPlace.y(), 0);
     }
 }

@@ -1,6 +1,5 @@
 package rsal.agents;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -25,17 +24,6 @@ final class PlannedWays implements Ways {
     PlannedWays(Optional<Planner> planner, double near) {
         this.planner = planner;
         this.near = near;
-    }
-
-    /// Cost of a way from place to place [m, more where it is narrow]; +∞ where none leads.
-    ///
-    /// @param mapFromPlaces in their order, the start first
-    CompletionStage<Double> cost(List<Pose2d> mapFromPlaces) {
-        CompletionStage<Double> sum = CompletableFuture.completedStage(0.0);
-        for (int i = 1; i < mapFromPlaces.size(); i++) {
-            sum = sum.thenCombine(cost(mapFromPlaces.get(i - 1), mapFromPlaces.get(i)), Double::sum);
-        }
-        return sum;
     }
 
     @Override

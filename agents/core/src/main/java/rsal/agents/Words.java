@@ -17,9 +17,11 @@ final class Words {
 
     /// Places as goals, where no heading is asked for.
     static List<Pose2d> poses(List<Point2d> mapFromPlaces) {
-        return mapFromPlaces.stream()
-                .map(place -> new Pose2d(place.x(), place.y(), 0))
-                .toList();
+        return mapFromPlaces.stream().map(Words::pose).toList();
+    }
+
+    static Pose2d pose(Point2d mapFromPlace) {
+        return new Pose2d(mapFromPlace.x(), mapFromPlace.y(), 0);
     }
 
     /// `2.4 m`

@@ -47,7 +47,7 @@ final class CollectBench implements Bench {
         for (int collectors : TEAMS) {
             boolean compared = collectors == COMPARED && assignment.wantsAny(compared());
             if (assignment.wants(rate(collectors)) || compared) {
-                List<RunResult> bidding = runs(collectors, "bid", assignment);
+                List<RunResult> bidding = runs(collectors, "bids", assignment);
                 double[] minutes = minutes(bidding);
                 double[] cans = SeededRuns.values(bidding, "collected", _ -> 0);
                 Arrays.setAll(cans, i -> cans[i] / minutes[i]);

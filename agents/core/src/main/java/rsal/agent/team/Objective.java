@@ -5,5 +5,7 @@ public enum Objective {
     /// The sum of all costs: least energy.
     SUM,
     /// The cost of the one that has most to do: least time.
-    LONGEST
+    LONGEST,
+    /// Nothing: whoever is free gets the job that has waited longest. To compare with.
+    NONE
 }

@@ -23,6 +23,7 @@ import java.util.stream.IntStream;
 /// principle" (2000), with neighborhoods of each job in turn instead of random ones.
 final class Routes {
     private static final double WORTH_IT = 1e-9; // m
+    private static final double AS_GOOD = 1.01; // times as long
     private static final int MOST_NEIGHBORS = 6;
     static final double SUM_IN_LONGEST = 1e-3; // of equal longest routes the one with the least sum
 
@@ -93,6 +94,24 @@ final class Routes {
                     : estimate.after().get(route.get(i - 1)).get(route.get(i));
         }
         return sum;
+    }
+
+    /// Of a route's jobs the one that costs least to begin with, if the route is as good with that one first: what is
+    /// near is done while what is far may still go to somebody else. So it is wherever jobs all end at one place.
+    static int next(Estimate estimate, List<Integer> route) {
+        double most = AS_GOOD * cost(estimate, route);
+        return route.stream()
+                .sorted(Comparator.comparingDouble(estimate.first()::get))
+                .filter(job -> cost(estimate, withFirst(job, route)) <= most)
+                .findFirst()
+                .orElseThrow(); // its own first one
+    }
+
+    private static List<Integer> withFirst(Integer job, List<Integer> route) {
+        var other = new ArrayList<>(route);
+        other.remove(/* element */ job);
+        other.addFirst(job);
+        return other;
     }
 
     private double cost(int member) {

@@ -34,6 +34,17 @@ public record Rules(
         return new Rules(other, inRoutes, ping, silence, replyWithin, reconsider, tries);
     }
 
+    public Rules {
+        if (objective == Objective.NONE && inRoutes) {
+            throw new IllegalArgumentException("Routes are divided for an objective. Maybe oneAtATime().");
+        }
+    }
+
+    /// Who is free gets what has waited longest, whatever it costs.
+    public Rules firstCome() {
+        return oneAtATime().withObjective(Objective.NONE);
+    }
+
     /// Only the next job of each counts.
     public Rules oneAtATime() {
         return new Rules(objective, false, ping, silence, replyWithin, reconsider, tries);

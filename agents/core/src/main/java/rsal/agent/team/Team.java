@@ -46,6 +46,7 @@ public final class Team {
     private final Map<String, Entry> entries = new LinkedHashMap<>(); // by job's name
     private @Nullable Tender<Offer, Estimate, String> undecided;
     private boolean due;
+    private boolean missed; // a call, while another was undecided
 
     /// @param onEvent told on the agent's lane
     public Team(AgentContext self, Rules rules, Consumer<? super Event> onEvent) {
@@ -120,7 +121,8 @@ public final class Team {
     /// @param anew whether those under way are allotted again, too
     private void call(boolean anew) {
         if (undecided != null) {
-            return; // calls again when that is decided
+            missed = true;
+            return;
         }
         List<Entry> called = entries.values().stream()
                 .filter(entry -> anew || entry.contract == null)
@@ -191,7 +193,7 @@ public final class Team {
         Routes.divide(estimates, rules.objective()).forEach((member, route) -> {
             Estimate estimate = estimates.get(member);
             if (estimate != null && estimate.free()) {
-                firstOf.put(member, route.getFirst());
+                firstOf.put(member, Routes.next(estimate, route));
             }
         });
         return firstOf;
@@ -210,7 +212,11 @@ public final class Team {
                     double loyal = open.get(job).isWith(member) ? LOYALTY : 1;
                     double way = loyal * estimate.first().get(job);
                     double later = most - urgency[job];
-                    cost[job] = rules.objective() == Objective.SUM ? way + later : way * way + later * later;
+                    cost[job] = switch (rules.objective()) {
+                        case SUM -> way + later;
+                        case LONGEST -> way * way + later * later;
+                        case NONE -> Double.isInfinite(way) ? way : job;
+                    };
                 }
                 costs.put(member, cost);
             }
@@ -257,8 +263,9 @@ public final class Team {
                     shares.put(member, new Offer(List.of(entry.job), false, false));
                 }
             });
-            if (anew) {
-                callSoon(); // for those that lost their member to another job
+            if (anew || missed) {
+                missed = false;
+                callSoon(); // for those that lost their member to another job, or came meanwhile
             }
             self.scheduler()
                     .execute(() ->

@@ -2,6 +2,7 @@ package rsal.agent.team;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
@@ -30,6 +32,7 @@ public final class Worker {
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final Consumer<Worker> onChange;
     private final Map<Class<? extends Job>, Skill<?>> skills = new LinkedHashMap<>();
+    private DoubleSupplier reach = () -> Double.POSITIVE_INFINITY;
     private Optional<String> unfit = Optional.empty();
     private @Nullable Assigned current;
 
@@ -56,6 +59,13 @@ public final class Worker {
     /// Can do jobs of a kind from now on.
     public <J extends Job> void learn(Class<J> kind, Skill<J> skill) {
         skills.put(kind, skill);
+    }
+
+    /// Takes on only what costs no more.
+    ///
+    /// @param farthest [m]; asked at each call
+    public void within(DoubleSupplier farthest) {
+        reach = farthest;
     }
 
     /// From now on bids.
@@ -146,6 +156,7 @@ public final class Worker {
         private final List<Optional<Course>> courses;
         private final Call<Offer, Estimate> call;
         private final boolean free;
+        private final Map<Way, CompletableFuture<Double>> known = new HashMap<>(); // many jobs end at one depot
 
         Costing(List<Optional<Course>> courses, Call<Offer, Estimate> call) {
             this.courses = courses;
@@ -191,9 +202,11 @@ public final class Worker {
         private CompletableFuture<Double> way(Pose2d from, Pose2d to) {
             return from.equals(to)
                     ? CompletableFuture.completedFuture(0.0)
-                    : ways.cost(from, to)
-                            .exceptionally(_ -> Double.POSITIVE_INFINITY)
-                            .toCompletableFuture();
+                    : known.computeIfAbsent(
+                            new Way(from, to),
+                            way -> ways.cost(way.mapFromStart, way.mapFromGoal)
+                                    .exceptionally(_ -> Double.POSITIVE_INFINITY)
+                                    .toCompletableFuture());
         }
 
         private static CompletableFuture<Double> never() {
@@ -207,11 +220,13 @@ public final class Worker {
         /// @param ways to each job, then from each job to each
         private void bid(double before, List<Double> own, List<Double> ways) {
             int jobs = own.size();
+            double farthest = reach.getAsDouble();
             var rows = new ArrayList<List<Double>>();
             for (int row = 0; row < ways.size() / jobs; row++) {
                 var costs = new ArrayList<Double>();
                 for (int job = 0; job < jobs; job++) {
-                    costs.add((row == 0 ? before : 0) + ways.get(row * jobs + job) + own.get(job));
+                    double cost = (row == 0 ? before : 0) + ways.get(row * jobs + job) + own.get(job);
+                    costs.add(cost <= farthest ? cost : Double.POSITIVE_INFINITY);
                 }
                 rows.add(costs);
             }
@@ -219,6 +234,8 @@ public final class Worker {
                     new Estimate(free, rows.getFirst(), Collections.unmodifiableList(rows.subList(1, rows.size()))));
         }
     }
+
+    private record Way(Pose2d mapFromStart, Pose2d mapFromGoal) {}
 
     /// The job it does.
     private final class Assigned implements Work {

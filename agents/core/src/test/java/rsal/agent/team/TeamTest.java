@@ -40,6 +40,7 @@ class TeamTest {
         private final AgentContext self;
         private Pose2d here;
         private final Worker worker;
+        private Optional<Pose2d> mapFromEnd = Optional.empty(); // of all jobs; empty where each is done at its place
         private Consumer<Work> atPlace = work -> work.done("seen");
 
         Walker(AgentContext self, double x) {
@@ -54,7 +55,7 @@ class TeamTest {
 
         @Override
         public Optional<Course> course(Visit job) {
-            return Optional.of(Course.at(job.pose()));
+            return Optional.of(new Course(job.pose(), mapFromEnd.orElse(job.pose()), 0));
         }
 
         @Override
@@ -144,6 +145,54 @@ class TeamTest {
         team.add(visit("b", 45)); // 44 m for amy, after what she does, and 55 m for bob
         run.advance(60);
         assertThat(events).contains("40.0 Allotted b amy");
+    }
+
+    @Test
+    void jobThatComesWhileAnotherIsNotAllottedYetIsAllottedRightAfterIt() {
+        run.deliverBy((_, _) -> List.of(Duration.ofMillis(400)));
+        walker("amy", 0);
+        walker("bob", 10);
+        team(Rules.DEFAULT);
+        run.advance(4);
+        team.add(visit("a", 3));
+        run.advance(0.5);
+        team.add(visit("b", 7));
+        run.advance(2);
+        assertThat(events).containsExactly("4.8 Allotted a amy", "5.6 Allotted b bob");
+    }
+
+    @Test
+    void whoIsFreeDoesWhatHasWaitedLongestWhenNothingElseCounts() {
+        walker("amy", 0);
+        walker("bob", 100);
+        team(Rules.DEFAULT.firstCome(), visit("a", 90), visit("b", 95), visit("c", 10));
+        run.advance(100);
+        assertThat(events)
+                .filteredOn(event -> event.contains("Allotted"))
+                .containsExactlyInAnyOrder("0.0 Allotted a amy", "0.0 Allotted b bob", "5.0 Allotted c bob");
+    }
+
+    @Test
+    void ofAllThatEndsAtOnePlaceTheNearestIsDoneFirst() {
+        walker("amy", 0);
+        run.advance(0);
+        walkers.get("amy").mapFromEnd = Optional.of(Pose2d.ORIGIN);
+        team(Rules.DEFAULT, visit("a", 30), visit("b", 10), visit("c", 20));
+        run.advance(0);
+        assertThat(events).containsExactly("0.0 Allotted b amy");
+    }
+
+    @Test
+    void whatIsTooFarIsLeftToOthers() {
+        walker("amy", 0);
+        run.advance(0);
+        walkers.get("amy").worker.within(() -> 20);
+        team(Rules.DEFAULT, visit("a", 30));
+        run.advance(10);
+        assertThat(events).isEmpty();
+        walker("bob", 100);
+        run.advance(1);
+        assertThat(events).containsExactly("10.0 Allotted a bob");
     }
 
     @Test
