@@ -22,7 +22,8 @@ import rsal.navigation.wavefront.Wavefront;
 import rsal.time.Scheduler;
 
 /// Robots that explore together: draws one map of all they saw, and tells each where to go. They must know
-/// where they start, in one frame, or each explores alone.
+/// where they start, in one frame, or each explores alone. They tell each other where they are, so that none takes
+/// another for a wall.
 ///
 /// Looks again every few seconds. A place that stays a frontier though a robot was there, or that can't be
 /// reached, is left alone ([LeftAlone]). Each robot is sent where its own body fits; how the map is drawn, the
@@ -83,6 +84,14 @@ final class Exploration {
 
     void join(Explorer robot) {
         robots.add(robot);
+    }
+
+    /// Where a robot's mates are that know it.
+    List<Mate> mates(Explorer robot) {
+        return robots.stream()
+                .filter(other -> !other.equals(robot) && other.ready())
+                .map(other -> new Mate(other.place(), other.body().radius()))
+                .toList();
     }
 
     /// Doesn't send anyone to a frontier for now.

@@ -56,6 +56,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     }
 
     void start() {
+        localizer.knows(() -> team.mates(this));
         team.join(this);
         scheduler.every(Exploration.PERIOD, Phase.DEVICES, () -> team.look(scheduler));
     }

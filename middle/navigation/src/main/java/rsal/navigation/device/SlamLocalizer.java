@@ -47,6 +47,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
     private final Scrutiny scrutiny = new Scrutiny();
+    private Supplier<List<Mate>> mates = List::of;
     private Pose2d start;
     private boolean told; // where it was
     private @Nullable Slam slam; // only the work under way touches it
@@ -88,6 +89,13 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         base.subscribe(this::onOdometry);
         laser.subscribe(this::onScan);
         scheduler.every(PATIENCE, Phase.DEVICES, this::checkHealth);
+    }
+
+    /// Keeps robots off the map that tell where they are on it.
+    ///
+    /// @param others where they are now
+    void knows(Supplier<List<Mate>> others) {
+        mates = others;
     }
 
     /// Of its map: that of the world when somebody told it where it was, else one of its own.
@@ -169,7 +177,9 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         Slam mapper = before == null ? new Slam(settings) : before;
         slam = mapper;
         Pose2d told = slamFromOdom.compose(odomFromBase);
-        scheduler.compute(work(mapper, told, scan.value())).whenComplete((found, error) -> {
+        Pose2d mapFromBase = known == null ? start : known.at(odomFromBase).mapFromBase();
+        LaserScan seen = Mate.leaveOut(mates.get(), scan.value(), mapFromBase);
+        scheduler.compute(work(mapper, told, seen)).whenComplete((found, error) -> {
             busy = false;
             if (error != null) {
                 fail(error);
