@@ -18,8 +18,16 @@ public final class FreeSpace {
 
     /// @param clearance half the side of a square around a cell's middle that must be free [m]
     public FreeSpace(OccupancyGrid map, double clearance) {
+        this(map, clearance, clearance);
+    }
+
+    /// Places with room around them, rooms with narrow doors included.
+    ///
+    /// @param clearance half the side of a square around a cell's middle that must be free [m]
+    /// @param passage the same for what connects them, at most the clearance [m]
+    public FreeSpace(OccupancyGrid map, double clearance, double passage) {
         this.map = map;
-        boolean[] open = open(map, reach(map, clearance));
+        boolean[] open = open(map, reach(map, passage));
         int[] found = new int[open.length]; // one part after the other
         int from = 0;
         int largestFrom = 0;
@@ -34,7 +42,10 @@ public final class FreeSpace {
                 from = to;
             }
         }
-        cells = Arrays.copyOfRange(found, largestFrom, largestTo);
+        boolean[] roomy = open(map, reach(map, clearance));
+        cells = Arrays.stream(found, largestFrom, largestTo)
+                .filter(cell -> roomy[cell])
+                .toArray();
     }
 
     /// How many cells around a cell must be free; free spaces of equal reach are equal.

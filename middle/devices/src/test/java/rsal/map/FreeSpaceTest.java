@@ -41,6 +41,22 @@ class FreeSpaceTest {
     }
 
     @Test
+    void narrowWaysConnectPlacesWithRoom() {
+        var space = new FreeSpace(MAP, 0.75, 0.25);
+        var random = new SplittableRandom(1);
+        int east = 0;
+        for (int i = 0; i < 200; i++) {
+            Pose2d pose = space.choose(random, _ -> true).orElseThrow();
+            assertThat(pose.x())
+                    .satisfiesAnyOf(
+                            x -> assertThat(x).isBetween(1.25, 6.75),
+                            x -> assertThat(x).isGreaterThan(8.5));
+            east += pose.x() > 8 ? 1 : 0;
+        }
+        assertThat(east).isBetween(20, 120);
+    }
+
+    @Test
     void findsTheNearestPlaceThatSuits() {
         var space = new FreeSpace(MAP, 0.75);
         assertThat(space.nearest(new Pose2d(0.1, 2, 1), _ -> true)).contains(new Pose2d(1.25, 1.75, 1));
