@@ -24,6 +24,7 @@ module rsal.navigation {
 
     provides rsal.robot.DeviceDriver with
             rsal.navigation.device.AmclDriver,
+            rsal.navigation.device.ExploredDriver,
             rsal.navigation.device.ExplorerDriver,
             rsal.navigation.device.JumpPointDriver,
             rsal.navigation.device.NavigatorDriver,

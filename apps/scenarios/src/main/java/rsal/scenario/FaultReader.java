@@ -32,7 +32,6 @@ import rsal.system.RobotSystem;
 
 /// Reads what goes wrong in a scenario: with whom, when and how.
 final class FaultReader {
-    private static final String ALL = "all";
     private static final String ANY = "any";
     private static final String BASE = "base";
     private static final String OPERATOR = "operator"; // who speaks for people
@@ -51,7 +50,7 @@ final class FaultReader {
     /// What was written for a name, and where.
     private record Word(String text, Location at) {
         boolean isAll() {
-            return text.equals(ALL) || text.equals(ANY);
+            return text.equals(Format.ALL) || text.equals(ANY);
         }
     }
 
@@ -159,7 +158,7 @@ final class FaultReader {
     }
 
     private static String sorted(Optional<Set<String>> agents) {
-        return agents.map(names -> new TreeSet<>(names).toString()).orElse(ALL);
+        return agents.map(names -> new TreeSet<>(names).toString()).orElse(Format.ALL);
     }
 
     private static Optional<Arguments> arguments(Section section, FaultKind kind) {

@@ -39,6 +39,8 @@ final class Format {
             Parameter.integer("count", 1, 1, MAX_ROBOTS, "", "How many there are; they are called role-1, role-2…");
     static final Parameter CLEARANCE = Parameter.number(
             "clearance", 0.4, 0, 100, "m", "Distance to all that is not free, and half of that to other robots.");
+    static final Parameter PASSAGE = required(Parameter.number(
+            "passage", 0.3, 0, 100, "m", "Likewise of ways that connect free places; as (clearance) without it."));
     static final Parameter FREE = Parameter.flag("free", true, "Somewhere free, chosen by the seed.");
     static final Parameter OBSTACLE = Parameter.flag("obstacle", true, "Whether robots run into them.");
     static final Parameter GRIPPABLE = Parameter.flag("grippable", false, "Whether grippers can hold them.");
@@ -55,6 +57,13 @@ final class Format {
             "every", 0, 0, 1e6, "s", "Mean time from one to the next, at random; 0: all are there at the start.");
     static final Parameter DEPOT_RADIUS =
             Parameter.number("radius", 1, 0.1, 100, "m", "How far from its middle a depot reaches.");
+    static final Parameter WITHIN = Parameter.number(
+            "within", 1, 0.1, 100, "m", "How far from a thing's middle a robot's may be, with no wall between.");
+    static final Parameter STAYS =
+            Parameter.number("stays", 0, 0, 3600, "s", "For how long a robot must be there on end.");
+
+    /// Stands for all robots where a role could stand.
+    static final String ALL = "all";
 
     static final Parameter SEED = new Parameter(
             "seed",

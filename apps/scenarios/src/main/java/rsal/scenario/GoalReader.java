@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Better;
@@ -13,6 +14,7 @@ import rsal.scenario.RunPlan.Outcome;
 import rsal.scenario.RunPlan.Stop;
 import rsal.scenario.condition.Condition;
 import rsal.scenario.condition.Grammar;
+import rsal.scenario.condition.Grammar.Names;
 import rsal.scenario.condition.InvalidExpression;
 import rsal.scenario.condition.Measure;
 import rsal.settings.Location;
@@ -24,23 +26,25 @@ final class GoalReader {
     private static final Pattern BETWEEN_NAMES = Pattern.compile("[^\\w-]+");
 
     private final RobotNames robots;
-    private final List<String> things;
+    private final List<String> depots;
+    private final List<String> reaches;
     private final Problems problems;
 
     GoalReader(RobotNames robots, List<PlannedThings> things, Problems problems) {
         this.robots = robots;
-        this.things = things.stream()
-                .filter(group -> group.depot().isPresent())
-                .map(PlannedThings::name)
-                .toList();
+        this.depots = names(things, group -> group.depot().isPresent());
+        this.reaches = names(things, group -> group.reach().isPresent());
         this.problems = problems;
+    }
+
+    private static List<String> names(List<PlannedThings> things, Predicate<PlannedThings> which) {
+        return things.stream().filter(which).map(PlannedThings::name).toList();
     }
 
     List<Stop> stops(Section run) {
         var stops = new ArrayList<Stop>();
         for (Section stop : Format.groups(run, "stop")) {
-            Optional<Condition> when =
-                    expression(stop, "when", (text, roles) -> Grammar.condition(text, roles, things));
+            Optional<Condition> when = expression(stop, "when", Grammar::condition);
             var word = stop.value(Format.OUTCOME).orElse("");
             var outcome = Format.of(Outcome.values(), Outcome::word, word);
             var after = Duration.ofMillis(
@@ -62,7 +66,7 @@ final class GoalReader {
                 measure.problem("name", "There are two measures (%s).".formatted(name), "Rename one of them.");
             }
             String unit = measure.text("unit", "");
-            Optional<Measure> from = expression(measure, "from", (text, roles) -> Grammar.measure(text, roles, things));
+            Optional<Measure> from = expression(measure, "from", Grammar::measure);
             boolean perRobot = "robot".equals(measure.value(Format.PER).orElse(""));
             if (perRobot && from.isPresent() && !from.get().canBePerRobot()) {
                 measure.problem("per", "A measure of the whole run has no value per robot.", "Leave (per) out.");
@@ -80,19 +84,20 @@ final class GoalReader {
     }
 
     /// That an expression may name; any that it does when nobody knows which there are.
-    private List<String> roles(String expression) {
-        return robots.open()
+    private Names names(String expression) {
+        List<String> roles = robots.open()
                 ? List.of(BETWEEN_NAMES.split(expression))
                 : robots.roles().stream().map(Role::name).toList();
+        return new Names(roles, depots, reaches);
     }
 
-    private <T> Optional<T> expression(Section section, String key, BiFunction<String, List<String>, T> parse) {
+    private <T> Optional<T> expression(Section section, String key, BiFunction<String, Names, T> parse) {
         String text = section.text(key);
         if (text.isEmpty()) {
             return Optional.empty();
         }
         try {
-            return Optional.of(parse.apply(text, roles(text)));
+            return Optional.of(parse.apply(text, names(text)));
         } catch (InvalidExpression e) {
             Location at = section.locationOf(key);
             problems.add(

@@ -361,7 +361,7 @@ final class PlanReader {
                                 + BigDecimal.valueOf(time.toNanos(), 9)
                                         .stripTrailingZeros()
                                         .toPlainString(),
-                        List.of()),
+                        Grammar.Names.of(List.of())),
                 RunPlan.Outcome.SUCCESS,
                 Duration.ZERO);
     }

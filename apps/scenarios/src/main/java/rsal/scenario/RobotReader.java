@@ -147,7 +147,7 @@ final class RobotReader {
         boolean complete = readable;
         List<Pose2d> fixed = draft.start.fixed();
         Start.Free free = draft.start.free().orElse(null);
-        FreeSpace space = free == null || map.isEmpty() ? null : new FreeSpace(map.get(), free.clearance());
+        FreeSpace space = free == null || map.isEmpty() ? null : free.on(map.get());
         for (int i = 0; i < draft.ids.size() && complete; i++) {
             String id = draft.ids.get(i);
             Optional<Pose2d> mapFromBase = fixed.isEmpty() ? Optional.empty() : Optional.of(fixed.get(i));

@@ -212,7 +212,16 @@ public final class ScenarioSchema {
                                                                         1),
                                                         "radius", parameter(Format.DEPOT_RADIUS)),
                                                 List.of()),
-                                        "Where they are to be brought.")),
+                                        "Where they are to be brought."),
+                        "reach",
+                                described(
+                                        group(
+                                                fields(
+                                                        "by", described(text(), "Role of the robots, or all."),
+                                                        "within", parameter(Format.WITHIN),
+                                                        "stays", parameter(Format.STAYS)),
+                                                partial ? List.of() : List.of("by")),
+                                        "Which robots are to get to each.")),
                 partial ? List.of() : List.of("pose", "body"));
     }
 
@@ -238,6 +247,7 @@ public final class ScenarioSchema {
                 fields(
                         "free", fields("const", true),
                         "clearance", parameter(Format.CLEARANCE),
+                        "passage", parameter(Format.PASSAGE),
                         "within", described(numbers(4), "Least x, least y, greatest x, greatest y [m].")),
                 List.of("free"));
     }

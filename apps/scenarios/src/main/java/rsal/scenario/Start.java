@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.map.FreeSpace;
 import rsal.settings.Section;
@@ -24,8 +25,14 @@ record Start(List<Pose2d> fixed, Optional<Free> free) {
         return new Start(free.isEmpty() ? poses(section, count, what) : List.of(), free);
     }
 
+    /// @param passage clearance of the ways between places [m]
     /// @param within x and y of the lower left and the upper right corner [m]; null for anywhere
-    record Free(double clearance, double @Nullable [] within) {
+    record Free(double clearance, double passage, double @Nullable [] within) {
+        /// Where there is room on a map.
+        FreeSpace on(OccupancyGrid map) {
+            return new FreeSpace(map, clearance, passage);
+        }
+
         /// A place that suits, at least twice the clearance from all others; empty when none was found.
         Optional<Pose2d> choose(FreeSpace space, long seed, Collection<Pose2d> others, Predicate<Pose2d> suits) {
             return space.choose(
@@ -53,12 +60,18 @@ record Start(List<Pose2d> fixed, Optional<Free> free) {
                     "");
         }
         double clearance = (Double) pose.value(Format.CLEARANCE).orElse(0.4);
+        double passage =
+                pose.has("passage") ? (Double) pose.value(Format.PASSAGE).orElse(clearance) : clearance;
+        if (passage > clearance) {
+            pose.problem(
+                    "passage", "(passage) must not be more than (clearance), which is %s.".formatted(clearance), "");
+        }
         double[] within = pose.numbers("within", 4).orElse(null);
         if (within != null && !(within[0] < within[2] && within[1] < within[3])) {
             pose.problem("within", "(within) must be [least x, least y, greatest x, greatest y].", "");
         }
         pose.done();
-        return new Free(clearance, within);
+        return new Free(clearance, passage, within);
     }
 
     private static List<Pose2d> poses(Section section, int count, String what) {

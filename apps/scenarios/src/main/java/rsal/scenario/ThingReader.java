@@ -18,6 +18,7 @@ import rsal.map.FreeSpace;
 import rsal.robot.BodyReader;
 import rsal.scenario.PlannedThings.Depot;
 import rsal.scenario.PlannedThings.PlannedThing;
+import rsal.scenario.PlannedThings.Reach;
 import rsal.scenario.RobotReader.Role;
 import rsal.settings.Problems;
 import rsal.settings.Section;
@@ -87,9 +88,10 @@ final class ThingReader {
         double power = (Double) section.value(Format.GIVING_POWER).orElse(0.0);
         double every = (Double) section.value(Format.COMES_EVERY).orElse(0.0);
         Optional<Depot> depot = section.has("depot") ? depot(section) : Optional.empty();
+        Optional<Reach> reach = section.has("reach") ? reach(section.section("reach")) : Optional.empty();
         section.done();
         if (problems.all().size() > before || map.isEmpty()) {
-            return new PlannedThings(name, List.of(), depot);
+            return new PlannedThings(name, List.of(), depot, reach);
         }
         List<Pose2d> poses = poses(section, start, names, depot);
         var random = new SplittableRandom(seeds.of("things/" + name));
@@ -101,7 +103,7 @@ final class ThingReader {
                     new Thing(names.get(i), poses.get(i), body, color, obstacle, grippable, marker, power), comes));
             comes = comes.plusMillis(Math.round(-StrictMath.log(1 - random.nextDouble()) * every * 1000));
         }
-        return new PlannedThings(name, each, depot);
+        return new PlannedThings(name, each, depot, reach);
     }
 
     private boolean isTaken(String name, String group) {
@@ -114,7 +116,7 @@ final class ThingReader {
             return start.fixed();
         }
         Start.Free free = start.free().get();
-        var space = new FreeSpace(map.orElseThrow(), free.clearance());
+        FreeSpace space = free.on(map.orElseThrow());
         var poses = new ArrayList<Pose2d>();
         for (String name : names) {
             Optional<Pose2d> pose = free.choose(
@@ -153,6 +155,25 @@ final class ThingReader {
         return middles.isEmpty() ? Optional.empty() : Optional.of(new Depot(middles, radius));
     }
 
+    private Optional<Reach> reach(Section reach) {
+        String by = reach.text("by");
+        double within = (Double) reach.value(Format.WITHIN).orElse(1.0);
+        Duration stays = Duration.ofMillis(
+                Math.round(1000 * (Double) reach.value(Format.STAYS).orElse(0.0)));
+        if (!by.isEmpty() && !by.equals(Format.ALL) && robots.role(by).isEmpty() && !robots.open()) {
+            noRole(reach, "by", by);
+        }
+        reach.done();
+        return Optional.of(new Reach(Optional.of(by).filter(role -> !role.equals(Format.ALL)), within, stays));
+    }
+
+    private void noRole(Section section, String key, String name) {
+        section.problem(
+                key,
+                "No robots have the role (%s).".formatted(name),
+                Suggestion.among(name, robots.roles().stream().map(Role::name).toList()));
+    }
+
     private static List<Point2d> places(Section depot) {
         return depot.list("at").orElse(List.of()).stream()
                 .flatMap(place -> depot.numbers("at", place, 2).stream())
@@ -165,11 +186,7 @@ final class ThingReader {
         Optional<Role> role = robots.role(name);
         if (role.isEmpty()) {
             if (!robots.open()) {
-                depot.problem(
-                        "around",
-                        "No robots have the role (%s).".formatted(name),
-                        Suggestion.among(
-                                name, robots.roles().stream().map(Role::name).toList()));
+                noRole(depot, "around", name);
             }
             return List.of();
         }

@@ -7,4 +7,12 @@ import rsal.data.OccupancyGrid;
 public interface Mapper extends Sensor<OccupancyGrid> {
     /// Whether all that its robot can get to is on the map, as far as is known now: a door may open later.
     boolean isComplete();
+
+    /// Leaves the driving to others, and maps whatever it sees meanwhile.
+    void pause();
+
+    /// Goes on driving its robot to where the map ends.
+    void resume();
+
+    boolean paused();
 }

@@ -71,6 +71,33 @@ public sealed interface Condition {
         }
     }
 
+    /// `allFound(victim)`: of all that there are and that are still to come somebody has said where they are, and was
+    /// right.
+    record AllFound(String things) implements Condition {
+        @Override
+        public boolean holds(Facts facts) {
+            return facts.found(things) >= facts.things(things);
+        }
+
+        @Override
+        public String toString() {
+            return "allFound(" + things + ")";
+        }
+    }
+
+    /// `allReached(victim)`: a robot has got to each of all that there are and that are still to come.
+    record AllReached(String things) implements Condition {
+        @Override
+        public boolean holds(Facts facts) {
+            return facts.reached(things) >= facts.things(things);
+        }
+
+        @Override
+        public String toString() {
+            return "allReached(" + things + ")";
+        }
+    }
+
     record And(Condition left, Condition right) implements Condition {
         @Override
         public boolean holds(Facts facts) {

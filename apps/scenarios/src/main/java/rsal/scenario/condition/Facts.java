@@ -45,6 +45,12 @@ public interface Facts {
     /// How many things of a group lie in their depot, in truth.
     int collected(String group);
 
+    /// How many things of a group somebody has found: said where they are, and was right by a meter.
+    int found(String group);
+
+    /// How many things of a group a robot has got to that was to, in truth.
+    int reached(String group);
+
     /// For how long a formation was not in place so far, from when it was first told until now [s].
     double forming();
 

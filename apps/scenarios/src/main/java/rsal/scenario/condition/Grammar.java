@@ -16,11 +16,12 @@ import rsal.settings.Suggestion;
 /// condition  = both {"or" both}
 /// both       = single {"and" single}
 /// single     = "not" single | "(" condition ")" | ("allCaught" | "allArrived") "(" role ")"
-///            | "allCollected" "(" things ")"
+///            | ("allCollected" | "allFound" | "allReached") "(" things ")"
 ///            | quantity relation number
 /// quantity   = "time" | "collisions" | "wallCollisions" | "faults"
 ///            | "messages" | "heardMessages" | "lostMessages" | "explored" | "forming"
-///            | ("caught" | "arrived" | "gone" | "exploring") "(" role ")" | "collected" "(" things ")"
+///            | ("caught" | "arrived" | "gone" | "exploring") "(" role ")"
+///            | ("collected" | "found" | "reached") "(" things ")"
 /// relation   = "<" | "<=" | ">" | ">=" | "==" | "!="
 /// measure    = "firstTime" "(" condition ")" | "count" "(" quantity ")" | "explored" | "distance" ["(" role ")"]
 ///            | function "(" signal ["(" role ")"] ")"
@@ -37,7 +38,9 @@ public final class Grammar {
     private static final List<String> QUANTITIES =
             Arrays.stream(Quantity.Kind.values()).map(Quantity.Kind::word).toList();
     private static final List<String> PREDICATES = Stream.of(
-                    List.of("allCaught", "allArrived", "allCollected"), QUANTITIES, List.of("not"))
+                    List.of("allCaught", "allArrived", "allCollected", "allFound", "allReached"),
+                    QUANTITIES,
+                    List.of("not"))
             .flatMap(List::stream)
             .toList();
     private static final List<String> MEASURES =
@@ -46,47 +49,43 @@ public final class Grammar {
     private static final Quantity EXPLORED = new Quantity(Quantity.Kind.EXPLORED, "");
 
     private final String text;
-    private final Collection<String> roles;
-    private final Collection<String> things;
+    private final Names names;
     private final Matcher matcher;
     private Token token;
     private int depth;
 
-    private Grammar(String text, Collection<String> roles, Collection<String> things) {
+    /// What an expression may name.
+    ///
+    /// @param roles of the scenario's robots
+    /// @param depots groups of things that have a depot
+    /// @param reaches groups of things to which robots are to get
+    public record Names(Collection<String> roles, Collection<String> depots, Collection<String> reaches) {
+        /// Of a scenario without things.
+        public static Names of(Collection<String> roles) {
+            return new Names(roles, List.of(), List.of());
+        }
+    }
+
+    private Grammar(String text, Names names) {
         if (text.length() > MAX_LENGTH) {
             throw new InvalidExpression(
                     MAX_LENGTH, "An expression may have %d characters at most.".formatted(MAX_LENGTH), "");
         }
         this.text = text;
-        this.roles = roles;
-        this.things = things;
+        this.names = names;
         this.matcher = TOKEN.matcher(text);
         this.token = read(0);
     }
 
-    /// Of a scenario without things that are to be collected.
-    public static Condition condition(String text, Collection<String> roles) {
-        return condition(text, roles, List.of());
-    }
-
-    /// @param roles of the scenario's robots
-    /// @param things groups of things that have a depot
     /// @throws InvalidExpression when the text is no condition or names another role or group
-    public static Condition condition(String text, Collection<String> roles, Collection<String> things) {
-        var grammar = new Grammar(text, roles, things);
+    public static Condition condition(String text, Names names) {
+        var grammar = new Grammar(text, names);
         return grammar.whole(grammar.condition());
     }
 
-    /// Of a scenario without things that are to be collected.
-    public static Measure measure(String text, Collection<String> roles) {
-        return measure(text, roles, List.of());
-    }
-
-    /// @param roles of the scenario's robots
-    /// @param things groups of things that have a depot
     /// @throws InvalidExpression when the text is no measure or names another role or group
-    public static Measure measure(String text, Collection<String> roles, Collection<String> things) {
-        var grammar = new Grammar(text, roles, things);
+    public static Measure measure(String text, Names names) {
+        var grammar = new Grammar(text, names);
         return grammar.whole(grammar.measure());
     }
 
@@ -133,7 +132,13 @@ public final class Grammar {
                 return new Condition.AllArrived(role());
             }
             if (takes("allCollected")) {
-                return new Condition.AllCollected(things());
+                return new Condition.AllCollected(depot());
+            }
+            if (takes("allFound")) {
+                return new Condition.AllFound(reach());
+            }
+            if (takes("allReached")) {
+                return new Condition.AllReached(reach());
             }
             return comparison();
         } finally {
@@ -160,7 +165,8 @@ public final class Grammar {
                 switch (kind.of()) {
                     case RUN -> "";
                     case ROLE -> role();
-                    case THINGS -> things();
+                    case DEPOT -> depot();
+                    case REACH -> reach();
                 });
     }
 
@@ -211,11 +217,15 @@ public final class Grammar {
     }
 
     private String role() {
-        return name("a role of robots", roles, "No robots have the role (%s).");
+        return name("a role of robots", names.roles(), "No robots have the role (%s).");
     }
 
-    private String things() {
-        return name("what things are called", things, "No things that have a depot are called (%s).");
+    private String depot() {
+        return name("what things are called", names.depots(), "No things that have a depot are called (%s).");
+    }
+
+    private String reach() {
+        return name("what things are called", names.reaches(), "No things that have a reach are called (%s).");
     }
 
     /// @param unknown a sentence about a word that is none of these

@@ -22,7 +22,9 @@ public record Quantity(Kind kind, String whose) {
         EXPLORING("exploring", Of.ROLE),
         /// [s]
         FORMING("forming", Of.RUN),
-        COLLECTED("collected", Of.THINGS);
+        COLLECTED("collected", Of.DEPOT),
+        FOUND("found", Of.REACH),
+        REACHED("reached", Of.REACH);
 
         private final String word;
         private final Of of;
@@ -46,7 +48,10 @@ public record Quantity(Kind kind, String whose) {
     public enum Of {
         RUN,
         ROLE,
-        THINGS
+        /// Things that are to be brought somewhere.
+        DEPOT,
+        /// Things to which robots are to get.
+        REACH
     }
 
     public double of(Facts facts) {
@@ -65,6 +70,8 @@ public record Quantity(Kind kind, String whose) {
             case EXPLORING -> facts.exploring(whose);
             case FORMING -> facts.forming();
             case COLLECTED -> facts.collected(whose);
+            case FOUND -> facts.found(whose);
+            case REACHED -> facts.reached(whose);
         };
     }
 

@@ -20,6 +20,7 @@ import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
 import rsal.agent.message.Ranks;
+import rsal.agent.message.VictimFound;
 import rsal.agent.message.Visited;
 import rsal.agent.message.Watch;
 import rsal.agent.protocol.Act;
@@ -181,6 +182,10 @@ final class Agents implements AutoCloseable {
             case Visited visited -> {
                 journal.event("message", message.sender(), words);
                 observer.heard(visited, simulation);
+            }
+            case VictimFound found -> {
+                journal.event("message", message.sender(), words);
+                observer.heard(found);
             }
             case Act act
             when !conversations.isNew(message.sender(), message.to(), act) ->

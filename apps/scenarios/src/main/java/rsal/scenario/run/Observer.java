@@ -21,6 +21,7 @@ import rsal.agent.message.Caught;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.Ranks;
+import rsal.agent.message.VictimFound;
 import rsal.agent.message.Visited;
 import rsal.agent.message.Watch;
 import rsal.data.OccupancyGrid;
@@ -62,6 +63,7 @@ final class Observer implements Facts {
     private long lostMessages;
     private Set<String> gone = Set.of(); // robots
     private final Depots depots;
+    private final Reached reached;
     private final Watched watched = new Watched();
     private final Parade parade = new Parade();
     private final Mapped mapped;
@@ -84,6 +86,7 @@ final class Observer implements Facts {
             }
         }
         this.depots = new Depots(plan.things(), journal);
+        this.reached = new Reached(plan.things(), new Walls(plan.map()), journal);
         this.mapped = new Mapped(plan.map(), radius(plan));
         this.asksForShare = Stream.concat(
                         plan.stops().stream().map(RunPlan.Stop::when),
@@ -108,6 +111,9 @@ final class Observer implements Facts {
         if (depots.areThere()) {
             simulation.ifPresent(truth -> depots.look(truth.things()));
         }
+        if (reached.isWanted()) {
+            simulation.ifPresent(truth -> reached.look(truth.things(), there(truth), time()));
+        }
         records.forEach((id, own) -> {
             simulation.flatMap(truth -> truth.truth(id)).ifPresent(mapFromBase -> noteTruth(id, own, mapFromBase));
             Optional.ofNullable(robots.get(id))
@@ -127,6 +133,14 @@ final class Observer implements Facts {
         watched.look(time());
         noteFirstTimes();
         return ending();
+    }
+
+    private List<Reached.There> there(SimulationControl truth) {
+        var there = new ArrayList<Reached.There>();
+        records.forEach((id, own) -> truth.truth(id)
+                .filter(_ -> !gone.contains(id))
+                .ifPresent(mapFromBase -> there.add(new Reached.There(id, own.role(), mapFromBase))));
+        return there;
     }
 
     /// The first condition that holds decides the outcome, even if the run then goes on for a while.
@@ -230,6 +244,11 @@ final class Observer implements Facts {
         simulation
                 .flatMap(truth -> truth.truth(said.robot()))
                 .ifPresent(mapFromBase -> watched.visit(said.mapFromPlace(), mapFromBase, time()));
+    }
+
+    /// Somebody tells of a victim.
+    void heard(VictimFound said) {
+        reached.heard(said);
     }
 
     /// Robots are sent somewhere.
@@ -362,6 +381,16 @@ final class Observer implements Facts {
     @Override
     public int collected(String group) {
         return depots.collected(group);
+    }
+
+    @Override
+    public int found(String group) {
+        return reached.found(group);
+    }
+
+    @Override
+    public int reached(String group) {
+        return reached.reached(group);
     }
 
     @Override

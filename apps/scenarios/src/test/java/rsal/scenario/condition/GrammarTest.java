@@ -10,10 +10,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.scenario.condition.Grammar.Names;
 
 class GrammarTest {
     private static final List<String> ROLES = List.of("prey", "hunter", "fast-prey");
-    private static final List<String> THINGS = List.of("can", "cup");
+    private static final Names NAMES = new Names(ROLES, List.of("can", "cup"), List.of("cup"));
 
     /// After 100 s one of two prey is caught, and there were 3 touches, 1 of a wall.
     private static final Facts FACTS = new Facts() {
@@ -55,6 +56,16 @@ class GrammarTest {
         @Override
         public int collected(String group) {
             return group.equals("cup") ? 5 : 4;
+        }
+
+        @Override
+        public int found(String group) {
+            return 5;
+        }
+
+        @Override
+        public int reached(String group) {
+            return 3;
         }
 
         @Override
@@ -125,6 +136,10 @@ class GrammarTest {
         "collected(can) == 4, true",
         "allCollected(can), false",
         "allCollected(cup), true",
+        "found(cup) == 5, true",
+        "allFound(cup), true",
+        "reached(cup) >= 3, true",
+        "allReached(cup), false",
         "allCaught(prey), false",
         "allCaught(fast-prey), true",
         "not allCaught(prey), true",
@@ -137,7 +152,7 @@ class GrammarTest {
         "'  time>99and(  collisions>2 )  ', true",
     })
     void saysWhatHolds(String text, boolean holds) {
-        assertThat(Grammar.condition(text, ROLES, THINGS).holds(FACTS)).isEqualTo(holds);
+        assertThat(Grammar.condition(text, NAMES).holds(FACTS)).isEqualTo(holds);
     }
 
     @ParameterizedTest
@@ -148,6 +163,8 @@ class GrammarTest {
                 "count(caught(prey))",
                 "count(collected(can))",
                 "firstTime(allCollected(can))",
+                "count(reached(cup))",
+                "firstTime(allFound(cup) and not allReached(cup))",
                 "distance",
                 "distance(hunter)",
                 "p95(poseError)",
@@ -157,7 +174,7 @@ class GrammarTest {
                 "count(forming)",
             })
     void readsMeasuresAsTheyAreWritten(String text) {
-        assertThat(Grammar.measure(text, ROLES, THINGS)).hasToString(text);
+        assertThat(Grammar.measure(text, NAMES)).hasToString(text);
     }
 
     @ParameterizedTest
@@ -175,27 +192,28 @@ class GrammarTest {
                     ${time}                  | 0  | ($) can't stand here.
                     """)
     void pointsAtTheMistake(String text, int position, String message) {
-        assertThatThrownBy(() -> Grammar.condition(text, ROLES)).isInstanceOfSatisfying(InvalidExpression.class, e -> {
-            assertThat(e).hasMessage(message);
-            assertThat(e.position()).isEqualTo(position);
-        });
+        assertThatThrownBy(() -> Grammar.condition(text, Names.of(ROLES)))
+                .isInstanceOfSatisfying(InvalidExpression.class, e -> {
+                    assertThat(e).hasMessage(message);
+                    assertThat(e.position()).isEqualTo(position);
+                });
     }
 
     @Test
     void guessesWhatWasMeant() {
         assertThat(remedy("allCougt(prey)")).contains("Maybe (allCaught) was meant?");
         assertThat(remedy("allCaught(pray)")).contains("Maybe (prey) was meant?");
-        assertThatThrownBy(() -> Grammar.measure("p94(poseError)", ROLES))
+        assertThatThrownBy(() -> Grammar.measure("p94(poseError)", Names.of(ROLES)))
                 .isInstanceOfSatisfying(
                         InvalidExpression.class, e -> assertThat(e.remedy()).contains("p95"));
-        assertThatThrownBy(() -> Grammar.measure("p95(poseEror)", ROLES))
+        assertThatThrownBy(() -> Grammar.measure("p95(poseEror)", Names.of(ROLES)))
                 .isInstanceOfSatisfying(
                         InvalidExpression.class, e -> assertThat(e.remedy()).contains("poseError"));
     }
 
     private static String remedy(String text) {
         try {
-            Grammar.condition(text, ROLES);
+            Grammar.condition(text, Names.of(ROLES));
             return fail("%s is no condition.", text);
         } catch (InvalidExpression e) {
             return e.remedy();
@@ -204,11 +222,13 @@ class GrammarTest {
 
     @Test
     void refusesWhatIsTooLongOrTooDeep() {
-        assertThatThrownBy(() -> Grammar.condition("(".repeat(900), ROLES)).isInstanceOf(InvalidExpression.class);
-        assertThatThrownBy(() -> Grammar.condition("not ".repeat(200) + "time > 1", ROLES))
+        assertThatThrownBy(() -> Grammar.condition("(".repeat(900), Names.of(ROLES)))
                 .isInstanceOf(InvalidExpression.class);
-        assertThatThrownBy(() -> Grammar.condition(" ".repeat(2000), ROLES)).isInstanceOf(InvalidExpression.class);
-        assertThatThrownBy(() -> Grammar.condition("time > " + "9".repeat(900), ROLES))
+        assertThatThrownBy(() -> Grammar.condition("not ".repeat(200) + "time > 1", Names.of(ROLES)))
+                .isInstanceOf(InvalidExpression.class);
+        assertThatThrownBy(() -> Grammar.condition(" ".repeat(2000), Names.of(ROLES)))
+                .isInstanceOf(InvalidExpression.class);
+        assertThatThrownBy(() -> Grammar.condition("time > " + "9".repeat(900), Names.of(ROLES)))
                 .isInstanceOf(InvalidExpression.class);
     }
 
@@ -246,12 +266,12 @@ class GrammarTest {
                 text.append(pieces[random.nextInt(pieces.length)]);
             }
             try {
-                Grammar.condition(text.toString(), ROLES).holds(FACTS);
+                Grammar.condition(text.toString(), Names.of(ROLES)).holds(FACTS);
             } catch (InvalidExpression e) {
                 assertThat(e.position()).as("seed %d", seed).isBetween(0, text.length());
             }
             try {
-                Grammar.measure(text.toString(), ROLES);
+                Grammar.measure(text.toString(), Names.of(ROLES));
             } catch (InvalidExpression e) {
                 assertThat(e).as("seed %d", seed).hasMessageNotContaining("null");
             }

@@ -7,7 +7,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class WrittenFormTest {
-    private static final List<String> ROLES = List.of("prey", "hunter");
+    private static final Grammar.Names NAMES = Grammar.Names.of(List.of("prey", "hunter"));
 
     @ParameterizedTest
     @ValueSource(
@@ -22,7 +22,7 @@ class WrittenFormTest {
                 "not (allCaught(prey) and not time < 2)"
             })
     void conditionsAreAsTheyWereWritten(String text) {
-        assertThat(Grammar.condition(text, ROLES)).hasToString(text);
+        assertThat(Grammar.condition(text, NAMES)).hasToString(text);
     }
 
     @ParameterizedTest
@@ -37,6 +37,6 @@ class WrittenFormTest {
                 "max(captureDistance(prey))"
             })
     void measuresAreAsTheyWereWritten(String text) {
-        assertThat(Grammar.measure(text, ROLES)).hasToString(text);
+        assertThat(Grammar.measure(text, NAMES)).hasToString(text);
     }
 }

@@ -58,10 +58,11 @@ final class Exploration {
     /// What a robot saw from where it was.
     record Seen(Body body, List<PosedScan> scans) {}
 
-    /// A robot that is to be sent somewhere.
+    /// A robot that knows where it is.
     ///
     /// @param frontier to which it is on its way
-    record Ready(Body body, Point2d place, Optional<Point2d> frontier) {}
+    /// @param goes whether it is to be sent somewhere
+    record Ready(Body body, Point2d place, Optional<Point2d> frontier, boolean goes) {}
 
     /// What a robot is to do on a map; nothing when it has no goal.
     ///
@@ -113,7 +114,7 @@ final class Exploration {
             return;
         }
         List<Ready> sent = ready.stream()
-                .map(r -> new Ready(r.body(), r.place(), r.frontier()))
+                .map(r -> new Ready(r.body(), r.place(), r.frontier(), !r.paused()))
                 .toList();
         List<Point2d> alone = leftAlone.at(scheduler.instant());
         looking = true;
@@ -158,7 +159,8 @@ final class Exploration {
                         .frontier()
                         .filter(goal -> LeftAlone.isSame(goal, place))
                         .isPresent();
-                costs[robot][i] = reach.cost() - (going ? LOYALTY : 0);
+                costs[robot][i] =
+                        ready.get(robot).goes() ? reach.cost() - (going ? LOYALTY : 0) : Double.POSITIVE_INFINITY;
             }
         }
         List<Optional<Integer>> chosen = Division.assign(frontiers, costs, settings.view());

@@ -15,13 +15,16 @@ import rsal.device.Health;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.device.SensorCore;
+import rsal.navigation.grid.DistanceField;
 import rsal.navigation.grid.ScanMapper.PosedScan;
+import rsal.navigation.wavefront.CostMap;
+import rsal.navigation.wavefront.Wavefront;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 
 /// Sends a robot where its map ends, until it ends nowhere that the robot can get to. Its readings are the
-/// map. It gives its navigator the map, too, and takes the robot over from the start: who wants to drive it
-/// pauses the navigator.
+/// map. It gives its navigator the map, too, and takes the robot over from the start unless it is told to wait: who
+/// wants to drive it by its navigator pauses the explorer, who wants to drive it otherwise pauses the navigator.
 final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private static final Duration LONGEST = Duration.ofSeconds(60); // for one frontier without getting there
     private static final Duration FRESH = Duration.ofSeconds(5);
@@ -39,6 +42,8 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private double nearest;
     private Instant since = Instant.MIN;
     private int looksForNothing; // in a row, in which there was nothing more to get to
+    private boolean paused;
+    private Wavefront ways = nowhere();
 
     Explorer(
             DeviceInfo info,
@@ -46,17 +51,26 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
             PathNavigator navigator,
             Exploration team,
             Exploration.Body body,
+            boolean waits,
             Scheduler scheduler) {
         super(info);
         this.localizer = localizer;
         this.navigator = navigator;
         this.team = team;
         this.body = body;
+        this.paused = waits;
         this.scheduler = scheduler;
+    }
+
+    /// Ways while nothing is mapped.
+    private static Wavefront nowhere() {
+        OccupancyGrid unknown = new OccupancyGrid(1, 1, 1, 0, 0, new byte[] {OccupancyGrid.UNKNOWN});
+        return new Wavefront(CostMap.of(unknown, DistanceField.toNotFree(unknown), new CostMap.Clearance(0, 0, 0)));
     }
 
     void start() {
         localizer.knows(() -> team.mates(this));
+        navigator.on(ways, DistanceField.toNotFree(ways.map().grid())); // the run's map is not for robots that explore
         team.join(this);
         scheduler.every(Exploration.PERIOD, Phase.DEVICES, () -> team.look(scheduler));
     }
@@ -88,15 +102,46 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         return looksForNothing >= SURE;
     }
 
+    @Override
+    public void pause() {
+        paused = true;
+        frontier = null;
+        var under = drive;
+        drive = null;
+        if (under != null) {
+            under.cancel();
+        }
+    }
+
+    @Override
+    public void resume() {
+        paused = false;
+    }
+
+    @Override
+    public boolean paused() {
+        return paused;
+    }
+
     /// Where it is on its way to.
     Optional<Point2d> frontier() {
         return Optional.ofNullable(frontier);
+    }
+
+    /// How its robot gets about on the map as told last.
+    Wavefront ways() {
+        return ways;
     }
 
     void take(Exploration.Order order) {
         health(Health.ok());
         looksForNothing = order.complete() ? looksForNothing + 1 : 0;
         deliver(new Stamped<>(scheduler.instant(), localizer.frame(), order.map()));
+        ways = order.ways();
+        navigator.on(ways, order.toNotFree());
+        if (paused) {
+            return;
+        }
         Exploration.Goal goal = order.goal().orElse(null);
         if (goal == null) {
             frontier = null;
@@ -119,7 +164,6 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
             frontier = null;
             return;
         }
-        navigator.on(order.ways(), order.toNotFree());
         double towards = Math.atan2(
                 goal.frontier().y() - goal.stand().y(),
                 goal.frontier().x() - goal.stand().x());

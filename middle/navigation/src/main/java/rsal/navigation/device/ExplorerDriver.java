@@ -67,6 +67,8 @@ public final class ExplorerDriver implements DeviceDriver {
         parameters.add(Parameter.number("resolution", 0.1, 0.02, 1, "m", "side of a cell of the map"));
         parameters.add(
                 Parameter.number("shortest", 0.6, 0.1, 10, "m", "ends of the map that are shorter are left alone"));
+        parameters.add(Parameter.flag(
+                "waits", false, "whether it only maps what its robot sees and leaves the driving to others"));
         parameters.add(Parameter.number("view", 4, 0.5, 50, "m", "how far the laser is believed to see"));
         parameters.addAll(Ways.parameters());
         return parameters;
@@ -89,6 +91,7 @@ public final class ExplorerDriver implements DeviceDriver {
                 navigator,
                 team,
                 new Exploration.Body(footprint.circumscribedRadius(), Ways.clearance(footprint, arguments)),
+                arguments.flag("waits"),
                 context.scheduler());
         explorer.start();
         return explorer;

@@ -14,6 +14,9 @@ import rsal.settings.Parameter;
 
 /// Makes planners that use [Wavefront] on the run's map.
 public final class WavefrontDriver implements DeviceDriver {
+    static final Parameter GOAL_DISTANCE = Parameter.number(
+            "goalDistance", 0.4, 0, 10, "m", "how far from the goal a way may end when the robot doesn't fit there");
+
     private final Ways ways = new Ways();
 
     @Override
@@ -34,27 +37,21 @@ public final class WavefrontDriver implements DeviceDriver {
     @Override
     public List<Parameter> parameters() {
         var parameters = new ArrayList<>(Ways.parameters());
-        parameters.add(Parameter.number(
-                "goalDistance",
-                0.4,
-                0,
-                10,
-                "m",
-                "how far from the goal a way may end when the robot doesn't fit there"));
+        parameters.add(GOAL_DISTANCE);
         return parameters;
     }
 
     @Override
     public Device create(Context context, Arguments arguments) {
         Wavefront wavefront = ways.of(context.map(), context.robot().model().footprint(), arguments);
-        double goalDistance = arguments.number("goalDistance");
+        double goalDistance = arguments.number(GOAL_DISTANCE.name());
         return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 (start, goal) -> result(wavefront.plan(start, goal, goalDistance)),
                 context.scheduler());
     }
 
-    private static Result result(Plan plan) {
+    static Result result(Plan plan) {
         return switch (plan) {
             case Plan.Found(var path, var cost, var offGoal) -> new Result.Found(path, cost, offGoal);
             case Plan.None(var why) -> new Result.NoPath(why);

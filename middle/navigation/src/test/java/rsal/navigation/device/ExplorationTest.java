@@ -42,8 +42,12 @@ class ExplorationTest {
         for (boolean largeFirst : new boolean[] {true, false}) {
             var seen = List.of(new Seen(SMALL, around(new Pose2d(3.2, 2, 0))), new Seen(LARGE, List.of()));
             var ready = largeFirst
-                    ? List.of(new Ready(LARGE, large, Optional.empty()), new Ready(SMALL, small, Optional.empty()))
-                    : List.of(new Ready(SMALL, small, Optional.empty()), new Ready(LARGE, large, Optional.empty()));
+                    ? List.of(
+                            new Ready(LARGE, large, Optional.empty(), true),
+                            new Ready(SMALL, small, Optional.empty(), true))
+                    : List.of(
+                            new Ready(SMALL, small, Optional.empty(), true),
+                            new Ready(LARGE, large, Optional.empty(), true));
 
             List<Exploration.Order> orders = Exploration.orders(SETTINGS, seen, ready, List.of());
 
@@ -51,6 +55,23 @@ class ExplorationTest {
             assertThat(orders.get(largeFirst ? 1 : 0).goal())
                     .hasValueSatisfying(goal -> assertThat(goal.stand().x()).isGreaterThan(5));
         }
+    }
+
+    @Test
+    void whoWaitsIsSentNowhereAndLeavesWhatItSeesToOthers() {
+        var place = new Pose2d(1.5, 2.6, 0);
+        var seen = List.of(new Seen(SMALL, List.of()), new Seen(SMALL, around(new Pose2d(3.2, 2, 0))));
+        var ready = List.of(
+                new Ready(SMALL, place.position(), Optional.empty(), true),
+                new Ready(SMALL, new Point2d(3.2, 2), Optional.empty(), false));
+
+        List<Exploration.Order> orders = Exploration.orders(SETTINGS, seen, ready, List.of());
+
+        assertThat(orders.get(0).goal())
+                .hasValueSatisfying(goal -> assertThat(goal.stand().x()).isGreaterThan(5));
+        assertThat(orders.get(1).goal()).isEmpty();
+        assertThat(orders.get(1).complete()).isFalse();
+        assertThat(orders.get(1).map()).isEqualTo(orders.get(0).map());
     }
 
     @Test
@@ -64,7 +85,7 @@ class ExplorationTest {
         Exploration.Order order = Exploration.orders(
                         SETTINGS,
                         List.of(seen),
-                        List.of(new Ready(SMALL, place.position(), Optional.empty())),
+                        List.of(new Ready(SMALL, place.position(), Optional.empty(), true)),
                         List.of())
                 .getFirst();
 

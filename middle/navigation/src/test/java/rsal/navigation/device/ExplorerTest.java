@@ -6,8 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.device.Navigator;
+import rsal.device.Planner;
 import rsal.robot.DeviceDriver;
 import rsal.sim.SimProvider;
 import rsal.system.RobotSystemProvider;
@@ -25,7 +27,7 @@ class ExplorerTest extends DeviceContract<Explorer> {
 
     @Override
     protected List<DeviceDriver> drivers() {
-        return List.of(new SlamDriver(), new NavigatorDriver(), new ExplorerDriver());
+        return List.of(new SlamDriver(), new NavigatorDriver(), new ExplorerDriver(), new ExploredDriver());
     }
 
     @Test
@@ -60,6 +62,46 @@ class ExplorerTest extends DeviceContract<Explorer> {
         navigator.resume();
         advance(20);
         assertThat(truth()).isNotEqualTo(stands);
+    }
+
+    @Test
+    void whoPausesItDrivesByItsNavigatorOnWhatIsMapped() {
+        Navigator navigator = robot().require(Navigator.class);
+        advance(60);
+        device().pause();
+        Pose2d start = WORLD.pose('@', 0);
+        var back = navigator
+                .goTo(start, Navigator.Tolerance.position(0.3))
+                .result()
+                .toCompletableFuture();
+        advance(60);
+        assertThat(back.getNow(null)).isInstanceOf(Navigator.Result.Reached.class);
+        var stands = truth();
+        advance(20);
+        assertThat(truth()).isEqualTo(stands);
+        assertThat(device().latest().orElseThrow().time()).isAfter(run.instant().minusSeconds(4));
+        device().resume();
+        advance(20);
+        assertThat(truth()).isNotEqualTo(stands);
+    }
+
+    @Test
+    void itsPlannerKnowsWaysAsFarAsItHasMapped() {
+        Planner planner = robot().require(Planner.class);
+        Pose2d start = WORLD.pose('@', 0);
+        Pose2d far = WORLD.pose('c', 0);
+        assertThat(planned(planner, start, far)).isInstanceOf(Planner.Result.NoPath.class);
+        advance(300);
+        assertThat(planned(planner, start, far))
+                .isInstanceOfSatisfying(
+                        Planner.Result.Found.class,
+                        way -> assertThat(way.cost()).isGreaterThanOrEqualTo(start.distanceTo(far) - 0.5));
+    }
+
+    private Planner.Result planned(Planner planner, Pose2d from, Pose2d to) {
+        var plan = planner.plan(from, to).toCompletableFuture();
+        advance(1);
+        return plan.join();
     }
 
     private static long free(OccupancyGrid map) {

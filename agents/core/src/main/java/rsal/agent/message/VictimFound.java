@@ -1,0 +1,27 @@
+package rsal.agent.message;
+
+import java.util.Locale;
+import rsal.agent.Topic;
+import rsal.data.Point2d;
+
+/// A robot has seen somebody who needs help. It says so again every few seconds until it hears that somebody was helped
+/// ([VictimHelped]), and where it knows better.
+///
+/// @param robot its id
+/// @param victim what the marker says that the victim wears
+/// @param mapFromVictim as far as the robot knows where it is itself
+public record VictimFound(String robot, int victim, Point2d mapFromVictim) {
+    public static final Topic<VictimFound> TOPIC = new Topic<>("victim-found", VictimFound.class);
+
+    public VictimFound {
+        if (!Double.isFinite(mapFromVictim.x()) || !Double.isFinite(mapFromVictim.y())) {
+            throw new IllegalArgumentException("A victim must be somewhere, not at (%s).".formatted(mapFromVictim));
+        }
+    }
+
+    /// `victim 3 is at (3.2, -1.0)`
+    @Override
+    public String toString() {
+        return String.format(Locale.ROOT, "victim %d is at (%.1f, %.1f)", victim, mapFromVictim.x(), mapFromVictim.y());
+    }
+}

@@ -1,0 +1,43 @@
+package rsal.agents;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import rsal.agent.AgentContext;
+import rsal.data.Pose2d;
+import rsal.device.Navigator.Tolerance;
+
+/// Takes a robot back to where its agent first knew to be, when nobody has wanted it for a few seconds, so that it
+/// waits in nobody's way.
+final class Homing {
+    private static final Duration PATIENCE = Duration.ofSeconds(5);
+    private static final Tolerance THERE = Tolerance.position(0.5);
+
+    private final AgentContext self;
+    private final Driver driver;
+    private final Supplier<Optional<Pose2d>> mapFromBase;
+    private final BooleanSupplier idle;
+    private Optional<Pose2d> mapFromHome = Optional.empty();
+
+    /// @param idle whether nobody wants the robot
+    Homing(AgentContext self, Driver driver, Supplier<Optional<Pose2d>> mapFromBase, BooleanSupplier idle) {
+        this.self = self;
+        this.driver = driver;
+        this.mapFromBase = mapFromBase;
+        this.idle = idle;
+    }
+
+    void begin() {
+        self.scheduler().every(PATIENCE, this::look);
+    }
+
+    private void look() {
+        Optional<Pose2d> here = mapFromBase.get();
+        mapFromHome = mapFromHome.or(() -> here);
+        boolean away = here.isPresent() && here.get().distanceTo(mapFromHome.orElseThrow()) > 2 * THERE.distance();
+        if (away && idle.getAsBoolean() && driver.mapFromGoal().isEmpty()) {
+            driver.goTo(mapFromHome.orElseThrow(), THERE, _ -> {}); // if it does not get there, it tries again
+        }
+    }
+}

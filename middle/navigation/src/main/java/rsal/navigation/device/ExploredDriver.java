@@ -1,0 +1,84 @@
+package rsal.navigation.device;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import rsal.data.Pose2d;
+import rsal.device.Device;
+import rsal.device.DeviceCore;
+import rsal.device.DeviceInfo;
+import rsal.device.Mapper;
+import rsal.device.Planner;
+import rsal.navigation.wavefront.Wavefront;
+import rsal.robot.DeviceDriver;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.Scheduler;
+
+/// Makes planners for robots with an [Explorer], on the map as far as it is drawn. They keep off walls as it does.
+public final class ExploredDriver implements DeviceDriver {
+    @Override
+    public String key() {
+        return "explored";
+    }
+
+    @Override
+    public String description() {
+        return "Plans ways over the map that the robot's explorer draws, as far as it goes.";
+    }
+
+    @Override
+    public Class<? extends Device> makes() {
+        return Planner.class;
+    }
+
+    @Override
+    public List<Class<? extends Device>> needs() {
+        return List.of(Mapper.class);
+    }
+
+    @Override
+    public Optional<String> refusal(List<DeviceDriver> before) {
+        return before.stream().anyMatch(driver -> driver instanceof ExplorerDriver)
+                ? Optional.empty()
+                : Optional.of("It needs a device of type (explorer) that is written before it.");
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(WavefrontDriver.GOAL_DISTANCE);
+    }
+
+    @Override
+    public Device create(Context context, Arguments arguments) {
+        if (!(context.robot().require(Mapper.class) instanceof Explorer explorer)) {
+            throw new IllegalArgumentException(
+                    "(%s) has no explorer.".formatted(context.robot().id()));
+        }
+        return new ExploredPlanner(
+                new DeviceInfo(context.robot().id(), context.name(), key()),
+                explorer,
+                arguments.number(WavefrontDriver.GOAL_DISTANCE.name()),
+                context.scheduler());
+    }
+
+    private static final class ExploredPlanner extends DeviceCore implements Planner {
+        private final Explorer explorer;
+        private final double goalDistance;
+        private final Scheduler scheduler;
+
+        ExploredPlanner(DeviceInfo info, Explorer explorer, double goalDistance, Scheduler scheduler) {
+            super(info);
+            this.explorer = explorer;
+            this.goalDistance = goalDistance;
+            this.scheduler = scheduler;
+        }
+
+        @Override
+        public CompletionStage<Result> plan(Pose2d mapFromStart, Pose2d mapFromGoal) {
+            Wavefront ways = explorer.ways(); // those of now, whatever is drawn meanwhile
+            return scheduler.compute(() ->
+                    WavefrontDriver.result(ways.plan(mapFromStart.position(), mapFromGoal.position(), goalDistance)));
+        }
+    }
+}
