@@ -113,6 +113,10 @@ class ThingsTest {
             every: 20                | evry: 20                  | 16 | (evry) is not known in (things.can).
             allCollected(can)        | allCollected(cen)         | 21 | No things that have a depot are called (cen).
             allCollected(can)        | allCollected(mat)         | 21 | No things that have a depot are called (mat).
+            allCollected(can)        | allReached(can)           | 21 | No things that have a reach are called (can).
+            every: 20                | reach: {by: carts}        | 16 | No robots have the role (carts).
+            every: 20                | reach: {within: 2}        | 16 | (things.can.reach.by) is missing
+            clearance: 0.5           | clearance: 0.5, passage: 1| 11 | (passage) must not be more than (clearance), which is 0.5.
             """)
     void mistakesSayWhereAndWhat(String right, String wrong, int line, String message) {
         String text = SCENARIO.replace(right, wrong == null ? "" : wrong);
