@@ -27,6 +27,7 @@ module rsal.agents {
             rsal.agents.Follow,
             rsal.agents.Formation,
             rsal.agents.HuntMaster,
+            rsal.agents.Intrude,
             rsal.agents.Nav,
             rsal.agents.Swarm,
             rsal.agents.Patrol,

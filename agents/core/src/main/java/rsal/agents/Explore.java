@@ -1,10 +1,8 @@
 package rsal.agents;
 
 import java.util.List;
-import java.util.Optional;
 import rsal.agent.AgentContext;
 import rsal.behavior.Pilot;
-import rsal.data.Rgb;
 import rsal.device.BlobFinder;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
@@ -39,21 +37,18 @@ public final class Explore extends Kind {
         reporter.begin();
         var finds = new Finds(self);
         finds.begin();
-        new Spotting(self, robot, reporter, color(arguments), arguments.number(RANGE.name()), finds::see).begin();
+        new Spotting(
+                        self,
+                        robot,
+                        reporter,
+                        Spotting.color(arguments, COLOR),
+                        arguments.number(RANGE.name()),
+                        finds::see)
+                .begin();
         if (arguments.text(ROAM.name()).equals("lookouts")) {
             new Lookouts(self, robot, reporter, arguments.integer(Lookouts.COUNT.name())).begin();
         } else {
             Roaming.alongWalls(self, robot).begin();
         }
-    }
-
-    /// @throws IllegalArgumentException when it is none
-    private static Optional<Rgb> color(Arguments arguments) {
-        String text = arguments.text(COLOR.name());
-        return text.isEmpty()
-                ? Optional.empty()
-                : Optional.of(Rgb.parse(text)
-                        .orElseThrow(() -> new IllegalArgumentException(
-                                "(color) must be like #1f77b4, not (%s).".formatted(text))));
     }
 }

@@ -29,7 +29,7 @@ public final class Patrol extends Kind {
         super(
                 "patrol",
                 "Has a team watch places, so that none is left alone for long.",
-                List.of(PLACES, COUNT, PlaceQuest.CLEARANCE, STAY, STRATEGY, URGENCY),
+                List.of(PLACES, COUNT, PlaceQuest.CLEARANCE, STAY, STRATEGY, URGENCY, Alarms.RESPONDERS),
                 List.of());
     }
 

@@ -31,7 +31,7 @@ final class Reporter {
     private final Duration period;
     private final Consumer<? super PoseReport> said;
     private final Optional<Localizer> localizer;
-    private final Supplier<Optional<Pose2d>> newest;
+    private final Supplier<Optional<Pose2d>> belief;
     private Instant due = Instant.MIN;
     private boolean waiting;
 
@@ -42,7 +42,7 @@ final class Reporter {
         this.period = arguments.seconds(PERIOD.name());
         this.said = said;
         this.localizer = robot.find(Localizer.class);
-        this.newest = localizer.isPresent() ? fromLocalizer(localizer.get()) : fromOdometry(robot);
+        this.belief = belief(robot);
     }
 
     void begin() {
@@ -58,7 +58,14 @@ final class Reporter {
 
     /// Where the robot believes to be now; empty while it does not know.
     Optional<Pose2d> mapFromBase() {
-        return newest.get().filter(Pose2d::isFinite);
+        return belief.get();
+    }
+
+    /// Where a robot believes to be whenever it is asked; empty while it does not know.
+    static Supplier<Optional<Pose2d>> belief(Robot robot) {
+        Supplier<Optional<Pose2d>> newest =
+                robot.find(Localizer.class).map(Reporter::fromLocalizer).orElseGet(() -> fromOdometry(robot));
+        return () -> newest.get().filter(Pose2d::isFinite);
     }
 
     private static Supplier<Optional<Pose2d>> fromLocalizer(Localizer localizer) {

@@ -11,6 +11,8 @@ import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.device.BlobFinder;
 import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
 
 /// Sees patches of color through a robot's blob finder and says where they are in the map, each time it sees them.
 /// Those at the border of an image are left out: of what lies beyond nothing is known, so that their middle would be
@@ -38,6 +40,18 @@ final class Spotting {
         this.color = color;
         this.range = range;
         this.onSeen = onSeen;
+    }
+
+    /// A color that was typed; empty when it was left out.
+    ///
+    /// @throws IllegalArgumentException when it is none
+    static Optional<Rgb> color(Arguments arguments, Parameter parameter) {
+        String text = arguments.text(parameter.name());
+        return text.isEmpty()
+                ? Optional.empty()
+                : Optional.of(Rgb.parse(text)
+                        .orElseThrow(() -> new IllegalArgumentException(
+                                "(%s) must be like #1f77b4, not (%s).".formatted(parameter.name(), text))));
     }
 
     void begin() {

@@ -28,7 +28,9 @@ import rsal.settings.Arguments;
 /// Watches places by a team. By bids, each place is a job again as soon as somebody has been there, the more urgent
 /// the longer nobody was: what A. Machado et al., "Multi-agent patrolling" (2002), call idleness, weighed against the
 /// way as in A. Almeida et al., "Recent advances on multi-agent patrolling" (2004). The other two ways are what to
-/// compare with: along a cycle, on which the robots begin evenly spaced, and at random.
+/// compare with: along a cycle, on which the robots begin evenly spaced, and at random. When one of them sees an
+/// intruder,
+/// some go there first, and the others go on.
 final class Watching {
     private static final Duration SEEN = Duration.ofSeconds(10); // nobody need look again before
     private static final Duration LOOK = Duration.ofSeconds(5); // for robots that can find places, or have come
@@ -40,6 +42,7 @@ final class Watching {
     private final Optional<Wanted> wanted;
     private final PlaceQuest quest;
     private final Team team;
+    private final Alarms alarms;
     private final Map<String, PoseReport> members = new TreeMap<>(); // by agent
     private final Map<String, Integer> nextOf = new HashMap<>(); // place by robot, along the cycle
     private final Map<String, Integer> placeOf = new HashMap<>(); // by job
@@ -54,6 +57,7 @@ final class Watching {
         this.quest = new PlaceQuest(self, this::watch);
         Rules rules = Rules.DEFAULT.withObjective(Objective.SUM).oneAtATime().withTries(0);
         this.team = new Team(self, rules, this::note);
+        this.alarms = new Alarms(self, arguments, team);
         List<Point2d> given = arguments.places(Patrol.PLACES.name());
         this.wanted = given.isEmpty()
                 ? Optional.of(new Wanted(
@@ -70,6 +74,7 @@ final class Watching {
         self.scheduler().every(LOOK, this::look);
         self.publish(PoseRequest.TOPIC, new PoseRequest(NewGoal.ALL)); // some may have been there for long
         team.begin();
+        alarms.begin();
         self.state("looking who is there");
     }
 
@@ -138,8 +143,17 @@ final class Watching {
     }
 
     private void note(Team.Event event) {
+        switch (event.job()) {
+            case Visit visit -> note(event, visit.robot());
+            case Meet meet when event instanceof Team.Event.Done -> alarms.done(meet);
+            default -> {} // they go on until they have met it or nobody sees it
+        }
+        tell();
+    }
+
+    /// @param only id of the robot that alone goes there
+    private void note(Team.Event event, Optional<String> only) {
         int place = placeOf.getOrDefault(event.job().name(), 0);
-        Optional<String> only = ((Visit) event.job()).robot();
         switch (event) {
             case Team.Event.Done done -> {
                 visited[place] = self.scheduler().instant();
@@ -160,7 +174,6 @@ final class Watching {
                         });
             case Team.Event.Allotted _, Team.Event.GivenUp _ -> {}
         }
-        tell();
     }
 
     private void tell() {
@@ -173,7 +186,8 @@ final class Watching {
         }
         double worst = idle.stream().mapToDouble(Double::doubleValue).max().orElse(0);
         double mean = idle.stream().mapToDouble(Double::doubleValue).average().orElse(0);
-        self.state(String.format(
-                Locale.ROOT, "watching %d places, left alone for %.0f s, at most %.0f s", idle.size(), mean, worst));
+        String watching = String.format(
+                Locale.ROOT, "watching %d places, left alone for %.0f s, at most %.0f s", idle.size(), mean, worst);
+        self.state(alarms.view().map(alarm -> alarm + ", " + watching).orElse(watching));
     }
 }

@@ -17,7 +17,7 @@ public final class WorkerAgent extends Kind {
         super(
                 "worker",
                 "Bids for what its team has to do, does what it gets, and minds its battery.",
-                List.of(Recharging.CHARGERS, Recharging.LOW, Recharging.FULL, Reporter.PERIOD),
+                List.of(Recharging.CHARGERS, Recharging.LOW, Recharging.FULL, Sentry.INTRUDER, Reporter.PERIOD),
                 List.of(Navigator.class));
     }
 
@@ -33,6 +33,8 @@ public final class WorkerAgent extends Kind {
             }
         });
         worker.learn(Visit.class, new Visiting(self, robot.id(), driver));
+        var meeting = new Meeting(self, driver, reporter::mapFromBase);
+        worker.learn(Meet.class, meeting);
         var recharging = new Recharging(
                 self,
                 robot,
@@ -54,6 +56,8 @@ public final class WorkerAgent extends Kind {
         reporter.begin();
         Travel.begin(self, robot, reporter);
         PlaceSearch.begin(self, robot, reporter);
+        Spotting.color(arguments, Sentry.INTRUDER)
+                .ifPresent(color -> new Sentry(self, robot, reporter, color, meeting::see).begin());
         worker.begin();
         self.state("waiting for a job");
     }

@@ -3,6 +3,7 @@ package rsal.agent.team;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -47,6 +48,7 @@ public final class Team {
     private @Nullable Tender<Offer, Estimate, String> undecided;
     private boolean due;
     private boolean missed; // a call, while another was undecided
+    private boolean anewWanted;
 
     /// @param onEvent told on the agent's lane
     public Team(AgentContext self, Rules rules, Consumer<? super Event> onEvent) {
@@ -95,6 +97,13 @@ public final class Team {
         }
     }
 
+    /// Allots everything anew, once, also what is under way: when something has come that can't wait until somebody is
+    /// free.
+    public void reallot() {
+        anewWanted = true;
+        callSoon();
+    }
+
     public boolean has(String name) {
         return entries.containsKey(name);
     }
@@ -113,7 +122,7 @@ public final class Team {
             due = true;
             self.scheduler().execute(() -> {
                 due = false;
-                call(false);
+                call(anewWanted);
             });
         }
     }
@@ -124,8 +133,10 @@ public final class Team {
             missed = true;
             return;
         }
+        anewWanted &= !anew;
         List<Entry> called = entries.values().stream()
                 .filter(entry -> anew || entry.contract == null)
+                .sorted(Comparator.comparingDouble((Entry entry) -> -entry.urgency.getAsDouble()))
                 .limit(MOST_AT_ONCE)
                 .toList();
         List<String> members = roll.present().stream()

@@ -12,6 +12,7 @@ import rsal.agent.AgentSpec;
 import rsal.agent.Delivery;
 import rsal.agent.Message;
 import rsal.agent.Society;
+import rsal.agent.message.Alarm;
 import rsal.agent.message.Caught;
 import rsal.agent.message.ChargerTaken;
 import rsal.agent.message.GoalReached;
@@ -160,7 +161,7 @@ final class Agents implements AutoCloseable {
                 journal.hash(message.sender(), message.topic().name(), words);
                 observer.heard(message.sender(), ranks);
             }
-            case PoseReport _, PoseRequest _, ChargerTaken _ ->
+            case PoseReport _, PoseRequest _, ChargerTaken _, Alarm _ ->
                 journal.hash(message.sender(), message.topic().name(), words);
             case NewGoal order -> {
                 journal.event("goal", message.sender(), words);

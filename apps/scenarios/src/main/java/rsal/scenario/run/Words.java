@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import rsal.agent.Message;
+import rsal.agent.message.Alarm;
 import rsal.agent.message.Caught;
 import rsal.agent.message.ChargerTaken;
 import rsal.agent.message.Chase;
@@ -65,6 +66,8 @@ final class Words {
             case Visited visited -> "%s was at %s".formatted(visited.robot(), of(List.of(visited.mapFromPlace())));
             case ChargerTaken taken ->
                 "%s has the charger at %s".formatted(taken.robot(), of(List.of(taken.mapFromCharger())));
+            case Alarm alarm ->
+                "%s sees an intruder at %s".formatted(alarm.robot(), of(List.of(alarm.mapFromIntruder())));
             case Hello hello -> of(hello);
             case Text text -> text.words();
             default -> content.toString();

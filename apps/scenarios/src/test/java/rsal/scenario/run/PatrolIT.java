@@ -85,6 +85,25 @@ class PatrolIT {
     }
 
     @Test
+    void anIntruderIsMetWhileOthersWatchAndPatrolsGoOn() {
+        for (long seed = 1; seed <= 3; seed++) {
+            Watch watch = watch("intruder", seed, 600);
+            assertThat(watch.measure("collisions")).as("seed %d", seed).isZero();
+            assertThat(watch.measure("captureTime")).as("seed %d", seed).isLessThan(300);
+            assertThat(watch.measure("captureDistance")).as("seed %d", seed).isLessThan(2);
+            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(450);
+            assertThat(watch.guards((long) watch.measure("captureTime") + 60))
+                    .as("seed %d", seed)
+                    .hasSize(4);
+            assertThat(watch.events)
+                    .as("seed %d", seed)
+                    .extracting(RunEvent::text)
+                    .anyMatch(text -> text.matches("worker-\\d, accept-proposal: meet intruder 1 .*"))
+                    .anyMatch(text -> text.startsWith("patrol, inform: met at "));
+        }
+    }
+
+    @Test
     void placesCanBeFound() {
         Watch watch = watch("found", 1, 300);
         assertThat(watch.guards(0)).hasSize(4);

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rsal.agent.Message;
 import rsal.agent.Topic;
+import rsal.agent.message.Alarm;
 import rsal.agent.message.Caught;
 import rsal.agent.message.ChargerTaken;
 import rsal.agent.message.Chase;
@@ -49,6 +50,7 @@ class WordsTest {
                 new Lookout("r-1", PLACE.position(), false),
                 new Sighting("hunter-1", "hunter", PLACE),
                 new Visited("r-1", PLACE.position()),
+                new Alarm("r-1", PLACE.position()),
                 new ChargerTaken("r-1", PLACE.position()),
                 new Watch(List.of(PLACE.position(), PLACE.position())),
                 new GoalReached("hunter-1", PLACE, "stuck", "A box is ahead."),

@@ -1,0 +1,11 @@
+package rsal.agent.message;
+
+import rsal.agent.Topic;
+import rsal.data.Point2d;
+
+/// A robot sees somebody who should not be there. It says so again and again while it does.
+///
+/// @param robot id of the one that sees
+public record Alarm(String robot, Point2d mapFromIntruder) {
+    public static final Topic<Alarm> TOPIC = new Topic<>("alarm", Alarm.class);
+}
