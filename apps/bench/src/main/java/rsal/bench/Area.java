@@ -43,6 +43,7 @@ public record Area(String name, List<Bench> benches) {
                                 new SpreadBench(),
                                 new FleetBench(),
                                 new FormationBench(),
+                                new CoverageBench(),
                                 new CollectBench(),
                                 new HuntBench(),
                                 new PatrolBench())));
