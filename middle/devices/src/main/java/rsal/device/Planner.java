@@ -1,5 +1,8 @@
 package rsal.device;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
@@ -7,6 +10,20 @@ import rsal.data.Pose2d;
 /// Finds ways. Asking moves nothing: so costs can be compared and it can be asked whether a place can be reached.
 public interface Planner extends Device {
     CompletionStage<Result> plan(Pose2d mapFromStart, Pose2d mapFromGoal);
+
+    /// What ways from one place to several cost, in their order: as of those that it would find; +∞ where none leads.
+    /// Takes less than to plan them one by one, where that can be.
+    default CompletionStage<List<Double>> costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals) {
+        CompletionStage<List<Double>> costs = CompletableFuture.completedStage(List.of());
+        for (Pose2d mapFromGoal : mapFromGoals) {
+            costs = costs.thenCombine(plan(mapFromStart, mapFromGoal), (before, result) -> {
+                var all = new ArrayList<>(before);
+                all.add(result instanceof Result.Found found ? found.cost() : Double.POSITIVE_INFINITY);
+                return all;
+            });
+        }
+        return costs;
+    }
 
     sealed interface Result {
         /// @param cost length of the way [m], more where it is narrow: what to compare ways by

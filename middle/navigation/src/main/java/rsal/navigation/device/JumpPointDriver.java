@@ -1,6 +1,7 @@
 package rsal.navigation.device;
 
 import java.util.List;
+import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
@@ -41,6 +42,9 @@ public final class JumpPointDriver implements DeviceDriver {
         return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 (start, goal) -> result(jumps, start, goal),
+                (start, goals) -> goals.stream()
+                        .map(goal -> jumps.plan(start, goal).map(Path2d::length).orElse(Double.POSITIVE_INFINITY))
+                        .toList(),
                 context.scheduler());
     }
 

@@ -48,6 +48,7 @@ public final class WavefrontDriver implements DeviceDriver {
         return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 (start, goal) -> result(wavefront.plan(start, goal, goalDistance)),
+                (start, goals) -> wavefront.costs(start, goals, goalDistance),
                 context.scheduler());
     }
 

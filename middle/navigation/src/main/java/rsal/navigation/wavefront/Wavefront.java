@@ -82,6 +82,36 @@ public final class Wavefront {
         });
     }
 
+    /// What ways from a start to several goals cost [m], as those that [#plan] finds; +∞ where none leads. One wave
+    /// from
+    /// the start, as far as it must spread.
+    public List<Double> costs(Point2d start, List<Point2d> goals, double slack) {
+        return waves.borrow(wave -> {
+            var costs = new ArrayList<Double>();
+            boolean started = false;
+            for (Point2d goal : goals) {
+                if (!(ends(start, goal, slack, map::isOpen) instanceof Ends.Cells cells)) {
+                    costs.add(Double.POSITIVE_INFINITY);
+                    continue;
+                }
+                if (!started) {
+                    wave.start(cells.start);
+                    started = true;
+                }
+                int end = wave.spread(cells.goal)
+                        ? cells.goal
+                        : nearest(goal, slack, cell -> wave.isOpen(cell) && wave.at(cell) != Wave.UNREACHED);
+                costs.add(end < 0 ? Double.POSITIVE_INFINITY : cost(wave.at(end), start, cells.start));
+            }
+            return List.copyOf(costs);
+        });
+    }
+
+    /// [m]
+    private double cost(int ofCells, Point2d start, int startCell) {
+        return ofCells * grid.resolution() / CostMap.SIDE + start.distanceTo(grid.middle(startCell));
+    }
+
     /// What the way to a goal costs from everywhere; empty when the robot can be nowhere within `slack` [m] of it.
     public Optional<NavigationFunction> everywhere(Point2d goal, double slack) {
         return everywhere(List.of(goal), slack);
@@ -229,7 +259,7 @@ public final class Wavefront {
         }
         return new Plan.Found(
                 new Path2d(points),
-                cost * grid.resolution() / CostMap.SIDE + start.distanceTo(first),
+                cost(cost, start, cells[0]),
                 points.getLast().distanceTo(goal));
     }
 

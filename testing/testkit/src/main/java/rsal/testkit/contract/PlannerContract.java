@@ -54,6 +54,25 @@ public abstract class PlannerContract extends DeviceContract<Planner> {
     }
 
     @Test
+    void tellsWhatWaysToSeveralPlacesCost() {
+        List<Pose2d> goals =
+                List.of(WORLD.pose('b', 0), WORLD.pose('x', 0), WORLD.pose('a', 0), new Pose2d(-5, 3, 0), START);
+        List<Double> costs = await(device().costs(START, goals));
+        assertThat(costs).hasSameSizeAs(goals);
+        for (int i = 0; i < goals.size(); i++) {
+            double expected = plan(START, goals.get(i)) instanceof Planner.Result.Found found
+                    ? found.cost()
+                    : Double.POSITIVE_INFINITY;
+            assertThat(costs.get(i))
+                    .as("to %s", goals.get(i))
+                    .satisfiesAnyOf(
+                            cost -> assertThat(cost).isEqualTo(expected),
+                            cost -> assertThat(cost).isCloseTo(expected, within(0.01)));
+        }
+        assertThat(await(device().costs(START, List.of()))).isEmpty();
+    }
+
+    @Test
     void askingMovesNothing() {
         Pose2d before = truth();
         plan(START, WORLD.pose('a', 0));
