@@ -5,10 +5,10 @@ import rsal.agent.team.Job;
 /// Go for a prey until it has been caught.
 ///
 /// @param prey id of its robot
-/// @param fromBehind whether to go where it is; else to cut it off on its other side
-record Catch(String prey, boolean fromBehind) implements Job {
+/// @param number of those that are after it: 1 for the first
+record Catch(String prey, int number) implements Job {
     @Override
     public String name() {
-        return (fromBehind ? "hunt " : "cut off ") + prey;
+        return number == 1 ? "hunt " + prey : "hunt %s as no. %d".formatted(prey, number);
     }
 }

@@ -1,9 +1,9 @@
 package rsal.agents;
 
 import java.time.Duration;
-import java.util.Map;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.Supplier;
 import rsal.agent.AgentContext;
 import rsal.agent.message.Chase;
@@ -13,24 +13,27 @@ import rsal.agent.team.Skill;
 import rsal.agent.team.Work;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
+import rsal.device.PlaceFinder;
+import rsal.device.Planner;
 import rsal.robot.Robot;
 
-/// The skill to go for a prey, as one of several: some go where it is, others where it would go to if it ran from
-/// those,
-/// so that it runs into them.
+/// The skill to go for a prey, alone or as one of several. While hunters are near enough to it that it may run, it
+/// goes where it can stop the prey on the way that it would take ([Evasion]), so that several stop all of its ways;
+/// else
+/// where the prey is. Without a planner and a place finder it always goes where it is.
 final class Chasing implements Skill<Catch> {
-    private static final double AHEAD = 3.0; // m on the prey's other side
     private static final double NOT_WORTH_A_NEW_PLAN = 0.1; // m
+    private static final double NEAR = 10.0; // m, in which prey may see hunters
 
     private final AgentContext self;
     private final Robot robot;
     private final Driver driver;
     private final Sightings sightings;
     private final Supplier<Optional<Pose2d>> mapFromBase;
+    private final Optional<Evasion> evasion;
     private final double catchDistance;
     private final Duration updateInterval;
     private final Tolerance tolerance;
-    private final Map<String, String> chases = new TreeMap<>(); // prey by hunter that goes where it is
 
     Chasing(
             AgentContext self,
@@ -45,51 +48,23 @@ final class Chasing implements Skill<Catch> {
         this.driver = driver;
         this.sightings = sightings;
         this.mapFromBase = mapFromBase;
+        boolean guesses = robot.find(Planner.class).isPresent()
+                && robot.find(PlaceFinder.class).isPresent();
+        this.evasion = guesses ? Optional.of(new Evasion(self, robot)) : Optional.empty();
         this.catchDistance = catchDistance;
         this.updateInterval = updateInterval;
         this.tolerance = Tolerance.position(catchDistance / 2);
-        self.subscribe(Chase.TOPIC, message -> note(message.content()));
-    }
-
-    private void note(Chase chase) {
-        chases.put(chase.hunter(), chase.prey());
     }
 
     @Override
     public Optional<Course> course(Catch job) {
-        return aim(job).map(Course::at);
-    }
-
-    /// Where to go for it now; empty while it is not seen.
-    private Optional<Pose2d> aim(Catch job) {
-        Optional<Pose2d> mapFromPrey = sightings.of(job.prey());
-        return job.fromBehind() ? mapFromPrey : mapFromPrey.map(prey -> otherSide(job.prey(), prey));
-    }
-
-    /// Beyond the prey, as seen from the nearest of those who go where it is.
-    private Pose2d otherSide(String prey, Pose2d mapFromPrey) {
-        Optional<Pose2d> mapFromHunter = chases.entrySet().stream()
-                .filter(chase ->
-                        chase.getValue().equals(prey) && !chase.getKey().equals(robot.id()))
-                .flatMap(chase -> sightings.of(chase.getKey()).stream())
-                .min((a, b) -> Double.compare(a.distanceTo(mapFromPrey), b.distanceTo(mapFromPrey)));
-        if (mapFromHunter.isEmpty()) {
-            return mapFromPrey;
-        }
-        double away = Math.atan2(
-                mapFromPrey.y() - mapFromHunter.get().y(),
-                mapFromPrey.x() - mapFromHunter.get().x());
-        return new Pose2d(
-                mapFromPrey.x() + AHEAD * Math.cos(away),
-                mapFromPrey.y() + AHEAD * Math.sin(away),
-                mapFromPrey.theta());
+        return sightings.of(job.prey()).map(Course::at);
     }
 
     @Override
     public void begin(Catch job, Work work) {
         self.state(job.name());
-        var chase = new Chase(robot.id(), job.fromBehind() ? job.prey() : "");
-        self.publish(Chase.TOPIC, chase);
+        self.publish(Chase.TOPIC, new Chase(robot.id(), job.prey()));
         var updates = self.scheduler().every(updateInterval, () -> pursue(job, work));
         work.onEnd(() -> {
             updates.cancel();
@@ -100,19 +75,49 @@ final class Chasing implements Skill<Catch> {
 
     private void pursue(Catch job, Work work) {
         Optional<Pose2d> mapFromPrey = sightings.of(job.prey());
+        Optional<Pose2d> here = mapFromBase.get();
         if (mapFromPrey.isEmpty()) {
             work.fail("Nothing is heard of %s any more.".formatted(job.prey()));
             return;
         }
-        boolean near = mapFromBase
-                .get()
-                .filter(here -> here.distanceTo(mapFromPrey.get()) < catchDistance)
-                .isPresent();
-        if (near) {
-            driver.stop();
-            return;
+        if (here.isEmpty()) {
+            return; // until it knows
         }
-        Pose2d aim = aim(job).orElseThrow(); // it is seen
+        evasion.ifPresent(guess -> guess.learn(here.get()));
+        Pose2d prey = mapFromPrey.get();
+        List<Pose2d> hunters = huntersNear(prey, here.get());
+        if (here.get().distanceTo(prey) < catchDistance) {
+            driver.stop();
+        } else if (evasion.isEmpty() || hunters.isEmpty()) {
+            go(prey);
+        } else {
+            evasion.get().flee(prey, hunters, way -> {
+                if (way.isEmpty()) {
+                    goOn(work, prey);
+                } else {
+                    evasion.get().intercept(here.get(), way.get(), place -> goOn(work, place.orElse(prey)));
+                }
+            });
+        }
+    }
+
+    private List<Pose2d> huntersNear(Pose2d mapFromPrey, Pose2d here) {
+        var hunters = new ArrayList<>(sightings
+                .of(report ->
+                        report.role().equals(robot.role()) && !report.robot().equals(robot.id()))
+                .values());
+        hunters.add(here);
+        hunters.removeIf(hunter -> hunter.distanceTo(mapFromPrey) > NEAR);
+        return hunters;
+    }
+
+    private void goOn(Work work, Pose2d aim) {
+        if (!work.isOver()) {
+            go(aim);
+        }
+    }
+
+    private void go(Pose2d aim) {
         boolean underWay = driver.mapFromGoal()
                 .filter(goal -> goal.distanceTo(aim) < NOT_WORTH_A_NEW_PLAN)
                 .isPresent();

@@ -16,6 +16,7 @@ import rsal.agent.message.PoseReport;
 import rsal.agent.message.Sighting;
 import rsal.behavior.Pilot;
 import rsal.behavior.PioneerStack;
+import rsal.data.Path2d;
 import rsal.data.Pose2d;
 import rsal.device.Battery;
 import rsal.device.Navigator;
@@ -173,15 +174,16 @@ final class Evader {
         if (here.isEmpty() || !running) {
             return;
         }
-        evasion.flee(here.get(), new ArrayList<>(hunters().values()), refuge -> {
+        evasion.flee(here.get(), hunters().values(), way -> {
             if (!running) {
                 return;
             }
-            refuge.ifPresentOrElse(this::runTo, () -> pilot.engage(PioneerStack.followLeftWall(robot.model())));
+            way.ifPresentOrElse(this::run, () -> pilot.engage(PioneerStack.followLeftWall(robot.model())));
         });
     }
 
-    private void runTo(Pose2d mapFromRefuge) {
+    private void run(Path2d way) {
+        Pose2d mapFromRefuge = Words.pose(way.points().getLast());
         boolean underWay = driver.mapFromGoal()
                 .filter(goal -> goal.distanceTo(mapFromRefuge) < SAME)
                 .isPresent();

@@ -5,9 +5,8 @@ import rsal.agent.AgentContext;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Has a team catch prey: hunters that bid (`follow` with `assignment: bids`) each get a prey so that no way is
-/// long, as long as there are enough one to go where each prey is and one to cut it off, and again and again while
-/// they move. Needs no robot.
+/// Has a team catch prey: hunters that bid (`follow` with `assignment: bids`) each get a prey so that no way is long,
+/// more than one of them for a prey when there are more hunters; again and again while they move. Needs no robot.
 public final class HuntMaster extends Kind {
     static final Parameter PREY =
             Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");

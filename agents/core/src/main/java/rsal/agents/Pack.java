@@ -1,7 +1,6 @@
 package rsal.agents;
 
 import java.util.HashSet;
-import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import rsal.agent.AgentContext;
@@ -12,10 +11,12 @@ import rsal.agent.team.Rules;
 import rsal.agent.team.Team;
 import rsal.settings.Arguments;
 
-/// What a team of hunters has to do: of each prey that was seen and is not caught, one goes where it is, and one cuts
-/// it off.
+/// What a team of hunters has to do: one goes for each prey that was seen and is not caught, then a second for each,
+/// and
+/// so on while there are hunters.
 final class Pack {
-    private static final double FIRST = 1000; // m, longer than any way: first one for each prey, then a second
+    private static final int MOST = 4; // after one prey
+    private static final double FIRST = 1000; // m, longer than any way: first one for each prey, then a second, ...
 
     private final AgentContext self;
     private final String prey;
@@ -45,15 +46,20 @@ final class Pack {
 
     private void see(String robot) {
         if (!caught.contains(robot) && seen.add(robot)) {
-            team.add(new Catch(robot, true), () -> FIRST);
-            team.add(new Catch(robot, false));
+            for (int number = 1; number <= MOST; number++) {
+                double urgency = FIRST * (MOST - number);
+                team.add(new Catch(robot, number), () -> urgency);
+            }
+            team.reallot();
             tell();
         }
     }
 
     private void giveUp(String robot) {
         caught.add(robot);
-        List.of(true, false).forEach(behind -> team.withdraw(new Catch(robot, behind).name()));
+        for (int number = 1; number <= MOST; number++) {
+            team.withdraw(new Catch(robot, number).name());
+        }
         tell();
     }
 

@@ -2,13 +2,16 @@ package rsal.agents;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import rsal.agent.message.Caught;
 import rsal.agent.message.PoseReport;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.device.PlaceFinder;
 
 /// Agents of type `hunt` and `follow` with bids together.
 class HuntMasterTest {
@@ -21,6 +24,20 @@ class HuntMasterTest {
         scene.start("follow", robot, Map.of("assignment", "bids", "updateInterval", 1));
         robot.isAt(x, 0);
         scene.report(id, "hunter", x, 0);
+    }
+
+    /// Knows ways and where prey may run to.
+    private void cleverHunter(String id, double x, double y) {
+        FakeRobot robot = scene.robot(id, "hunter");
+        hunters.put(id, robot);
+        robot.places.result = new PlaceFinder.Result.Found(List.of(new Point2d(30, 0), new Point2d(10, -30)));
+        scene.start(
+                "follow",
+                id,
+                Optional.of(robot.robot.with(robot.places).with(new FakePlanner(id))),
+                Map.of("assignment", "bids", "updateInterval", 1));
+        robot.isAt(x, y);
+        scene.report(id, "hunter", x, y);
     }
 
     private void master() {
@@ -50,16 +67,42 @@ class HuntMasterTest {
     }
 
     @Test
-    void theSecondOneCutsThePreyOffOnItsOtherSide() {
+    void allThatAreFreeGoForThePreyThatIsLeft() {
         hunter("a", 0);
         hunter("b", -5);
+        hunter("c", 70);
         master();
         prey("p", 20);
-        scene.advance(4);
-        prey("p", 20);
         scene.advance(1);
-        assertThat(goal("a").x()).isEqualTo(20);
-        assertThat(goal("b").x()).isEqualTo(23);
+        assertThat(scene.state("a")).isEqualTo("hunt p");
+        assertThat(scene.state("b")).isEqualTo("hunt p as no. 2");
+        assertThat(scene.state("c")).isEqualTo("hunt p as no. 3");
+        assertThat(goal("c").x()).isEqualTo(20);
+    }
+
+    /// It would run from a, which is near, to (30, 0) or (10, -30); there it has the greater lead.
+    @Test
+    void oneThatIsAsideMeetsThePreyOnTheWayThatItWouldTake() {
+        cleverHunter("a", 4, 0);
+        cleverHunter("b", 18, 8);
+        master();
+        prey("p", 10);
+        scene.advance(1);
+        prey("p", 10);
+        scene.advance(1);
+        assertThat(goal("b")).isEqualTo(new Pose2d(16, 0, 0)); // 8.2 m for it, and 6 m for the prey
+        assertThat(goal("a").y()).isZero();
+    }
+
+    @Test
+    void whereThePreyIsFarFromAllTheyGoWhereItIs() {
+        cleverHunter("a", 4, 0);
+        cleverHunter("b", 18, 8);
+        master();
+        prey("p", 40);
+        scene.advance(1);
+        assertThat(goal("a").x()).isEqualTo(40);
+        assertThat(goal("b").x()).isEqualTo(40);
     }
 
     @Test

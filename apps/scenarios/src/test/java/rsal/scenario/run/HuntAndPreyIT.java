@@ -171,7 +171,7 @@ class HuntAndPreyIT {
                     .as("seed %d", seed)
                     .extracting(RunEvent::text)
                     .contains("not be caught: run")
-                    .anyMatch(text -> text.endsWith("accept-proposal: cut off prey-1"));
+                    .anyMatch(text -> text.endsWith("accept-proposal: hunt prey-1 as no. 2"));
         }
     }
 }
