@@ -31,70 +31,24 @@ public sealed interface Condition {
         }
     }
 
-    /// `allCaught(prey)`.
-    record AllCaught(String role) implements Condition {
+    /// `allCaught(prey)`: all that there are and that are still to come. Of robots that are gone nobody expects that
+    /// they
+    /// arrive.
+    record All(Quantity quantity) implements Condition {
         @Override
         public boolean holds(Facts facts) {
-            return facts.caught(role) >= facts.robots(role);
+            String whose = quantity.whose();
+            double done = quantity.of(facts);
+            if (quantity.kind() == Quantity.Kind.ARRIVED) {
+                int there = facts.robots(whose) - facts.gone(whose);
+                return there > 0 && done >= there;
+            }
+            return done >= (quantity.kind().of() == Quantity.Of.ROLE ? facts.robots(whose) : facts.things(whose));
         }
 
         @Override
         public String toString() {
-            return "allCaught(" + role + ")";
-        }
-    }
-
-    /// `allArrived(robot)`: all that are not gone have reached the places where they were sent last.
-    record AllArrived(String role) implements Condition {
-        @Override
-        public boolean holds(Facts facts) {
-            int there = facts.robots(role) - facts.gone(role);
-            return there > 0 && facts.arrived(role) >= there;
-        }
-
-        @Override
-        public String toString() {
-            return "allArrived(" + role + ")";
-        }
-    }
-
-    /// `allCollected(object)`: all that there are and that are still to come lie in their depot.
-    record AllCollected(String things) implements Condition {
-        @Override
-        public boolean holds(Facts facts) {
-            return facts.collected(things) >= facts.things(things);
-        }
-
-        @Override
-        public String toString() {
-            return "allCollected(" + things + ")";
-        }
-    }
-
-    /// `allFound(victim)`: of all that there are and that are still to come somebody has said where they are, and was
-    /// right.
-    record AllFound(String things) implements Condition {
-        @Override
-        public boolean holds(Facts facts) {
-            return facts.found(things) >= facts.things(things);
-        }
-
-        @Override
-        public String toString() {
-            return "allFound(" + things + ")";
-        }
-    }
-
-    /// `allReached(victim)`: a robot has got to each of all that there are and that are still to come.
-    record AllReached(String things) implements Condition {
-        @Override
-        public boolean holds(Facts facts) {
-            return facts.reached(things) >= facts.things(things);
-        }
-
-        @Override
-        public String toString() {
-            return "allReached(" + things + ")";
+            return quantity.kind().all() + "(" + quantity.whose() + ")";
         }
     }
 

@@ -38,10 +38,8 @@ public final class Grammar {
     private static final List<String> QUANTITIES =
             Arrays.stream(Quantity.Kind.values()).map(Quantity.Kind::word).toList();
     private static final List<String> PREDICATES = Stream.of(
-                    List.of("allCaught", "allArrived", "allCollected", "allFound", "allReached"),
-                    QUANTITIES,
-                    List.of("not"))
-            .flatMap(List::stream)
+                    Quantity.Kind.OF_ALL.stream().map(Quantity.Kind::all), QUANTITIES.stream(), Stream.of("not"))
+            .flatMap(words -> words)
             .toList();
     private static final List<String> MEASURES =
             List.of("firstTime", "count", "explored", "distance", "min", "mean", "rms", "p50", "p95", "p99", "max");
@@ -125,20 +123,9 @@ public final class Grammar {
                 take(")");
                 return inner;
             }
-            if (takes("allCaught")) {
-                return new Condition.AllCaught(role());
-            }
-            if (takes("allArrived")) {
-                return new Condition.AllArrived(role());
-            }
-            if (takes("allCollected")) {
-                return new Condition.AllCollected(depot());
-            }
-            if (takes("allFound")) {
-                return new Condition.AllFound(reach());
-            }
-            if (takes("allReached")) {
-                return new Condition.AllReached(reach());
+            Optional<Quantity.Kind> ofAll = word(Quantity.Kind.OF_ALL, Quantity.Kind::all);
+            if (ofAll.isPresent()) {
+                return new Condition.All(quantity(ofAll.get()));
             }
             return comparison();
         } finally {
@@ -158,8 +145,11 @@ public final class Grammar {
 
     /// @param known words that may stand here
     private Quantity quantity(List<String> known) {
-        Quantity.Kind kind = word(Quantity.Kind.values(), Quantity.Kind::word)
-                .orElseThrow(() -> unknown("a condition or quantity", known));
+        return quantity(word(List.of(Quantity.Kind.values()), Quantity.Kind::word)
+                .orElseThrow(() -> unknown("a condition or quantity", known)));
+    }
+
+    private Quantity quantity(Quantity.Kind kind) {
         return new Quantity(
                 kind,
                 switch (kind.of()) {
@@ -189,10 +179,10 @@ public final class Grammar {
         if (takes("distance")) {
             return new Measure.Distance(maybeRole());
         }
-        var function = word(Measure.Function.values(), Measure.Function::word)
+        var function = word(List.of(Measure.Function.values()), Measure.Function::word)
                 .orElseThrow(() -> unknown("a measure", MEASURES));
         take("(");
-        var signal = word(Measure.Signal.values(), Measure.Signal::word)
+        var signal = word(List.of(Measure.Signal.values()), Measure.Signal::word)
                 .orElseThrow(() -> unknown(
                         "a signal",
                         Arrays.stream(Measure.Signal.values())
@@ -203,7 +193,7 @@ public final class Grammar {
         return new Measure.Statistic(function, signal, role);
     }
 
-    private <E> Optional<E> word(E[] known, Function<E, String> word) {
+    private <E> Optional<E> word(List<E> known, Function<E, String> word) {
         for (E each : known) {
             if (takes(word.apply(each))) {
                 return Optional.of(each);

@@ -1,5 +1,8 @@
 package rsal.scenario.condition;
 
+import java.util.List;
+import java.util.Locale;
+
 /// A number that a run has at any instant. As text it is as people write it: `time`, `caught(prey)`.
 ///
 /// @param whose a role of robots or a group of things; empty where the kind is of the whole run
@@ -26,6 +29,9 @@ public record Quantity(Kind kind, String whose) {
         FOUND("found", Of.REACH),
         REACHED("reached", Of.REACH);
 
+        /// What can be asked of all.
+        static final List<Kind> OF_ALL = List.of(CAUGHT, ARRIVED, COLLECTED, FOUND, REACHED);
+
         private final String word;
         private final Of of;
 
@@ -36,6 +42,11 @@ public record Quantity(Kind kind, String whose) {
 
         public String word() {
             return word;
+        }
+
+        /// The word for the condition that it is so of all (`allCaught`), for those in [#OF_ALL].
+        String all() {
+            return "all" + word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
         }
 
         /// What has its own.
