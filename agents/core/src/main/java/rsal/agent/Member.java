@@ -45,6 +45,7 @@ final class Member implements AgentContext {
     private final Scheduler hostLane;
     private final Scheduler lane = new Lane();
     private final Directory directory = new Others();
+    private final Turns.Turn turn;
     private final RandomGenerator random;
     private final Blackboard blackboard;
     private final Map<String, String> beliefs = new LinkedHashMap<>();
@@ -61,6 +62,7 @@ final class Member implements AgentContext {
         this.society = society;
         this.spec = spec;
         this.hostLane = hostLane;
+        this.turn = society.turns().of(spec.name());
         this.random = new SplittableRandom(spec.seed());
         this.blackboard = new Blackboard(hostLane);
         this.entry = new Directory.Entry(
@@ -106,10 +108,15 @@ final class Member implements AgentContext {
         if (status != Society.Status.RUNNING) {
             return;
         }
+        boolean begins = turn.begin();
         try {
             code.accept(value);
         } catch (RuntimeException | StackOverflowError | AssertionError | LinkageError e) {
             fail(e);
+        } finally {
+            if (begins) {
+                turn.end();
+            }
         }
     }
 

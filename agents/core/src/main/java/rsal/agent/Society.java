@@ -37,12 +37,19 @@ public final class Society implements AutoCloseable {
     private final Listeners<Message<?>> traffic = listeners();
     private final Listeners<View> changes = listeners();
     private final Roster roster = new Roster();
+    private final Turns turns;
     private Delivery delivery = Delivery.PERFECT;
 
     public Society(Scheduler scheduler, AgentHost host, Optional<SimulationControl> simulation) {
+        this(scheduler, host, simulation, new Turns());
+    }
+
+    /// @param turns where is counted who is at work
+    public Society(Scheduler scheduler, AgentHost host, Optional<SimulationControl> simulation, Turns turns) {
         this.scheduler = scheduler;
         this.host = host;
         this.simulation = simulation;
+        this.turns = turns;
     }
 
     /// Starts an agent. It is in the directory at once and begins after what is running now.
@@ -154,6 +161,10 @@ public final class Society implements AutoCloseable {
 
     void withdraw(Directory.Entry agent, Capability capability) {
         roster.withdraw(agent, capability);
+    }
+
+    Turns turns() {
+        return turns;
     }
 
     Optional<SimulationControl> simulation() {

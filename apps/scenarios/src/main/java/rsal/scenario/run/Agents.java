@@ -12,6 +12,7 @@ import rsal.agent.AgentSpec;
 import rsal.agent.Delivery;
 import rsal.agent.Message;
 import rsal.agent.Society;
+import rsal.agent.Turns;
 import rsal.agent.message.Alarm;
 import rsal.agent.message.Caught;
 import rsal.agent.message.ChargerTaken;
@@ -46,6 +47,7 @@ final class Agents implements AutoCloseable {
     private final Faults faults;
     private final Team team;
     private final Traffic traffic;
+    private final Turns turns;
     private final Map<String, String> robots = new HashMap<>(); // by agents that have one
     private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
     private final Map<String, String> lastWords = new HashMap<>();
@@ -61,7 +63,8 @@ final class Agents implements AutoCloseable {
             Observer observer,
             Faults faults,
             Team team,
-            Traffic traffic) {
+            Traffic traffic,
+            Turns turns) {
         this.plan = plan;
         this.scheduler = scheduler;
         this.journal = journal;
@@ -69,6 +72,7 @@ final class Agents implements AutoCloseable {
         this.faults = faults;
         this.team = team;
         this.traffic = traffic;
+        this.turns = turns;
     }
 
     /// Makes their society; from now on agents can be started.
@@ -77,7 +81,7 @@ final class Agents implements AutoCloseable {
         AgentHost host = RunBroken.blaming(
                 "Multi-agent system (%s)".formatted(provider.key()),
                 () -> provider.create(plan.mas().settings(), scheduler));
-        var agents = new Society(scheduler, host, simulation);
+        var agents = new Society(scheduler, host, simulation, turns);
         society = Optional.of(agents);
         agents.onMessage(message -> heard(message, simulation));
         agents.onChange(this::changed);

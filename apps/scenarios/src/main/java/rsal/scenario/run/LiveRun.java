@@ -5,6 +5,7 @@ import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Objects;
@@ -24,6 +25,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
+import rsal.agent.Turns;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.Subscription;
@@ -46,6 +48,7 @@ public final class LiveRun implements AutoCloseable {
     private static final Logger LOG = System.getLogger(LiveRun.class.getName());
     private static final AtomicLong RUNS = new AtomicLong();
     private static final Duration PATIENCE = Duration.ofSeconds(1);
+    private static final int AGENTS_MAY_TAKE = 20; // times as long for one turn
 
     private final RunPlan plan;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
@@ -62,11 +65,13 @@ public final class LiveRun implements AutoCloseable {
     private final Observer observer;
     private final Pace pace;
     private final Snapshots snapshots;
+    private final Turns turns = new Turns();
     private volatile @Nullable Thread thread;
 
     // of the run's thread
     private @Nullable Stage stage;
     private @Nullable String outcome;
+    private boolean over;
     private boolean paused;
     private int stepsWanted;
 
@@ -102,6 +107,11 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private static LiveRun start(RunPlan plan, int helpers, LongSupplier handClock) {
+        return start(plan, helpers, handClock, AGENTS_MAY_TAKE);
+    }
+
+    /// @param patience after how many seconds of real time an agent counts as one that never returns
+    static LiveRun start(RunPlan plan, int helpers, LongSupplier handClock, int patience) {
         String name = "run-" + RUNS.incrementAndGet();
         var run = new LiveRun(plan, name, helpers, handClock);
         switch (run.scheduler) {
@@ -109,6 +119,7 @@ public final class LiveRun implements AutoCloseable {
                 Thread.ofPlatform().name(name).daemon().start(() -> run.simulate(time));
             default -> run.scheduler.execute(run::begin);
         }
+        Thread.ofPlatform().name(name + "-watchdog").daemon().start(() -> run.watch(patience));
         return run;
     }
 
@@ -117,7 +128,8 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// Completes once, on the run's thread, when the run has ended and let go of everything; exceptionally with
-    /// [RunBroken] when it could not go on.
+    /// [RunBroken] when it could not go on. On another thread, and before it has let go of anything, when an agent
+    /// never returns.
     public CompletionStage<RunResult> result() {
         return result.minimalCompletionStage();
     }
@@ -286,11 +298,39 @@ public final class LiveRun implements AutoCloseable {
         }
     }
 
-    /// Where the run's thread is.
+    /// Looks again and again, until the run is over, whether all agents return.
+    private void watch(int patience) {
+        var watchdog = new Watchdog(turns, patience);
+        CompletableFuture<Boolean> ending = result.handle((_, _) -> true);
+        while (!ending.isDone()) {
+            try {
+                ending.get(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
+            } catch (TimeoutException _) {
+                watchdog.look().ifPresent(agent -> giveUp(agent, patience));
+            } catch (InterruptedException | ExecutionException e) {
+                throw new AssertionError("Nobody interrupts it, and both endings are handled.", e);
+            }
+        }
+    }
+
+    private void giveUp(String agent, int seconds) {
+        var broken = new RunBroken(
+                "Agent (%s) has not returned for %d s; it is in %s. Nothing in an agent may block: maybe use its scheduler, or a CompletionStage."
+                        .formatted(agent, seconds, place()));
+        LOG.log(Level.ERROR, broken::getMessage);
+        commands.add(() -> end("broken")); // if it returns after all
+        result.completeExceptionally(broken);
+    }
+
+    /// Where the run's thread is, beside what Java itself does there.
     private String place() {
         Thread busy = thread;
         StackTraceElement[] frames = busy == null ? new StackTraceElement[0] : busy.getStackTrace();
-        return frames.length == 0 ? "nothing" : frames[0].toString();
+        return Arrays.stream(frames)
+                .filter(frame -> !frame.getClassName().matches("(java|javax|jdk|sun)\\..*"))
+                .findFirst()
+                .map(StackTraceElement::toString)
+                .orElse("nothing");
     }
 
     private void command(Runnable command) {
@@ -336,7 +376,7 @@ public final class LiveRun implements AutoCloseable {
 
     private void begin() {
         thread = Thread.currentThread();
-        var everything = new Stage(plan, scheduler, journal, observer);
+        var everything = new Stage(plan, scheduler, journal, observer, turns);
         stage = everything;
         everything.begin();
         scheduler.every(plan.step(), Phase.OBSERVE, () -> {
@@ -349,7 +389,7 @@ public final class LiveRun implements AutoCloseable {
 
     /// In real time: does what is wanted between two tasks.
     private void serve() {
-        if (result.isDone()) {
+        if (over) {
             return;
         }
         takeCommands();
@@ -407,14 +447,16 @@ public final class LiveRun implements AutoCloseable {
         snapshots.make();
         RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) / 1e9);
         letGo();
+        over = true;
         result.complete(ended);
     }
 
     /// The run can't go on.
     private void breaks(Throwable cause) {
-        if (result.isDone()) {
+        if (over) {
             return;
         }
+        over = true;
         var broken = cause instanceof RunBroken known ? known : new RunBroken("The run", cause);
         journal.event("fault", "", String.valueOf(broken.getMessage()));
         end("broken");

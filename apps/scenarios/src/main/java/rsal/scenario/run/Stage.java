@@ -3,6 +3,7 @@ package rsal.scenario.run;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import rsal.agent.Turns;
 import rsal.robot.Robot;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedRobot;
@@ -32,7 +33,9 @@ final class Stage implements AutoCloseable {
     private boolean closed;
 
     /// Makes the robot system; nothing moves yet.
-    Stage(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer) {
+    ///
+    /// @param turns where is counted which agents are at work
+    Stage(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Turns turns) {
         this.plan = plan;
         this.scheduler = scheduler;
         this.journal = journal;
@@ -49,7 +52,7 @@ final class Stage implements AutoCloseable {
         this.faults = new Faults(plan, scheduler, journal, observer, traffic, breaker);
         this.world = new SimulatedWorld(plan, system, scheduler, journal, observer, newcomers, team, faults);
         this.equipper = new Equipper(plan, scheduler, journal, breaker, world, team);
-        this.agents = new Agents(plan, scheduler, journal, observer, faults, team, traffic);
+        this.agents = new Agents(plan, scheduler, journal, observer, faults, team, traffic, turns);
         this.orders = new Orders(plan.map(), journal, faults, world, team, agents);
         this.robotViews = new RobotViews(team, world, faults);
     }
