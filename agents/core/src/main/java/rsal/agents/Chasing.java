@@ -118,10 +118,7 @@ final class Chasing implements Skill<Catch> {
     }
 
     private void go(Pose2d aim) {
-        boolean underWay = driver.mapFromGoal()
-                .filter(goal -> goal.distanceTo(aim) < NOT_WORTH_A_NEW_PLAN)
-                .isPresent();
-        if (!underWay) {
+        if (!driver.isOnItsWayTo(aim, NOT_WORTH_A_NEW_PLAN)) {
             driver.goTo(aim, tolerance, _ -> {});
         }
     }

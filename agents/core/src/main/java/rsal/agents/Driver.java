@@ -39,6 +39,15 @@ final class Driver {
                 }));
     }
 
+    /// Whether it drives to about that place already, so that a new plan is not worth it.
+    ///
+    /// @param apart how far its goal may be from the place [m]
+    boolean isOnItsWayTo(Pose2d mapFromPlace, double apart) {
+        return mapFromGoal()
+                .filter(goal -> goal.distanceTo(mapFromPlace) < apart)
+                .isPresent();
+    }
+
     /// Where it drives; empty when it does not.
     Optional<Pose2d> mapFromGoal() {
         return Optional.ofNullable(underWay).map(Drive::mapFromGoal);

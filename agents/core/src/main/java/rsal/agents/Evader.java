@@ -184,10 +184,7 @@ final class Evader {
 
     private void run(Path2d way) {
         Pose2d mapFromRefuge = Words.pose(way.points().getLast());
-        boolean underWay = driver.mapFromGoal()
-                .filter(goal -> goal.distanceTo(mapFromRefuge) < SAME)
-                .isPresent();
-        if (!underWay) {
+        if (!driver.isOnItsWayTo(mapFromRefuge, SAME)) {
             pilot.release();
             driver.goTo(mapFromRefuge, Tolerance.position(SAME), _ -> {});
         }

@@ -5,8 +5,7 @@ import rsal.device.Mapper;
 import rsal.robot.Robot;
 
 /// What a robot does by itself when nobody wants it elsewhere: mapping, if it has a device for that which was at it
-/// when
-/// its agent came.
+/// when its agent came.
 final class Exploring {
     private final Optional<Mapper> mapper;
 

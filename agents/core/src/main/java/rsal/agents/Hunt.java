@@ -140,10 +140,7 @@ final class Hunt {
             return;
         }
         self.state("hunting " + prey);
-        boolean underWay = driver.mapFromGoal()
-                .filter(goal -> goal.distanceTo(mapFromPrey) < NOT_WORTH_A_NEW_PLAN)
-                .isPresent();
-        if (!underWay) {
+        if (!driver.isOnItsWayTo(mapFromPrey, NOT_WORTH_A_NEW_PLAN)) {
             driver.goTo(mapFromPrey, tolerance, result -> arrived(mapFromPrey, result));
         }
     }

@@ -59,14 +59,9 @@ final class Meeting implements Skill<Meet> {
                 .orElseGet(() -> intruders.note(job.mapFromIntruder(), now)); // the alarm was not heard
     }
 
-    private static Pose2d pose(Track track) {
-        Point2d place = track.mapFromIntruder();
-        return new Pose2d(place.x(), place.y(), 0);
-    }
-
     @Override
     public Optional<Course> course(Meet job) {
-        return Optional.of(Course.at(pose(track(job))));
+        return Optional.of(Course.at(Words.pose(track(job).mapFromIntruder())));
     }
 
     @Override
@@ -106,10 +101,10 @@ final class Meeting implements Skill<Meet> {
             near = met && stands ? near.plus(PERIOD) : Duration.ZERO;
             mapFromStand = stands ? mapFromStand : there;
             if (near.compareTo(STAY) > 0) {
-                work.done("met at " + Words.place(pose(track)));
+                work.done("met at " + Words.place(Words.pose(track.mapFromIntruder())));
             } else if (distance > THERE) {
                 boolean inSight = now.isBefore(inSightUntil);
-                drive(inSight ? before(here, there) : pose(track), inSight ? CLOSE : NEAR);
+                drive(inSight ? before(here, there) : Words.pose(track.mapFromIntruder()), inSight ? CLOSE : NEAR);
             } else if (!met) {
                 drive(new Pose2d(here.x(), here.y(), here.theta() + here.bearingTo(there)), FACING);
             }
@@ -123,10 +118,7 @@ final class Meeting implements Skill<Meet> {
         }
 
         private void drive(Pose2d mapFromGoal, Tolerance tolerance) {
-            boolean underWay = driver.mapFromGoal()
-                    .filter(last -> last.distanceTo(mapFromGoal) < NOT_WORTH_A_NEW_PLAN)
-                    .isPresent();
-            if (!underWay) {
+            if (!driver.isOnItsWayTo(mapFromGoal, NOT_WORTH_A_NEW_PLAN)) {
                 driver.goTo(mapFromGoal, tolerance, this::ended);
             }
         }

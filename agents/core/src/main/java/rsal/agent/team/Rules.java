@@ -30,14 +30,14 @@ public record Rules(
             Duration.ZERO,
             5);
 
-    public Rules withObjective(Objective other) {
-        return new Rules(other, inRoutes, ping, silence, replyWithin, reconsider, tries);
-    }
-
     public Rules {
         if (objective == Objective.NONE && inRoutes) {
             throw new IllegalArgumentException("Routes are divided for an objective. Maybe oneAtATime().");
         }
+    }
+
+    public Rules withObjective(Objective other) {
+        return new Rules(other, inRoutes, ping, silence, replyWithin, reconsider, tries);
     }
 
     /// Who is free gets what has waited longest, whatever it costs.
