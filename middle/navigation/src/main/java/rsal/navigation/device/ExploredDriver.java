@@ -2,18 +2,13 @@ package rsal.navigation.device;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletionStage;
-import rsal.data.Pose2d;
 import rsal.device.Device;
-import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.Mapper;
 import rsal.device.Planner;
-import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
-import rsal.time.Scheduler;
 
 /// Makes planners for robots with an [Explorer], on the map as far as it is drawn. They keep off walls as it does.
 public final class ExploredDriver implements DeviceDriver {
@@ -55,30 +50,10 @@ public final class ExploredDriver implements DeviceDriver {
             throw new IllegalArgumentException(
                     "(%s) has no explorer.".formatted(context.robot().id()));
         }
-        return new ExploredPlanner(
+        double goalDistance = arguments.number(WavefrontDriver.GOAL_DISTANCE.name());
+        return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
-                explorer,
-                arguments.number(WavefrontDriver.GOAL_DISTANCE.name()),
+                () -> new WavefrontDriver.Waves(explorer.ways(), goalDistance),
                 context.scheduler());
-    }
-
-    private static final class ExploredPlanner extends DeviceCore implements Planner {
-        private final Explorer explorer;
-        private final double goalDistance;
-        private final Scheduler scheduler;
-
-        ExploredPlanner(DeviceInfo info, Explorer explorer, double goalDistance, Scheduler scheduler) {
-            super(info);
-            this.explorer = explorer;
-            this.goalDistance = goalDistance;
-            this.scheduler = scheduler;
-        }
-
-        @Override
-        public CompletionStage<Result> plan(Pose2d mapFromStart, Pose2d mapFromGoal) {
-            Wavefront ways = explorer.ways(); // those of now, whatever is drawn meanwhile
-            return scheduler.compute(() ->
-                    WavefrontDriver.result(ways.plan(mapFromStart.position(), mapFromGoal.position(), goalDistance)));
-        }
     }
 }

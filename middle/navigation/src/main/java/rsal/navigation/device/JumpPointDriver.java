@@ -39,19 +39,25 @@ public final class JumpPointDriver implements DeviceDriver {
     @Override
     public Device create(Context context, Arguments arguments) {
         JumpPoints jumps = ways.shortest(context.map(), context.robot().model().footprint(), arguments);
+        var search = new Jumps(jumps);
         return new MapPlanner(
-                new DeviceInfo(context.robot().id(), context.name(), key()),
-                (start, goal) -> result(jumps, start, goal),
-                (start, goals) -> goals.stream()
-                        .map(goal -> jumps.plan(start, goal).map(Path2d::length).orElse(Double.POSITIVE_INFINITY))
-                        .toList(),
-                context.scheduler());
+                new DeviceInfo(context.robot().id(), context.name(), key()), () -> search, context.scheduler());
     }
 
-    private static Result result(JumpPoints jumps, Point2d start, Point2d goal) {
-        return jumps.plan(start, goal)
-                .<Result>map(path -> new Result.Found(path, path.length(), 0))
-                .orElseGet(() -> new Result.NoPath(
-                        "Nothing this robot fits through leads from %s to %s.".formatted(start, goal)));
+    private record Jumps(JumpPoints jumps) implements MapPlanner.Search {
+        @Override
+        public Result plan(Point2d start, Point2d goal) {
+            return jumps.plan(start, goal)
+                    .<Result>map(path -> new Result.Found(path, path.length(), 0))
+                    .orElseGet(() -> new Result.NoPath(
+                            "Nothing this robot fits through leads from %s to %s.".formatted(start, goal)));
+        }
+
+        @Override
+        public List<Double> costs(Point2d start, List<Point2d> goals) {
+            return goals.stream()
+                    .map(goal -> jumps.plan(start, goal).map(Path2d::length).orElse(Double.POSITIVE_INFINITY))
+                    .toList();
+        }
     }
 }

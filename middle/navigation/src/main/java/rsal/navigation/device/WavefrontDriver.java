@@ -2,6 +2,7 @@ package rsal.navigation.device;
 
 import java.util.ArrayList;
 import java.util.List;
+import rsal.data.Point2d;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.Planner;
@@ -44,18 +45,24 @@ public final class WavefrontDriver implements DeviceDriver {
     @Override
     public Device create(Context context, Arguments arguments) {
         Wavefront wavefront = ways.of(context.map(), context.robot().model().footprint(), arguments);
-        double goalDistance = arguments.number(GOAL_DISTANCE.name());
+        var search = new Waves(wavefront, arguments.number(GOAL_DISTANCE.name()));
         return new MapPlanner(
-                new DeviceInfo(context.robot().id(), context.name(), key()),
-                (start, goal) -> result(wavefront.plan(start, goal, goalDistance)),
-                (start, goals) -> wavefront.costs(start, goals, goalDistance),
-                context.scheduler());
+                new DeviceInfo(context.robot().id(), context.name(), key()), () -> search, context.scheduler());
     }
 
-    static Result result(Plan plan) {
-        return switch (plan) {
-            case Plan.Found(var path, var cost, var offGoal) -> new Result.Found(path, cost, offGoal);
-            case Plan.None(var why) -> new Result.NoPath(why);
-        };
+    /// @param goalDistance how far from the goal a way may end [m]
+    record Waves(Wavefront ways, double goalDistance) implements MapPlanner.Search {
+        @Override
+        public Result plan(Point2d start, Point2d goal) {
+            return switch (ways.plan(start, goal, goalDistance)) {
+                case Plan.Found(var path, var cost, var offGoal) -> new Result.Found(path, cost, offGoal);
+                case Plan.None(var why) -> new Result.NoPath(why);
+            };
+        }
+
+        @Override
+        public List<Double> costs(Point2d start, List<Point2d> goals) {
+            return ways.costs(start, goals, goalDistance);
+        }
     }
 }
