@@ -21,7 +21,7 @@ public final class Escape extends Kind {
         super(
                 "escape",
                 "Prey: follows the wall on its left until a hunter comes too near, then gives up.",
-                List.of(HUNTER, CATCH_DISTANCE, Reporter.PERIOD),
+                List.of(HUNTER, CATCH_DISTANCE, Sight.SEES, Reporter.PERIOD),
                 List.of(Pilot.class));
     }
 

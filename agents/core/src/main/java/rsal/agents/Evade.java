@@ -19,7 +19,14 @@ public final class Evade extends Kind {
         super(
                 "evade",
                 "Clever prey: explores, recharges, and runs from hunters that it or other prey see.",
-                List.of(Escape.HUNTER, Escape.CATCH_DISTANCE, SIGHT, FEAR, Recharging.CHARGERS, Reporter.PERIOD),
+                List.of(
+                        Escape.HUNTER,
+                        Escape.CATCH_DISTANCE,
+                        Sight.SEES,
+                        SIGHT,
+                        FEAR,
+                        Recharging.CHARGERS,
+                        Reporter.PERIOD),
                 List.of(Pilot.class, Navigator.class, Planner.class));
     }
 

@@ -27,7 +27,7 @@ import rsal.settings.Arguments;
 
 /// One clever prey's part of a hunt: wants to explore, to have a full battery, and most of all not to be caught. It
 /// sees hunters that are near and tells the other prey, as they tell it; and runs where hunters get much later than it
-/// does ([Evasion]).
+/// does ([Evasion]). One that knows hunters by their markers tells nobody where it is itself.
 final class Evader {
     private static final Duration MEMORY = Duration.ofSeconds(5); // of a hunter that nobody sees any more
     private static final Duration THINK = Duration.ofSeconds(1);
@@ -44,6 +44,7 @@ final class Evader {
     private final Reporter reporter;
     private final Surrender surrender;
     private final Evasion evasion;
+    private final Optional<Sight> eyes; // else it knows what they report
     private final double sight;
     private final double fear;
     private final List<Pose2d> mapFromChargers;
@@ -59,7 +60,12 @@ final class Evader {
         this.robot = robot;
         this.pilot = robot.require(Pilot.class);
         this.driver = new Driver(self, robot.require(Navigator.class));
-        this.reporter = new Reporter(self, robot, arguments, _ -> look());
+        String hunter = arguments.text(Escape.HUNTER.name());
+        boolean byMarkers = Sight.byMarkers(arguments);
+        this.reporter = new Reporter(self, robot, arguments, _ -> look(), !byMarkers);
+        this.eyes = byMarkers
+                ? Optional.of(new Sight(self, robot, reporter::mapFromBase, hunter, this::see))
+                : Optional.empty();
         this.evasion = new Evasion(self, robot);
         this.sight = arguments.number(Evade.SIGHT.name());
         this.fear = arguments.number(Evade.FEAR.name());
@@ -68,17 +74,13 @@ final class Evader {
         this.nearest = mind.belief("nearest hunter", Double.POSITIVE_INFINITY);
         this.charge = mind.belief("charge", 1.0);
         this.surrender = new Surrender(
-                self,
-                robot,
-                arguments.text(Escape.HUNTER.name()),
-                arguments.number(Escape.CATCH_DISTANCE.name()),
-                this::letGo);
+                self, robot, hunter, arguments.number(Escape.CATCH_DISTANCE.name()), byMarkers, this::letGo);
         this.self.atEnd(pilot::release);
     }
 
     void begin() {
-        self.subscribe(PoseReport.TOPIC, message -> hear(message.content()));
-        self.subscribe(Sighting.TOPIC, message -> note(message.content()));
+        eyes.ifPresentOrElse(Sight::begin, () -> self.subscribe(PoseReport.TOPIC, message -> hear(message.content())));
+        self.subscribe(Sighting.TOPIC, message -> hear(message.content()));
         robot.find(Battery.class)
                 .ifPresent(battery -> self.subscribe(
                         battery, reading -> charge.set(tenths(reading.value().level() * 10) / 10)));
@@ -107,15 +109,31 @@ final class Evader {
 
     private void hear(PoseReport report) {
         surrender.note(report, reporter.mapFromBase());
-        boolean seen = surrender.isHunter(report)
-                && reporter.mapFromBase()
-                        .filter(here -> here.distanceTo(report.mapFromBase()) < sight)
-                        .isPresent();
-        if (seen) {
+        if (surrender.isHunter(report) && isInSight(report.mapFromBase())) {
             var sighting = new Sighting(report.robot(), report.role(), report.mapFromBase());
             self.publish(Sighting.TOPIC, sighting);
             note(sighting);
         }
+    }
+
+    /// What other prey say, or hunters of what they hunt.
+    private void hear(Sighting sighting) {
+        if (surrender.isHunter(sighting.report())) {
+            note(sighting);
+        }
+    }
+
+    private void see(Sighting sighting) {
+        surrender.note(sighting.report(), reporter.mapFromBase());
+        if (isInSight(sighting.mapFromBase())) {
+            note(sighting);
+        }
+    }
+
+    private boolean isInSight(Pose2d mapFromHunter) {
+        return reporter.mapFromBase()
+                .filter(here -> here.distanceTo(mapFromHunter) < sight)
+                .isPresent();
     }
 
     private void note(Sighting sighting) {

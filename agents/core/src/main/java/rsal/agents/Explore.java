@@ -4,12 +4,15 @@ import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.behavior.Pilot;
 import rsal.device.BlobFinder;
+import rsal.device.Navigator;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Looks for things of a color, and has others collect them.
 public final class Explore extends Kind {
+    private static final double NARROW = 0; // rad, its view: it turns all around
+
     static final Parameter COLOR =
             Parameter.text("color", "", "Of the things that it looks for, #rrggbb; any when empty.");
     static final Parameter RANGE =
@@ -46,9 +49,17 @@ public final class Explore extends Kind {
                         finds::see)
                 .begin();
         if (arguments.text(ROAM.name()).equals("lookouts")) {
-            new Lookouts(self, robot, reporter, arguments.integer(Lookouts.COUNT.name())).begin();
+            roam(self, robot, reporter, arguments.integer(Lookouts.COUNT.name()));
         } else {
             Roaming.alongWalls(self, robot).begin();
         }
+    }
+
+    /// Between lookouts; errands come first.
+    private static void roam(AgentContext self, Robot robot, Reporter reporter, int lookouts) {
+        var driver = new Driver(self, robot.require(Navigator.class));
+        var roaming = new Lookouts(self, robot, driver, reporter::mapFromBase, lookouts, () -> NARROW);
+        new Errands(self, robot.id(), driver, roaming::pause, roaming::goOn).begin();
+        roaming.begin();
     }
 }

@@ -26,7 +26,7 @@ public final class Follow extends Kind {
         super(
                 "follow",
                 "Hunts: goes for the newest pose of a prey until it has been caught.",
-                List.of(PREY, CATCH_DISTANCE, UPDATE_INTERVAL, ASSIGNMENT, Reporter.PERIOD),
+                List.of(PREY, CATCH_DISTANCE, UPDATE_INTERVAL, ASSIGNMENT, Sight.SEES, Lookouts.COUNT, Reporter.PERIOD),
                 List.of(Navigator.class));
     }
 

@@ -40,6 +40,7 @@ final class Hunt {
     private final Driver driver;
     private final Errands errands;
     private final Sightings sightings;
+    private final Search search;
     private final String preyName;
     private final double catchDistance;
     private final Tolerance tolerance;
@@ -56,7 +57,8 @@ final class Hunt {
         this.robot = robot;
         this.reporter = new Reporter(self, robot, arguments, this::note);
         this.driver = new Driver(self, robot.require(Navigator.class));
-        this.errands = new Errands(self, robot.id(), driver, () -> {}, this::decide);
+        this.search = new Search(self, robot, driver, reporter::mapFromBase, arguments, this::note);
+        this.errands = new Errands(self, robot.id(), driver, search::pause, this::decide);
         this.sightings = new Sightings(self.blackboard());
         this.preyName = arguments.text(Follow.PREY.name());
         this.catchDistance = arguments.number(Follow.CATCH_DISTANCE.name());
@@ -70,7 +72,7 @@ final class Hunt {
     }
 
     void begin() {
-        self.subscribe(PoseReport.TOPIC, message -> note(message.content()));
+        search.begin();
         self.subscribe(Chase.TOPIC, message -> note(message.content()));
         self.subscribe(Caught.TOPIC, message -> giveUp(message.content().prey()));
         self.directory().onDeparture(went -> forget(went.agent().robot()));
@@ -133,6 +135,7 @@ final class Hunt {
     }
 
     private void pursue(String prey) {
+        search.pause();
         takeOn(prey);
         Pose2d mapFromPrey = sightings.of(prey).orElseThrow(); // chosen among those seen
         if (isNear(mapFromPrey)) {
@@ -156,9 +159,14 @@ final class Hunt {
     }
 
     private void rest() {
-        target = null;
-        driver.stop();
-        self.state(caught.isEmpty() ? "looking for prey" : "looking for more prey");
+        if (target != null || !search.roams()) {
+            target = null;
+            driver.stop();
+        }
+        search.goOn();
+        if (!search.roams()) { // else that says what it does
+            self.state(caught.isEmpty() ? "looking for prey" : "looking for more prey");
+        }
     }
 
     /// Goes on at once when the prey has gone on meanwhile. Whatever else ended the drive, the next update tries

@@ -1,5 +1,6 @@
 package rsal.agents;
 
+import java.time.Duration;
 import java.util.Optional;
 import rsal.agent.AgentContext;
 import rsal.agent.message.NewGoal;
@@ -16,6 +17,7 @@ import rsal.settings.Arguments;
 /// would cost, and goes for the one that it gets.
 final class Hunter {
     private static final double NEAR = 2.0; // m, of a prey that stands by a wall
+    private static final Duration MOMENT = Duration.ofSeconds(1);
 
     private final AgentContext self;
     private final Reporter reporter;
@@ -23,6 +25,7 @@ final class Hunter {
     private final Worker worker;
     private final Chasing chasing;
     private final Errands errands;
+    private final Search search;
 
     Hunter(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
@@ -40,19 +43,43 @@ final class Hunter {
         this.worker = new Worker(
                 self, new PlannedWays(robot.find(Planner.class), NEAR), reporter::mapFromBase, this::changed);
         this.worker.learn(Catch.class, chasing);
-        this.errands = new Errands(self, robot.id(), driver, () -> worker.unfit("on an errand"), worker::fit);
+        this.errands = new Errands(self, robot.id(), driver, this::leave, this::comeBack);
+        this.search = new Search(self, robot, driver, reporter::mapFromBase, arguments, this::learn);
     }
 
     void begin() {
-        self.subscribe(PoseReport.TOPIC, message -> {
-            sightings.note(message.content());
-            chasing.look(message.content(), hunted());
-        });
+        search.begin();
         errands.begin();
         reporter.begin();
         worker.begin();
         self.publish(PoseRequest.TOPIC, new PoseRequest(NewGoal.ALL)); // some may have been there for long
         self.state("waiting for a prey");
+    }
+
+    private void learn(PoseReport report) {
+        sightings.note(report);
+        chasing.look(report, hunted());
+    }
+
+    private void leave() {
+        search.pause();
+        worker.unfit("on an errand");
+    }
+
+    private void comeBack() {
+        worker.fit();
+        lookSoon();
+    }
+
+    /// When it gets no other prey at once.
+    private void lookSoon() {
+        if (search.roams()) {
+            self.scheduler().after(MOMENT, () -> {
+                if (worker.job().isEmpty() && !errands.busy()) {
+                    search.goOn();
+                }
+            });
+        }
     }
 
     private Optional<Catch> hunted() {
@@ -62,6 +89,9 @@ final class Hunter {
     private void changed(Worker now) {
         if (now.job().isEmpty()) {
             self.state("waiting for a prey");
+            lookSoon();
+        } else {
+            search.pause();
         }
         self.show("prey", now.job().map(Job::name).orElse("none"));
     }

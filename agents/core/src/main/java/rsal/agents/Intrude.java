@@ -28,6 +28,7 @@ public final class Intrude extends Kind {
                 robot,
                 arguments.text(Escape.HUNTER.name()),
                 arguments.number(Escape.CATCH_DISTANCE.name()),
+                false,
                 wallFollowing::end);
         self.subscribe(PoseReport.TOPIC, message -> surrender.note(message.content(), mapFromBase.get()));
         wallFollowing.begin();

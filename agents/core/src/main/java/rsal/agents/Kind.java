@@ -52,6 +52,7 @@ abstract class Kind implements AgentType {
         return new Agent() {
             @Override
             public void start(AgentContext self) {
+                Markers.tell(self);
                 begin(self, arguments);
                 Presence.begin(self);
             }

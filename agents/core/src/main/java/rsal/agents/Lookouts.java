@@ -8,6 +8,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.DoubleSupplier;
+import java.util.function.Supplier;
 import rsal.agent.AgentContext;
 import rsal.agent.message.Lookout;
 import rsal.behavior.LimitTurnRate;
@@ -30,8 +32,6 @@ import rsal.settings.Parameter;
 
 /// Has a robot go to places that are spread over the map and look all around at each, the nearest first by the way
 /// there, until it or others have been at all of them; then at others. Goes to none where another is about to look.
-/// Errands
-/// come first.
 final class Lookouts {
     static final Parameter COUNT = Parameter.integer(
             "lookouts", 12, 1, 1000, "", "At how many places it looks around, when it roams between lookouts.");
@@ -44,13 +44,14 @@ final class Lookouts {
     private static final Twist2d TURN = Twist2d.drive(0, Math.toRadians(45));
     private static final double MOST_TURN = 1.0; // rad/s
     private static final double ALL_AROUND = Math.toRadians(330); // the camera sees the rest
+    private static final double NONE = 1e-3; // rad; not worth a turn
 
     private final AgentContext self;
     private final Robot robot;
-    private final Reporter reporter;
+    private final Supplier<Optional<Pose2d>> belief;
     private final int count;
+    private final DoubleSupplier fieldOfView;
     private final Driver driver;
-    private final Errands errands;
     private final Pilot pilot;
     private final PlaceFinder finder;
     private final PlannedWays ways;
@@ -58,15 +59,26 @@ final class Lookouts {
     private final Map<String, Point2d> others = new HashMap<>(); // where they are about to look, by robot
     private List<Point2d> places = List.of(); // of this round
     private int rounds;
+    private boolean paused;
     private Subscription turning = () -> {};
 
-    Lookouts(AgentContext self, Robot robot, Reporter reporter, int count) {
+    /// @param driver the robot's, which whoever pauses this may have
+    /// @param belief where the robot is in the map
+    /// @param count how many places, at first
+    /// @param fieldOfView of what it looks with [rad]: who sees all around need not turn
+    Lookouts(
+            AgentContext self,
+            Robot robot,
+            Driver driver,
+            Supplier<Optional<Pose2d>> belief,
+            int count,
+            DoubleSupplier fieldOfView) {
         this.self = self;
         this.robot = robot;
-        this.reporter = reporter;
+        this.belief = belief;
         this.count = count;
-        this.driver = new Driver(self, robot.require(Navigator.class));
-        this.errands = new Errands(self, robot.id(), driver, this::pause, this::next);
+        this.fieldOfView = fieldOfView;
+        this.driver = driver;
         this.pilot = robot.require(Pilot.class);
         this.finder = robot.require(PlaceFinder.class);
         this.ways = new PlannedWays(robot.find(Planner.class));
@@ -75,14 +87,13 @@ final class Lookouts {
 
     void begin() {
         self.subscribe(Lookout.TOPIC, message -> note(message.content()));
-        errands.begin();
         self.state("choosing lookouts");
         self.scheduler().after(AGAIN, this::findPlaces);
     }
 
     /// In each round a few more than before, and so others: what none of them shows, some may show in the next.
     private void findPlaces() {
-        Optional<Pose2d> mapFromBase = reporter.mapFromBase();
+        Optional<Pose2d> mapFromBase = belief.get();
         if (mapFromBase.isEmpty()) {
             self.scheduler().after(AGAIN, this::findPlaces);
             return;
@@ -121,14 +132,28 @@ final class Lookouts {
         }
     }
 
-    private void pause() {
+    /// Lets others drive the robot, until it is to go on.
+    void pause() {
+        paused = true;
+        letGo();
+    }
+
+    /// Drives the robot again.
+    void goOn() {
+        if (paused) {
+            paused = false;
+            next();
+        }
+    }
+
+    private void letGo() {
         turning.cancel();
         pilot.release();
     }
 
     private void next() {
-        Optional<Pose2d> mapFromBase = reporter.mapFromBase();
-        if (places.isEmpty() || errands.busy()) {
+        Optional<Pose2d> mapFromBase = belief.get();
+        if (places.isEmpty() || paused) {
             return;
         }
         if (left.isEmpty() || mapFromBase.isEmpty()) {
@@ -158,17 +183,17 @@ final class Lookouts {
     private record Way(Point2d mapFromPlace, double cost) {}
 
     private void go(Point2d place) {
-        if (errands.busy()) {
+        if (paused) {
             return;
         }
         left.remove(place);
         self.publish(Lookout.TOPIC, new Lookout(robot.id(), place, false));
         self.state("going to look around at " + Words.place(Words.pose(place)));
         driver.goTo(Words.pose(place), THERE, result -> {
-            if (errands.busy()) {
+            if (paused) {
                 return;
             }
-            if (result instanceof Navigator.Result.Reached) {
+            if (result instanceof Navigator.Result.Reached && turn() > NONE) {
                 lookAround(place);
             } else {
                 done(place);
@@ -176,22 +201,28 @@ final class Lookouts {
         });
     }
 
+    /// How far it has to turn to see all around [rad].
+    private double turn() {
+        return Math.min(ALL_AROUND, 2 * Math.PI - fieldOfView.getAsDouble());
+    }
+
     private void lookAround(Point2d place) {
         self.state("looking around");
         pilot.engage(new Subsumption()
                 .layer("turn", new SetSpeed(TURN))
                 .layer("limit-turn-rate", new LimitTurnRate(robot.model().footprint(), MOST_TURN)));
-        var turn = new Object() {
+        double enough = turn();
+        var turned = new Object() {
             private double made;
             private double last = Double.NaN;
         };
         turning = self.subscribe(robot.require(DriveBase.class), reading -> {
             Odometry odometry = reading.value();
             double heading = odometry.odomFromBase().theta();
-            turn.made += Double.isNaN(turn.last) ? 0 : Angles.difference(turn.last, heading);
-            turn.last = heading;
-            if (turn.made >= ALL_AROUND) {
-                pause();
+            turned.made += Double.isNaN(turned.last) ? 0 : Angles.difference(turned.last, heading);
+            turned.last = heading;
+            if (turned.made >= enough) {
+                letGo();
                 done(place);
             }
         });

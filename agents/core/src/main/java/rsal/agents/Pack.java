@@ -1,27 +1,35 @@
 package rsal.agents;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import rsal.agent.AgentContext;
 import rsal.agent.message.Caught;
 import rsal.agent.message.PoseReport;
+import rsal.agent.message.Sighting;
 import rsal.agent.team.Objective;
 import rsal.agent.team.Rules;
 import rsal.agent.team.Team;
 import rsal.settings.Arguments;
 
 /// What a team of hunters has to do: one goes for each prey that was seen and is not caught, then a second for each,
-/// and
-/// so on while there are hunters.
+/// and so on while there are hunters. A prey of which nobody has known for a while is hunted again when it is seen.
 final class Pack {
     private static final int MOST = 4; // after one prey
+    private static final Duration LOST = Duration.ofSeconds(8); // less than hunters remember
+    private static final Duration LOOK = Duration.ofSeconds(1);
     private static final double FIRST = 1000; // m, longer than any way: first one for each prey, then a second, ...
 
     private final AgentContext self;
     private final String prey;
     private final Team team;
-    private final Set<String> seen = new TreeSet<>();
+    private final SortedMap<String, Instant> seen = new TreeMap<>(); // when last
     private final Set<String> caught = new HashSet<>();
 
     Pack(AgentContext self, Arguments arguments) {
@@ -39,13 +47,19 @@ final class Pack {
                 PoseReport.TOPIC,
                 PoseReport.ofRobots(prey),
                 message -> see(message.content().robot()));
+        self.subscribe(Sighting.TOPIC, message -> {
+            if (message.content().isOf(prey)) {
+                see(message.content().robot());
+            }
+        });
         self.subscribe(Caught.TOPIC, message -> giveUp(message.content().prey()));
+        self.scheduler().every(LOOK, this::forget);
         team.begin();
         self.state("looking for prey");
     }
 
     private void see(String robot) {
-        if (!caught.contains(robot) && seen.add(robot)) {
+        if (!caught.contains(robot) && seen.put(robot, self.scheduler().instant()) == null) {
             for (int number = 1; number <= MOST; number++) {
                 double urgency = FIRST * (MOST - number);
                 team.add(new Catch(robot, number), () -> urgency);
@@ -57,6 +71,23 @@ final class Pack {
 
     private void giveUp(String robot) {
         caught.add(robot);
+        letGo(robot);
+    }
+
+    private void forget() {
+        Instant then = self.scheduler().instant().minus(LOST);
+        List<String> lost = seen.entrySet().stream()
+                .filter(sighting -> sighting.getValue().isBefore(then))
+                .map(Map.Entry::getKey)
+                .filter(robot -> !caught.contains(robot))
+                .toList();
+        lost.forEach(robot -> {
+            seen.remove(robot);
+            letGo(robot);
+        });
+    }
+
+    private void letGo(String robot) {
         for (int number = 1; number <= MOST; number++) {
             team.withdraw(new Catch(robot, number).name());
         }
@@ -64,8 +95,12 @@ final class Pack {
     }
 
     private void tell() {
-        var free = new TreeSet<>(seen);
+        var free = new TreeSet<>(seen.keySet());
         free.removeAll(caught);
-        self.state(free.isEmpty() ? "all that were seen are caught" : "hunting " + String.join(", ", free));
+        if (free.isEmpty()) {
+            self.state(caught.isEmpty() ? "looking for prey" : "all that were seen are caught");
+        } else {
+            self.state("hunting " + String.join(", ", free));
+        }
     }
 }

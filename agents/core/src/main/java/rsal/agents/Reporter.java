@@ -30,6 +30,7 @@ final class Reporter {
     private final Robot robot;
     private final Duration period;
     private final Consumer<? super PoseReport> said;
+    private final boolean tells;
     private final Optional<Localizer> localizer;
     private final Supplier<Optional<Pose2d>> belief;
     private Instant due = Instant.MIN;
@@ -37,10 +38,17 @@ final class Reporter {
 
     /// @param said told what it has said
     Reporter(AgentContext self, Robot robot, Arguments arguments, Consumer<? super PoseReport> said) {
+        this(self, robot, arguments, said, true);
+    }
+
+    /// @param said told what it says, or would
+    /// @param tells false keeps it from others
+    Reporter(AgentContext self, Robot robot, Arguments arguments, Consumer<? super PoseReport> said, boolean tells) {
         this.self = self;
         this.robot = robot;
         this.period = arguments.seconds(PERIOD.name());
         this.said = said;
+        this.tells = tells;
         this.localizer = robot.find(Localizer.class);
         this.belief = belief(robot);
     }
@@ -97,7 +105,9 @@ final class Reporter {
         mapFromBase().ifPresent(mapFromBase -> {
             due = self.scheduler().instant().plus(period);
             var report = new PoseReport(robot.id(), robot.role(), mapFromBase);
-            self.publish(PoseReport.TOPIC, report);
+            if (tells) {
+                self.publish(PoseReport.TOPIC, report);
+            }
             said.accept(report);
         });
     }

@@ -15,15 +15,22 @@ final class Sightings {
     private static final Duration MEMORY = Duration.ofSeconds(10);
 
     private final Blackboard blackboard;
+    private final Duration memory;
 
     Sightings(Blackboard blackboard) {
+        this(blackboard, MEMORY);
+    }
+
+    /// @param memory for how long it knows where one was
+    Sightings(Blackboard blackboard, Duration memory) {
         this.blackboard = blackboard;
+        this.memory = memory;
     }
 
     /// @return whether nothing was known of that robot
     boolean note(PoseReport report) {
         boolean discovered = of(report.robot()).isEmpty();
-        blackboard.write(PoseReport.TOPIC, report.robot(), report, MEMORY);
+        blackboard.write(PoseReport.TOPIC, report.robot(), report, memory);
         return discovered;
     }
 

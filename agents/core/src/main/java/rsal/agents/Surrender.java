@@ -14,11 +14,11 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.robot.Robot;
 
-/// What a prey does when it believes a hunter too near: it says that it is caught, and spins on the spot. What it knows
-/// of its hunters are the poses they report.
+/// What a prey does when it believes a hunter too near: it says that it is caught, and spins on the spot.
 final class Surrender {
     private static final Twist2d SPIN = Twist2d.drive(0, Math.toRadians(40));
     private static final Duration SPIN_TIME = Duration.ofSeconds(15);
+    private static final Duration SEEN = Duration.ofSeconds(1); // for how long one stays where it was seen
 
     private final AgentContext self;
     private final Robot robot;
@@ -30,12 +30,19 @@ final class Surrender {
     private boolean caught;
 
     /// @param hunterName role of the robots that catch it, or id of the one; empty when any other robot does
+    /// @param byMarkers whether it is told of hunters while they are seen, not what they report
     /// @param lettingGo lets go of the robot for good
-    Surrender(AgentContext self, Robot robot, String hunterName, double catchDistance, Runnable lettingGo) {
+    Surrender(
+            AgentContext self,
+            Robot robot,
+            String hunterName,
+            double catchDistance,
+            boolean byMarkers,
+            Runnable lettingGo) {
         this.self = self;
         this.robot = robot;
         this.pilot = robot.require(Pilot.class);
-        this.hunters = new Sightings(self.blackboard());
+        this.hunters = byMarkers ? new Sightings(self.blackboard(), SEEN) : new Sightings(self.blackboard());
         this.hunterName = hunterName;
         this.catchDistance = catchDistance;
         this.lettingGo = lettingGo;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.regex.Pattern;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
@@ -122,6 +123,7 @@ final class RobotReader {
             Equipment equipment,
             Start start,
             String color,
+            int firstMarker,
             boolean complete) {}
 
     private Draft draft(String name, Section section, int index) {
@@ -137,9 +139,10 @@ final class RobotReader {
             section.problem(
                     "color", "(%s) must be like #1f77b4, not (%s).".formatted(section.path("color"), color), "");
         }
+        int firstMarker = Math.toIntExact((Long) section.value(Format.FIDUCIAL).orElse(0L));
         section.done();
         boolean complete = problems.all().size() == before;
-        return new Draft(name, section, ids, equipment, start, color, complete);
+        return new Draft(name, section, ids, equipment, start, color, firstMarker, complete);
     }
 
     private Role role(Draft draft, boolean readable) {
@@ -162,13 +165,16 @@ final class RobotReader {
                     complete = false;
                 }
             }
-            robots.add(robot(draft, id, mapFromBase));
+            robots.add(robot(draft, i, mapFromBase));
         }
         return new Role(draft.name, draft.section, robots, draft.equipment.has(), complete);
     }
 
-    private PlannedRobot robot(Draft draft, String id, Optional<Pose2d> mapFromBase) {
-        var spec = new RobotSpec(id, draft.name, draft.equipment.model().orElseThrow(), mapFromBase, draft.color);
+    private PlannedRobot robot(Draft draft, int number, Optional<Pose2d> mapFromBase) {
+        String id = draft.ids.get(number);
+        OptionalInt marker = draft.firstMarker == 0 ? OptionalInt.empty() : OptionalInt.of(draft.firstMarker + number);
+        var spec =
+                new RobotSpec(id, draft.name, draft.equipment.model().orElseThrow(), mapFromBase, draft.color, marker);
         return outfitter.robot(
                 spec,
                 draft.equipment.drivers().stream()

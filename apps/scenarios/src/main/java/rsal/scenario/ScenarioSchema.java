@@ -178,6 +178,7 @@ public final class ScenarioSchema {
                                         poses(partial),
                                         "Where they start: [x, y, degrees], a list of those, or somewhere free."),
                         "color", described(color(), "How people see them."),
+                        "fiducial", parameter(Format.FIDUCIAL),
                         "devices", devices(partial)),
                 partial ? List.of() : List.of("model"));
     }

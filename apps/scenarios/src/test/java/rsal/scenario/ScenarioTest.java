@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
@@ -93,6 +94,15 @@ class ScenarioTest {
         } catch (InvalidSettings e) {
             return String.valueOf(e.getMessage()).replace(folder + "/", "");
         }
+    }
+
+    @Test
+    void robotsOfARoleWearMarkersInTurn() {
+        String marked = GOOD.replace("    color: \"#123456\"\n", "    color: \"#123456\"\n    fiducial: 21\n");
+        assertThat(plan(marked, RunOptions.NONE).robots())
+                .extracting(robot -> robot.spec().marker())
+                .containsExactly(OptionalInt.empty(), OptionalInt.of(21), OptionalInt.of(22));
+        assertThat(mistakes(marked.replace("fiducial: 21", "fiducial: -1"))).contains("robots.hunter.fiducial");
     }
 
     @Test

@@ -57,6 +57,7 @@ public final class RobotModels {
                 "front8rear8dx",
                 "blob-camera",
                 "fiducials180",
+                "fiducials360",
                 "pioneer-gripper",
                 "pioneer2dx-bumpers",
                 "turntable",

@@ -27,6 +27,13 @@ public record Surface(
         return new Surface(other, obstacle, reflectance, blob, fiducial, fiducialKey, grippable);
     }
 
+    /// The same, which finders of key 0 know as that marker.
+    ///
+    /// @param id 0: it is none
+    public Surface withMarker(int id) {
+        return new Surface(color, obstacle, reflectance, blob, id, 0, grippable);
+    }
+
     /// The same, of which blob finders don't tell.
     public Surface withoutBlobs() {
         return new Surface(color, obstacle, reflectance, false, fiducial, fiducialKey, grippable);

@@ -38,6 +38,7 @@ class PartReaderTest {
             Map.entry("front8rear8dx", "sonar"),
             Map.entry("blob-camera", "camera"),
             Map.entry("fiducials180", "fiducials"),
+            Map.entry("fiducials360", "fiducials"),
             Map.entry("pioneer-gripper", "gripper"),
             Map.entry("pioneer2dx-bumpers", "bumper"),
             Map.entry("turntable", "turntable"),

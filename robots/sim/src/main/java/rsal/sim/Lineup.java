@@ -89,7 +89,17 @@ final class Lineup {
 
     private static List<Block> blocks(RobotSpec robot) {
         Rgb color = Rgb.parse(robot.color()).orElse(Surface.PLAIN.color());
-        return Entity.blocks(robot.model().body(), color);
+        List<Block> plain = Entity.blocks(robot.model().body(), color);
+        return robot.marker().isEmpty() ? plain : marked(plain, robot.marker().getAsInt());
+    }
+
+    /// The same blocks with another marker.
+    ///
+    /// @param marker 0: none
+    static List<Block> marked(List<Block> blocks, int marker) {
+        return blocks.stream()
+                .map(block -> new Block(block.prism(), block.surface().withMarker(marker)))
+                .toList();
     }
 
     /// Which robots are not on the map, and why.

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
 import rsal.data.Pose2d;
@@ -13,7 +14,8 @@ import rsal.sim.world.Body;
 import rsal.sim.world.Chunk;
 import rsal.sim.world.World;
 
-/// Makes robots while the world goes on, each after one that the world has or began with.
+/// Makes robots while the world goes on, each after one that the world has or began with; but no two wear the same
+/// marker.
 final class Recruiting {
     private final World world;
     private final Assembly assembly;
@@ -43,7 +45,9 @@ final class Recruiting {
 
     /// @return empty when there is no room for it; [World#obstacle] says why
     Optional<SimRobot> recruit(String id, Kind like, Pose2d mapFromBase) {
-        List<Chunk> body = chunks.computeIfAbsent(like.blocks(), Chunk::of);
+        OptionalInt marker = id.equals(like.spec().id()) ? like.spec().marker() : OptionalInt.empty();
+        List<Block> blocks = marker.equals(like.spec().marker()) ? like.blocks() : Lineup.marked(like.blocks(), 0);
+        List<Chunk> body = chunks.computeIfAbsent(blocks, Chunk::of);
         if (!world.hasRoom(body, mapFromBase, like.height(), 0)) {
             return Optional.empty();
         }
@@ -52,13 +56,14 @@ final class Recruiting {
                 like.spec().role(),
                 like.spec().model(),
                 Optional.of(mapFromBase),
-                like.spec().color());
+                like.spec().color(),
+                marker);
         Body added = world.add(id, body, mapFromBase, like.height());
         SimRobot robot = assembly.robot(spec, added);
         if (like.odometryKnowsMap()) {
             robot.drive().resetOdometry(mapFromBase);
         }
-        kinds.putIfAbsent(id, new Kind(spec, like.blocks(), like.height(), like.odometryKnowsMap()));
+        kinds.putIfAbsent(id, new Kind(spec, blocks, like.height(), like.odometryKnowsMap()));
         return Optional.of(robot);
     }
 }

@@ -52,7 +52,7 @@ record SimRobot(
         var all = new ArrayList<Device>();
         all.add(drive);
         all.addAll(devices);
-        return new Robot(spec.id(), spec.role(), spec.model(), all);
+        return new Robot(spec.id(), spec.role(), spec.model(), spec.marker(), all);
     }
 
     /// Drives for a step, or until it would touch something; then it stalls or slides.

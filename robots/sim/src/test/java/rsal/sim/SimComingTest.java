@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
+import rsal.data.Fiducials.Fiducial;
 import rsal.data.GripperState;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -17,6 +20,7 @@ import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.data.Twist2d;
 import rsal.device.DriveBase;
+import rsal.device.FiducialFinder;
 import rsal.device.Gripper;
 import rsal.device.Health;
 import rsal.device.LaserScanner;
@@ -25,6 +29,7 @@ import rsal.device.SimulationControl.Standing;
 import rsal.device.SimulationControl.Thing;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.system.RobotSystem.Change;
 
@@ -72,6 +77,31 @@ class SimComingTest {
         assertThat(run.simulation.removeRobot("c")).isTrue();
         run.advance(0.3);
         assertThat(ahead("a")).isEqualTo(before, org.assertj.core.api.Assertions.within(0.1));
+    }
+
+    @Test
+    void whoComesDoesNotWearTheMarkerOfTheOneThatItIsMadeAfter() {
+        var finder = new Part.FiducialFinder("eyes", Pose2d.ORIGIN, 7, 9, 9, 0, true, Duration.ofMillis(100));
+        RobotModel model = Models.box(Models.DRIVE, finder);
+        var marked = new RobotSpec("b", "robot", model, Optional.of(THERE), "#000000", OptionalInt.of(5));
+        var seeing = SimRun.of(ROOM, SimRun.robot("a", model, new Pose2d(2, 3, 0)), marked);
+        assertThat(seeing.robot("b").marker()).hasValue(5);
+        assertThat(markers(seeing)).containsExactly(OptionalInt.of(5));
+        assertThat(seeing.simulation.addRobot("c", "b", new Pose2d(2, 5, 0))).isEqualTo(PLACED);
+        assertThat(markers(seeing)).containsExactly(OptionalInt.of(5));
+        assertThat(seeing.simulation.removeRobot("b")).isTrue();
+        assertThat(markers(seeing)).isEmpty();
+        assertThat(seeing.simulation.addRobot("b", "b", THERE)).isEqualTo(PLACED);
+        assertThat(markers(seeing)).as("the same robot comes back").containsExactly(OptionalInt.of(5));
+    }
+
+    /// That robot `a` sees.
+    private static List<OptionalInt> markers(SimRun seeing) {
+        seeing.advance(0.3);
+        FiducialFinder eyes = seeing.robot("a").require(FiducialFinder.class);
+        return eyes.latest().orElseThrow().value().fiducials().stream()
+                .map(Fiducial::id)
+                .toList();
     }
 
     @Test

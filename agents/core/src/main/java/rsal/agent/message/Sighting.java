@@ -10,4 +10,14 @@ import rsal.data.Pose2d;
 /// @param mapFromBase where it was seen
 public record Sighting(String robot, String role, Pose2d mapFromBase) {
     public static final Topic<Sighting> TOPIC = new Topic<>("sighting", Sighting.class);
+
+    /// @param roleOrId of a robot
+    public boolean isOf(String roleOrId) {
+        return role.equals(roleOrId) || robot.equals(roleOrId);
+    }
+
+    /// The same as a robot says it of itself.
+    public PoseReport report() {
+        return new PoseReport(robot, role, mapFromBase);
+    }
 }

@@ -61,13 +61,9 @@ final class Controls {
 
     /// The same robot without what its agents drive it by.
     private static Robot withoutDrivers(Robot robot) {
-        return new Robot(
-                robot.id(),
-                robot.role(),
-                robot.model(),
-                robot.devices().stream()
-                        .filter(device -> !(device instanceof Pilot || device instanceof Navigator))
-                        .toList());
+        return robot.with(robot.devices().stream()
+                .filter(device -> !(device instanceof Pilot || device instanceof Navigator))
+                .toList());
     }
 
     /// Of those who command the base, who it listens to; empty when that is somebody's hand.

@@ -74,7 +74,7 @@ final class Newcomers {
                 .or(() -> planned.stream().filter(one -> isLike(one, robot)).findFirst());
         String id = robot.id();
         String color = example.map(one -> one.spec().color()).orElse("#808080");
-        var spec = new RobotSpec(id, robot.role(), robot.model(), mapFromBase, color);
+        var spec = new RobotSpec(id, robot.role(), robot.model(), mapFromBase, color, robot.marker());
         List<PlannedDevice> drivers =
                 devicesLike(example.map(PlannedRobot::drivers).orElse(List.of()), id);
         Spares spares = example.map(PlannedRobot::spares)

@@ -174,4 +174,22 @@ class HuntAndPreyIT {
                     .anyMatch(text -> text.endsWith("accept-proposal: hunt prey-1 as no. 2"));
         }
     }
+
+    @Test
+    void preyThatTellNobodyWhereTheyAreAreSeenAndCaught() {
+        for (long seed = 1; seed <= 5; seed++) {
+            Hunt hunt = hunt("unseen", seed);
+            assertThat(hunt.result.outcome()).as("seed %d", seed).isEqualTo("success");
+            assertThat(hunt.result.measures().get("collisions").getAsDouble())
+                    .as("seed %d", seed)
+                    .isZero();
+            assertThat(hunt.result.measures().get("captureDistance").getAsDouble())
+                    .as("seed %d", seed)
+                    .isLessThan(2);
+            assertThat(hunt.events)
+                    .as("seed %d", seed)
+                    .extracting(RunEvent::text)
+                    .anyMatch(text -> text.startsWith("going to look around at"));
+        }
+    }
 }

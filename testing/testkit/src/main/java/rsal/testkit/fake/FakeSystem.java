@@ -139,7 +139,7 @@ public final class FakeSystem implements RobotSystem {
             sensors.add(sensor);
             devices.add(sensor);
         });
-        return new Robot(spec.id(), spec.role(), spec.model(), devices);
+        return new Robot(spec.id(), spec.role(), spec.model(), spec.marker(), devices);
     }
 
     private FakeSensor<?> sensor(DeviceInfo info, Part part, FakeDriveBase base) {

@@ -1,0 +1,79 @@
+package rsal.agents;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import rsal.agent.AgentContext;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.Sighting;
+import rsal.data.Pose2d;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// How a hunter learns where prey are. Prey that tell where they are it hears. Those that don't it sees, as other
+/// hunters do who tell it; and while there is none to hunt, it goes where it may see some ([Lookouts]).
+final class Search {
+    private final AgentContext self;
+    private final String hunters;
+    private final String prey;
+    private final Consumer<PoseReport> onNews;
+    private final Optional<Sight> sight; // empty: prey tell
+    private final Optional<Lookouts> lookouts;
+
+    /// @param driver the robot's, which is not used while this is paused
+    /// @param onNews told where robots are, hunters and prey
+    /// @throws IllegalStateException when the robot lacks what it takes to look
+    Search(
+            AgentContext self,
+            Robot robot,
+            Driver driver,
+            Supplier<Optional<Pose2d>> mapFromBase,
+            Arguments arguments,
+            Consumer<PoseReport> onNews) {
+        this.self = self;
+        this.hunters = robot.role();
+        this.prey = arguments.text(Follow.PREY.name());
+        this.onNews = onNews;
+        this.sight = Sight.byMarkers(arguments)
+                ? Optional.of(new Sight(self, robot, mapFromBase, prey, seen -> onNews.accept(seen.report())))
+                : Optional.empty();
+        int places = arguments.integer(Lookouts.COUNT.name());
+        this.lookouts = sight.map(eyes -> new Lookouts(self, robot, driver, mapFromBase, places, eyes::fieldOfView));
+    }
+
+    void begin() {
+        self.subscribe(PoseReport.TOPIC, message -> hear(message.content()));
+        if (sight.isPresent()) {
+            self.subscribe(Sighting.TOPIC, message -> hear(message.content()));
+            sight.get().begin();
+        }
+        lookouts.ifPresent(Lookouts::begin);
+    }
+
+    private void hear(PoseReport report) {
+        if (sight.isEmpty() || report.isFrom(hunters)) {
+            onNews.accept(report);
+        }
+    }
+
+    private void hear(Sighting sighting) {
+        if (sighting.isOf(prey)) {
+            onNews.accept(sighting.report());
+        }
+    }
+
+    /// Lets others drive the robot.
+    void pause() {
+        lookouts.ifPresent(Lookouts::pause);
+    }
+
+    /// Drives the robot again, if it does at all.
+    void goOn() {
+        lookouts.ifPresent(Lookouts::goOn);
+    }
+
+    /// Whether it drives the robot when nobody else does.
+    boolean roams() {
+        return lookouts.isPresent();
+    }
+}
