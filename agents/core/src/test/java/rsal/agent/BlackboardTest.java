@@ -1,7 +1,7 @@
 package rsal.agent;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.InstanceOfAssertFactories.LIST;
+import static org.assertj.core.api.InstanceOfAssertFactories.MAP;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -48,7 +48,8 @@ class BlackboardTest {
         board.write(NUMBERS, "one", 1, Duration.ofSeconds(1));
         clock.advance(Duration.ofSeconds(1));
         board.write(OTHERS, "two", 2);
-        assertThat(board).extracting("notes").asInstanceOf(LIST).hasSize(1);
+        assertThat(board).extracting("size").isEqualTo(1);
+        assertThat(board).extracting("topics").asInstanceOf(MAP).hasSize(1);
     }
 
     @Test
