@@ -6,6 +6,7 @@ module rsal.agents {
 
     exports rsal.agent;
     exports rsal.agent.bdi;
+    exports rsal.agent.board;
     exports rsal.agent.message;
     exports rsal.agent.presence;
     exports rsal.agent.protocol;
@@ -17,6 +18,7 @@ module rsal.agents {
     provides rsal.agent.AgentHostProvider with
             rsal.agent.plain.PlainHostProvider;
     provides rsal.agent.AgentType with
+            rsal.agents.BlackboardMaster,
             rsal.agents.Ceiling,
             rsal.agents.Collect,
             rsal.agents.Dispersion,

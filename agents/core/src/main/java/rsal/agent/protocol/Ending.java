@@ -1,7 +1,21 @@
 package rsal.agent.protocol;
 
+import java.util.function.Function;
+
 /// The one way in which a conversation ended for the one who began it.
 public sealed interface Ending<A> {
+    /// The same, with what came of it as something else.
+    default <B> Ending<B> map(Function<? super A, ? extends B> how) {
+        return switch (this) {
+            case Informed<A>(A result) -> new Informed<>(how.apply(result));
+            case Refused<A>(String why) -> new Refused<>(why);
+            case Failed<A>(String why) -> new Failed<>(why);
+            case NotUnderstood<A>(String why) -> new NotUnderstood<>(why);
+            case Silent<A>(String why) -> new Silent<>(why);
+            case Cancelled<A>() -> new Cancelled<>();
+        };
+    }
+
     /// It is done; this came of it.
     record Informed<A>(A result) implements Ending<A> {}
 

@@ -11,7 +11,7 @@ import rsal.agent.Message;
 /// @param loss share of messages that nobody hears
 /// @param doubled share of those heard that come twice
 /// @param latest longest delay
-record Weather(RandomGenerator random, double loss, double doubled, Duration latest) implements Delivery {
+public record Weather(RandomGenerator random, double loss, double doubled, Duration latest) implements Delivery {
     @Override
     public List<Duration> copies(Message<?> message, String listener) {
         if (random.nextDouble() < loss) {
