@@ -31,11 +31,14 @@ import rsal.settings.Arguments;
 /// Spreads a team over places: asks each robot what the ways there would cost it, gives each one place by the
 /// [Assignment] that is best for all, and sends it there. Robots that can't tell costs are taken to drive straight;
 /// those that do not answer are left out, and their place is given to another. Has places found when it is given
-/// none ([PlaceQuest]).
+/// none ([PlaceQuest]). A robot that has reached its place is free to do what else it has to do, and is sent back the
+/// next time.
 final class Spreading {
     private static final Duration TO_SETTLE = Duration.ofSeconds(2); // until localizers have told where robots are
     private static final Duration TO_ANSWER = Duration.ofMillis(500);
     private static final Duration BETWEEN = Duration.ofSeconds(1); // changes that come together are one
+
+    private static final double AWAY = 1; // m, from its place: more than localizers are wrong by
 
     private final AgentContext self;
     private final String robots;
@@ -152,12 +155,22 @@ final class Spreading {
         vain.keySet().retainAll(allotted.keySet()); // who gets nothing may try all of them again
         allotted.forEach((robot, place) -> {
             boolean goesThere = place.equals(placeOf.get(robot)) && !failed.contains(robot);
-            if (!goesThere) {
+            if (!goesThere || hasLeft(robot, place)) {
                 send(robot, place);
             }
         });
         placeOf.keySet().retainAll(allotted.keySet());
         tell();
+    }
+
+    /// Whether one that was at its place is there no more, as its own work or people took it elsewhere.
+    private boolean hasLeft(String robot, int place) {
+        Point2d mapFromPlace = mapFromPlaces.get(place).position();
+        return arrived.contains(robot)
+                && sightings
+                        .of(robot)
+                        .filter(mapFromBase -> mapFromBase.position().distanceTo(mapFromPlace) > AWAY)
+                        .isPresent();
     }
 
     private void send(String robot, int place) {
@@ -194,7 +207,7 @@ final class Spreading {
 
     private void tell() {
         long there = placeOf.keySet().stream().filter(arrived::contains).count();
-        self.state("%d of %d robots are at their place".formatted(there, placeOf.size()));
+        self.state("%d of %d robots have reached their place".formatted(there, placeOf.size()));
     }
 
     /// One time of asking.

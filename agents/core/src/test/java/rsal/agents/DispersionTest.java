@@ -60,7 +60,7 @@ class DispersionTest {
         dispersion("9 0; 1 0; 50 50");
         scene.advance(4);
         assertThat(sent()).isEqualTo(Map.of("a", new Point2d(1, 0), "b", new Point2d(9, 0)));
-        assertThat(scene.state("dispersion")).isEqualTo("0 of 2 robots are at their place");
+        assertThat(scene.state("dispersion")).isEqualTo("0 of 2 robots have reached their place");
     }
 
     @Test
@@ -69,13 +69,33 @@ class DispersionTest {
         robot("b", 10, 0);
         dispersion("9 0; 1 0; 12 0");
         scene.advance(4);
+        robots.get("a").isAt(1, 0);
         robots.get("a").navigator.end(new Result.Reached(new Pose2d(1, 0, 0)));
         robots.get("b").navigator.end(new Result.NoPath("A wall."));
         scene.advance(1);
-        assertThat(scene.state("dispersion")).isEqualTo("1 of 2 robots are at their place");
+        assertThat(scene.state("dispersion")).isEqualTo("1 of 2 robots have reached their place");
         orders();
         scene.advance(20);
         assertThat(orders()).containsExactly(new NewGoal("b", new Pose2d(12, 0, 0)));
+    }
+
+    @Test
+    void thoseWhoHaveLeftTheirPlaceAreSentBackTheNextTime() {
+        robot("a", 0, 0);
+        robot("b", 10, 0);
+        dispersion("9 0; 1 0");
+        scene.advance(4);
+        robots.get("a").isAt(1.2, 0);
+        robots.get("a").navigator.end(new Result.Reached(new Pose2d(1, 0, 0)));
+        robots.get("b").isAt(9, 0);
+        robots.get("b").navigator.end(new Result.Reached(new Pose2d(9, 0, 0)));
+        scene.advance(2);
+        robots.get("b").isAt(14, 3); // back at work
+        orders();
+        scene.advance(10);
+        assertThat(orders()).isEmpty(); // it is left to work until it is time
+        scene.advance(8);
+        assertThat(orders()).containsExactly(new NewGoal("b", new Pose2d(9, 0, 0)));
     }
 
     @Test
@@ -156,7 +176,7 @@ class DispersionTest {
         scene.advance(4);
         assertThat(a.places.asked).hasSize(2);
         assertThat(sent()).isEqualTo(Map.of("a", new Point2d(-5, 0), "b", new Point2d(5, 0)));
-        assertThat(scene.state("dispersion")).isEqualTo("0 of 2 robots are at their place");
+        assertThat(scene.state("dispersion")).isEqualTo("0 of 2 robots have reached their place");
     }
 
     @Test
