@@ -123,10 +123,12 @@ final class ShowCommand extends Subcommand {
 
     /// A mistyped name of something else is no file that is missing.
     private static void checkName(String typed, List<Kind> others) {
+        List<String> scenarios = Scenario.builtIn().stream().map(Scenario::name).toList();
+        if (scenarios.contains(typed)) {
+            return; // an agent may be called like it
+        }
         Optional<String> closest = Suggestion.closest(
-                typed,
-                Stream.concat(Scenario.builtIn().stream().map(Scenario::name), others(others))
-                        .toList());
+                typed, Stream.concat(scenarios.stream(), others(others)).toList());
         boolean isOther =
                 closest.filter(name -> others(others).anyMatch(name::equals)).isPresent();
         if (isOther && !typed.contains(".") && !typed.contains("/")) {
