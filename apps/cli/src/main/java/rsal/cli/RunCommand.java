@@ -89,6 +89,13 @@ final class RunCommand extends Subcommand {
     private @Nullable String mrs;
 
     @Option(
+            names = "--with",
+            paramLabel = "SCENARIO[:CONFIGURATION]",
+            description = "Another scenario joins: its agents without a robot come along, as 'distribution:found',"
+                    + " which spreads the robots again and again.")
+    private @Nullable String with;
+
+    @Option(
             names = "--port",
             paramLabel = "P",
             converter = Port.class,
@@ -187,6 +194,7 @@ final class RunCommand extends Subcommand {
                 seed == null ? OptionalLong.empty() : OptionalLong.of(seed),
                 Optional.ofNullable(mas),
                 Optional.ofNullable(mrs),
+                Optional.ofNullable(with),
                 Optional.ofNullable(limit),
                 speed == null ? OptionalDouble.empty() : OptionalDouble.of(speed));
     }

@@ -28,7 +28,9 @@ final class ScenarioText {
         section(text, "World", world(shown.world(), shown.run()));
         section(text, "Robots, with their devices in the order in which these are made", robots(shown.robots()));
         section(text, "Where they start with seed " + shown.run().seed(), starts(shown.robots()));
-        section(text, "Agents", agents(shown.agents()));
+        String joined =
+                shown.with().map(" and those of %s, which joins it"::formatted).orElse("");
+        section(text, "Agents" + joined, agents(shown.agents()));
         shown.communication().ifPresent(limits -> section(text, "How agents hear each other", communication(limits)));
         section(text, "What goes wrong", faults(shown.faults()));
         section(text, "Ends when", ends(shown.ends()));

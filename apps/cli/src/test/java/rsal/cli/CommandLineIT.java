@@ -526,6 +526,27 @@ class CommandLineIT {
     }
 
     @Test
+    void showTellsWhichScenarioJoins() throws Exception {
+        Ended text = rsal.run("show", "patrol:distributed"); // an agent is called patrol, too
+        JsonNode json = JsonMapper.shared()
+                .readTree(rsal.run("show", "patrol:distributed", "--json").out());
+        assertThat(text.out())
+                .contains("Agents and those of distribution:found, which joins it")
+                .contains("robots=guard");
+        assertThat(json.get("with").stringValue()).isEqualTo("distribution:found");
+    }
+
+    @Test
+    void aScenarioJoinsByTheCommandLine() throws Exception {
+        assertThat(rsal.run("run", "patrol", "--with", "distribution:found", "--headless", "--for", "1", "--json")
+                        .out())
+                .contains("\"outcome\":\"limit\"");
+        assertThat(rsal.run("run", "patrol", "--with", "distribution:fond", "--headless")
+                        .err())
+                .contains("--with distribution:fond: Scenario (distribution) has no configuration (fond).", "(found)");
+    }
+
+    @Test
     void showTellsWhatGoesWrong() throws Exception {
         Ended text = rsal.run("show", "hunt-and-prey:faulty");
         JsonNode json = JsonMapper.shared()

@@ -63,7 +63,7 @@ final class PlanReader {
     /// @throws InvalidSettings with all mistakes
     RunPlan read() {
         String configuration = configuration();
-        Value.Mapping over = overlay(configuration);
+        Value.Mapping over = scenario.overlay(configuration);
         checkOverlay(over);
         Map<String, Object> arguments = arguments(configuration, over);
         checkOptions();
@@ -110,6 +110,8 @@ final class PlanReader {
                 new ThingReader(names, map, inWorld, robotReader.taken(), seeds, problems).read(root.section("things"));
         int before = problems.all().size();
         List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), names, seeds));
+        Optional<Joined> joined = new JoinReader(scenario, catalog, problems).read(root);
+        joined.ifPresent(other -> agents.addAll(joining(other, agents, names, world.name(), seeds)));
         if (scenario.isWorld()) {
             agents.addAll(instead(bare, world, seeds));
         }
@@ -152,6 +154,7 @@ final class PlanReader {
                 robots,
                 things,
                 agents,
+                joined.map(Joined::name),
                 communication,
                 faults,
                 speed,
@@ -186,16 +189,6 @@ final class PlanReader {
                         problems.add(Location.of("--for " + limit.toSeconds()), "A time limit must be positive.", ""));
     }
 
-    private Value.Mapping overlay(String configuration) {
-        var nothing = Value.Mapping.empty(scenario.location());
-        return scenario.settings()
-                .find("configurations")
-                .filter(Value.Mapping.class::isInstance)
-                .flatMap(all -> ((Value.Mapping) all).find(configuration))
-                .map(value -> value instanceof Value.Mapping mapping ? mapping : nothing)
-                .orElse(nothing);
-    }
-
     /// What says what the whole scenario is can't differ between its configurations.
     private void checkOverlay(Value.Mapping overlay) {
         for (String key : List.of("rsal", "scenario", "description", "arguments")) {
@@ -208,7 +201,7 @@ final class PlanReader {
         }
     }
 
-    /// The overlay with the back ends on top that the options name.
+    /// The overlay with what the options name on top: back ends, and the scenario that joins.
     private Value.Mapping chosen(Value.Mapping overlay) {
         Value.Mapping chosen = overlay;
         for (String key : List.of("mas", "mrs")) {
@@ -219,6 +212,11 @@ final class PlanReader {
                 chosen = chosen.merge(new Value.Mapping(
                         at, Map.of(key, new Value.Mapping(at, use, Map.of("use", at))), Map.of(key, at)));
             }
+        }
+        if (options.with().isPresent()) {
+            var at = Location.of("--with " + options.with().get());
+            var scenario = new Value.Scalar(at, options.with().get());
+            chosen = chosen.merge(new Value.Mapping(at, Map.of(JoinReader.KEY, scenario), Map.of(JoinReader.KEY, at)));
         }
         return chosen;
     }
@@ -386,20 +384,57 @@ final class PlanReader {
             agent.done();
         }
         section.done();
-        if (agents.size() > Format.MAX_AGENTS) {
-            section.problem(
-                    section.location(),
-                    "There are %d agents; at most %d can be.".formatted(agents.size(), Format.MAX_AGENTS),
-                    "");
-        }
+        checkNumber(agents.size(), section.location());
         return agents;
     }
 
-    private List<PlannedAgent> agents(String name, Section section, RobotNames robots, Seeds seeds) {
-        String key = section.text("type");
-        Optional<AgentType> type = key.isEmpty()
+    /// Agents of a scenario that joins this one.
+    private List<PlannedAgent> joining(
+            Joined other, List<PlannedAgent> own, RobotNames robots, String map, Seeds seeds) {
+        other.checkRoles(robots, problems);
+        var agents = new ArrayList<PlannedAgent>();
+        var section = new Section("agents", other.agents(), problems);
+        for (String name : section.names()) {
+            Section agent = section.section(name);
+            Optional<AgentType> type = type(agent);
+            Section args = agent.section("args");
+            agent.done();
+            if (own.stream().anyMatch(one -> one.name().equals(name))) {
+                problems.add(
+                        other.at(),
+                        "There is an agent (%s) here and in scenario (%s).".formatted(name, other.name()),
+                        "Rename the one here.");
+            }
+            if (type.isEmpty()) {
+                continue;
+            }
+            checkNeeds(agent, type.get(), Optional.empty());
+            settings(args, type.get().parameters()).ifPresent(read -> {
+                other.checkPlaces(name, type.get(), read, map, problems);
+                Arguments arguments = other.here(type.get(), read, robots, problems);
+                agents.add(new PlannedAgent(
+                        name, name, type.get(), arguments, Optional.empty(), seeds.of("agent/" + name)));
+            });
+        }
+        checkNumber(own.size() + agents.size(), other.at());
+        return agents;
+    }
+
+    private Optional<AgentType> type(Section agent) {
+        String key = agent.text("type");
+        return key.isEmpty()
                 ? Optional.empty()
-                : Catalog.find("type of agent", catalog.agents(), key, section.locationOf("type"), problems);
+                : Catalog.find("type of agent", catalog.agents(), key, agent.locationOf("type"), problems);
+    }
+
+    private void checkNumber(int agents, Location at) {
+        if (agents > Format.MAX_AGENTS) {
+            problems.add(at, "There are %d agents; at most %d can be.".formatted(agents, Format.MAX_AGENTS), "");
+        }
+    }
+
+    private List<PlannedAgent> agents(String name, Section section, RobotNames robots, Seeds seeds) {
+        Optional<AgentType> type = type(section);
         Optional<Role> role = robotRole(section, robots);
         Section args = section.section("args");
         if (type.isEmpty()) {

@@ -15,6 +15,7 @@ import rsal.settings.Location;
 /// @param arguments by name, as typed
 /// @param mas key of an agent host
 /// @param mrs key of a robot system
+/// @param with a scenario that joins it, `distribution` or `distribution:found`
 /// @param limit simulated time after which the run ends
 /// @param speed simulated over real time; +∞ for as fast as it can
 public record RunOptions(
@@ -23,12 +24,14 @@ public record RunOptions(
         OptionalLong seed,
         Optional<String> mas,
         Optional<String> mrs,
+        Optional<String> with,
         Optional<Duration> limit,
         OptionalDouble speed) {
     public static final RunOptions NONE = new RunOptions(
             Optional.empty(),
             Map.of(),
             OptionalLong.empty(),
+            Optional.empty(),
             Optional.empty(),
             Optional.empty(),
             Optional.empty(),
@@ -39,23 +42,28 @@ public record RunOptions(
     }
 
     public RunOptions withConfiguration(String name) {
-        return new RunOptions(Optional.of(name), arguments, seed, mas, mrs, limit, speed);
+        return new RunOptions(Optional.of(name), arguments, seed, mas, mrs, with, limit, speed);
     }
 
     public RunOptions withArguments(Map<String, String> typed) {
-        return new RunOptions(configuration, typed, seed, mas, mrs, limit, speed);
+        return new RunOptions(configuration, typed, seed, mas, mrs, with, limit, speed);
     }
 
     public RunOptions withSeed(long number) {
-        return new RunOptions(configuration, arguments, OptionalLong.of(number), mas, mrs, limit, speed);
+        return new RunOptions(configuration, arguments, OptionalLong.of(number), mas, mrs, with, limit, speed);
+    }
+
+    /// @param scenario that joins it
+    public RunOptions withJoined(String scenario) {
+        return new RunOptions(configuration, arguments, seed, mas, mrs, Optional.of(scenario), limit, speed);
     }
 
     public RunOptions withLimit(Duration time) {
-        return new RunOptions(configuration, arguments, seed, mas, mrs, Optional.of(time), speed);
+        return new RunOptions(configuration, arguments, seed, mas, mrs, with, Optional.of(time), speed);
     }
 
     public RunOptions withSpeed(double factor) {
-        return new RunOptions(configuration, arguments, seed, mas, mrs, limit, OptionalDouble.of(factor));
+        return new RunOptions(configuration, arguments, seed, mas, mrs, with, limit, OptionalDouble.of(factor));
     }
 
     /// Where mistakes about an argument are reported to be that was typed.

@@ -28,6 +28,8 @@ import rsal.system.RobotSystemProvider;
 /// @param scene where it takes place
 /// @param things that are put into the world
 /// @param agents in the order in which they start
+/// @param with the scenario and its configuration that joins it (`distribution:found`): its agents without a robot
+/// are among the agents; empty when none does
 /// @param communication its limits; empty when everybody hears everything
 /// @param faults what goes wrong
 /// @param speed simulated over real time to begin with; +∞ for as fast as it can
@@ -47,6 +49,7 @@ public record RunPlan(
         List<PlannedRobot> robots,
         List<PlannedThings> things,
         List<PlannedAgent> agents,
+        Optional<String> with,
         Optional<Communication> communication,
         List<PlannedFault> faults,
         double speed,

@@ -77,6 +77,29 @@ public final class Scenario {
         return loadFile(nameOrFile);
     }
 
+    /// Whether it comes with the program.
+    static boolean isBuiltIn(String name) {
+        return BUILT_IN.contains(name);
+    }
+
+    /// Names of those that come with the program.
+    static List<String> builtInNames() {
+        return BUILT_IN;
+    }
+
+    /// Reads one that lies in the folder of another, for what that takes from it.
+    ///
+    /// @param path relative to that folder
+    /// @param at where it is named
+    /// @throws InvalidSettings when there is none, or with the mistakes of its head
+    static Scenario beside(Scenario host, String path, Location at) {
+        var problems = new Problems();
+        String text = host.files.text(path, Yaml.MAX_CHARACTERS, at);
+        var scenario = new Scenario(Yaml.read(path, text), host.files, problems);
+        problems.throwIfAny();
+        return scenario;
+    }
+
     /// Whether files of this name are worlds, which can be run as they are: [#load] makes a scenario of them.
     public static boolean isWorld(String name) {
         return Catalog.installed().formatOf(name).isPresent();
@@ -197,6 +220,16 @@ public final class Scenario {
     /// Whether it is but a world with all that is in it.
     public boolean isWorld() {
         return files.everywhere();
+    }
+
+    /// What a configuration lays over it; empty for one that is not written.
+    Value.Mapping overlay(String configuration) {
+        return settings.find("configurations")
+                .filter(Value.Mapping.class::isInstance)
+                .flatMap(all -> ((Value.Mapping) all).find(configuration))
+                .filter(Value.Mapping.class::isInstance)
+                .map(Value.Mapping.class::cast)
+                .orElseGet(() -> Value.Mapping.empty(location()));
     }
 
     Value.Mapping settings() {

@@ -119,20 +119,47 @@ public final class ScenarioSchema {
     /// @param partial whether it lies over something and may leave out anything
     private Map<String, Object> body(boolean partial) {
         return fields(
-                "world", world(partial),
-                "robots", named(robot(partial)),
-                "things", named(thing(partial)),
-                "agents", named(agent(partial)),
-                "mas", backEnd(partial, Format.DEFAULT_MAS, parameters(catalog.hosts(), AgentHostProvider::parameters)),
+                "world",
+                world(partial),
+                "robots",
+                named(robot(partial)),
+                "things",
+                named(thing(partial)),
+                "agents",
+                named(agent(partial)),
+                JoinReader.KEY,
+                joined(),
+                "mas",
+                backEnd(partial, Format.DEFAULT_MAS, parameters(catalog.hosts(), AgentHostProvider::parameters)),
                 "mrs",
-                        backEnd(
-                                partial,
-                                Format.DEFAULT_MRS,
-                                parameters(catalog.systems(), RobotSystemProvider::parameters)),
-                "communication", communication(),
-                "faults", list(fields("$ref", FAULT)),
-                "run", run(),
-                "measure", list(measure()));
+                backEnd(partial, Format.DEFAULT_MRS, parameters(catalog.systems(), RobotSystemProvider::parameters)),
+                "communication",
+                communication(),
+                "faults",
+                list(fields("$ref", FAULT)),
+                "run",
+                run(),
+                "measure",
+                list(measure()));
+    }
+
+    private static Map<String, Object> joined() {
+        var args = fields(
+                "type", "object", "additionalProperties", fields("type", List.of("string", "number", "boolean")));
+        return described(
+                anyOf(List.of(
+                        text(),
+                        group(
+                                fields(
+                                        "scenario", described(text(), "SCENARIO or SCENARIO:CONFIGURATION."),
+                                        "args", described(args, "Values for its arguments."),
+                                        "robots",
+                                                described(
+                                                        named(text()),
+                                                        "Which role here stands for one of its own; may be left out"
+                                                                + " where there is one role.")),
+                                List.of("scenario")))),
+                "A scenario that joins this one: its agents without a robot come along.");
     }
 
     private Map<String, Object> world(boolean partial) {

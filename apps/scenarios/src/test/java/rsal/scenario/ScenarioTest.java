@@ -154,6 +154,7 @@ class ScenarioTest {
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 OptionalDouble.of(3));
         RunPlan plan = plan(GOOD, options);
         assertThat(plan.robots()).extracting(r -> r.spec().id()).containsExactly("prey", "hunter-1");
@@ -434,6 +435,145 @@ class ScenarioTest {
                 .isEmpty();
     }
 
+    private static final String TWO_ROLES = """
+            rsal: 1
+            scenario: watch
+            arguments:
+              often: {type: number, default: 120}
+            world: {map: office}
+            robots:
+              guard: {count: 2, model: pioneer3at, pose: {free: true}}
+              thief: {model: pioneer2dx, pose: {free: true}}
+            agents:
+              run: {type: wanderer, robot: guard}
+            with: {scenario: "distribution:found", args: {interval: $often}, robots: {robot: guard}}
+            configurations:
+              first: {}
+              without: {with: {robots: {robot: thief}}}
+            """;
+
+    @Test
+    void agentsWithoutARobotOfAScenarioThatJoinsComeAlong() {
+        RunPlan plan = plan(TWO_ROLES, RunOptions.NONE.withArguments(Map.of("often", "90")));
+        assertThat(plan.with()).contains("distribution:found");
+        assertThat(plan.agents())
+                .extracting(RunPlan.PlannedAgent::name)
+                .containsExactly("run-1", "run-2", "dispersion");
+        assertThat(plan.agents().getLast().arguments().asMap())
+                .containsEntry("robots", "guard")
+                .containsEntry("places", "")
+                .containsEntry("pingInterval", 5.0)
+                .containsEntry("dispersionInterval", 90.0);
+        assertThat(plan.robots()).hasSize(3);
+        assertThat(plan.stops()).isEmpty();
+        RunPlan other = plan(TWO_ROLES, RunOptions.NONE.withConfiguration("without"));
+        assertThat(other.agents().getLast().arguments().text("robots")).isEqualTo("thief");
+    }
+
+    @Test
+    void aScenarioOfOnesOwnCanJoinAndOneThatIsTyped() {
+        String own = TWO_ROLES
+                .replace("scenario: watch", "scenario: own")
+                .replace(
+                        "  run: {type: wanderer, robot: guard}",
+                        "  spread: {type: dispersion, args: {robots: thief, places: 1 2}}")
+                .replaceAll("with: .*\n", "");
+        String host = TWO_ROLES.replaceAll("with: \\{scenario.*", "with: own.yaml:without");
+        write("own.yaml", own.replaceAll("without: .*", "without: {with: own.yaml}"));
+        assertThat(mistakes(host.replaceAll("first: .*\n.*without: .*", "first: {}")))
+                .contains("good.yaml:11:7: Nobody says which robots here are (thief) of scenario (own:without).");
+        String one = host.replaceAll("  thief: .*\n", "").replaceAll("first: .*\n.*without: .*", "first: {}");
+        assertThat(plan(one, RunOptions.NONE).agents().getLast().arguments().text("robots"))
+                .isEqualTo("guard");
+        RunPlan typed = plan(one, RunOptions.NONE.withJoined("distribution"));
+        assertThat(typed.with()).contains("distribution:virtual");
+        assertThat(typed.agents())
+                .extracting(RunPlan.PlannedAgent::name)
+                .containsExactly("run-1", "run-2", "dispersion");
+        assertThatThrownBy(() -> plan(one, RunOptions.NONE.withJoined("dispersion")))
+                .hasMessageContaining("--with dispersion: There is no scenario (dispersion).");
+    }
+
+    private void write(String file, String text) {
+        try {
+            Files.writeString(folder.resolve(file), text);
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    static Stream<List<String>> wrongJoins() {
+        String with = "with: {scenario: \"distribution:found\", args: {interval: $often}, robots: {robot: guard}}";
+        return Stream.of(
+                List.of(
+                        with,
+                        "with: distribtion",
+                        "good.yaml:11:7: There is no scenario (distribtion).",
+                        "(distribution)"),
+                List.of(
+                        with,
+                        "with: \"distribution:fond\"",
+                        "good.yaml:11:7: Scenario (distribution) has no configuration (fond).",
+                        "(found)"),
+                List.of(with, "with: there.yaml", "good.yaml:11:7: There is no file (there.yaml)."),
+                List.of(with, "with: [distribution]", "good.yaml:11:7: (with) must be a scenario, or a group with one"),
+                List.of(with, "with: {args: {interval: 3}}", "good.yaml:11:7: (with.scenario) is missing"),
+                List.of(
+                        with,
+                        "with: \"distribution:found\"",
+                        "good.yaml:11:7: Nobody says which robots here are (robot)",
+                        "roles here are: guard, thief"),
+                List.of("often}", "oftn}", "good.yaml:11:57: There is no argument (oftn).", "(often)"),
+                List.of(
+                        "interval:",
+                        "intervall:",
+                        "good.yaml:11:47: (intervall) is not known in (with.args)",
+                        "(interval)"),
+                List.of("{interval: $often}", "{interval: -1}", "good.yaml:11:", "(interval) must be"),
+                List.of(
+                        "robot: guard}}",
+                        "robot: gard}}",
+                        "good.yaml:11:82: No robots have the role (gard).",
+                        "(guard)"),
+                List.of(
+                        "robot: guard}}",
+                        "robt: guard}}",
+                        "good.yaml:11:81: Scenario (distribution:found) has no robots of role (robt).",
+                        "(robot)"),
+                List.of(
+                        "run: {type: wanderer, robot: guard}",
+                        "dispersion: {type: breaker}",
+                        "good.yaml:11:18: There is an agent (dispersion) here and in scenario (distribution:found)."),
+                List.of(
+                        with,
+                        "with: teleop",
+                        "good.yaml:11:7: Scenario (teleop:virtual) has no agents without a robot"));
+    }
+
+    @Test
+    void placesOfAnotherMapAreNoneHere() {
+        String cave = TWO_ROLES.replace("map: office", "map: cave");
+        assertThat(mistakes(cave)).isEmpty(); // they are found
+        assertThat(mistakes(cave.replace("distribution:found", "distribution")))
+                .contains(
+                        "good.yaml:11:18: (places) of agent (dispersion) are places of map (office), on which scenario"
+                                + " (distribution:virtual) is; the one here is (cave).",
+                        "args: {places:");
+        assertThat(mistakes(cave.replace("distribution:found", "distribution")
+                        .replace("$often", "$often, places: 1 2; 3 4")))
+                .isEmpty();
+    }
+
+    @ParameterizedTest
+    @MethodSource("wrongJoins")
+    void mistakesOfJoiningAreToldWhereTheyAre(List<String> example) {
+        assertThat(TWO_ROLES).contains(example.get(0));
+        String message =
+                mistakes(TWO_ROLES.replace(example.get(0), example.get(1)).replaceAll("  without: .*\n", ""));
+        assertThat(message).contains(example.subList(2, example.size())).doesNotContain("null", "Exception");
+        assertThat(message.lines().filter(line -> line.contains("good.yaml:"))).hasSize(1);
+    }
+
     @Test
     void robotSystemsThatCanNotBreakAnythingSaySo() {
         String fake = GOOD.replace("mrs: {use: sim, step: 0.05}", "mrs: {use: fake}")
@@ -510,6 +650,7 @@ class ScenarioTest {
                 Map.of(),
                 OptionalLong.empty(),
                 Optional.of("jasn"),
+                Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
                 OptionalDouble.empty());

@@ -3,10 +3,11 @@ package rsal.scenario.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.scenario.RunOptions;
@@ -23,13 +24,26 @@ class PatrolIT {
 
         /// Those who were at a place after some time.
         Set<String> guards(long after) {
-            var guards = new HashSet<String>();
-            events.stream()
+            return guards(after, Long.MAX_VALUE);
+        }
+
+        /// Those who were at a place to watch in a part of the time.
+        Set<String> guards(long after, long until) {
+            return guards(event -> event.text().contains(" was at "), after, until);
+        }
+
+        /// Those who got to where they had been sent.
+        Set<String> spread(long after, long until) {
+            return guards(event -> event.kind().equals("goal") && event.text().endsWith(": reached"), after, until);
+        }
+
+        private Set<String> guards(Predicate<RunEvent> happened, long after, long until) {
+            return events.stream()
+                    .filter(event -> event.text().startsWith("guard-") && happened.test(event))
                     .filter(event ->
-                            event.text().startsWith("guard-") && event.text().contains(" was at "))
-                    .filter(event -> event.time().toSeconds() > after)
-                    .forEach(event -> guards.add(event.text().substring(0, "guard-1".length())));
-            return guards;
+                            event.time().toSeconds() > after && event.time().toSeconds() <= until)
+                    .map(event -> event.text().substring(0, "guard-1".length()))
+                    .collect(Collectors.toSet());
         }
     }
 
@@ -100,6 +114,44 @@ class PatrolIT {
                     .extracting(RunEvent::text)
                     .anyMatch(text -> text.matches("worker-\\d, accept-proposal: meet intruder 1 .*"))
                     .anyMatch(text -> text.startsWith("patrol, inform: met at "));
+        }
+    }
+
+    @Test
+    void guardsSpreadEveryFourMinutesAndWatchInBetween() {
+        for (long seed = 1; seed <= 3; seed++) {
+            Watch watch = watch("distributed", seed, 720);
+            assertThat(watch.measure("collisions")).as("seed %d", seed).isZero();
+            assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(400);
+            for (long from = 0; from < 720; from += 240) {
+                assertThat(watch.spread(from, from + 120))
+                        .as("seed %d, from %d s", seed, from)
+                        .hasSize(4);
+                assertThat(watch.guards(from + 20, from + 240))
+                        .as("seed %d, from %d s", seed, from)
+                        .hasSize(4);
+            }
+        }
+    }
+
+    /// Every minute, which leaves less time to watch.
+    @Test
+    void whoDoesNotAnswerIsNotWaitedForWhenTheOthersSpread() {
+        for (long seed = 1; seed <= 3; seed++) {
+            Watch watch = watch(RunOptions.NONE
+                    .withConfiguration("faulty")
+                    .withJoined("distribution:found")
+                    .withSeed(seed)
+                    .withLimit(Duration.ofMinutes(10)));
+            assertThat(watch.spread(0, 200)).as("seed %d", seed).hasSize(4);
+            assertThat(watch.guards(0, 200)).as("seed %d", seed).hasSize(4);
+            for (long from = 240; from < 600; from += 120) {
+                assertThat(watch.spread(from, from + 120))
+                        .as("seed %d, from %d s", seed, from)
+                        .hasSizeGreaterThanOrEqualTo(2); // the one that is gone may be in the third one's way
+            }
+            assertThat(watch.spread(240, 600)).as("seed %d", seed).hasSize(3);
+            assertThat(watch.guards(240, 600)).as("seed %d", seed).hasSize(3);
         }
     }
 
