@@ -33,6 +33,13 @@ export interface AgentDetails {
   messages: string[];
 }
 
+export interface AgentInside {
+  agent: string;
+  mind: MindInfo | null;
+  talks: TalkInfo[];
+  hearings: HearingInfo[];
+}
+
 export interface ArgumentInfo {
   name: string;
   kind: ArgumentKind;
@@ -46,6 +53,11 @@ export interface ArgumentInfo {
 }
 
 export type ArgumentKind = 'NUMBER' | 'INTEGER' | 'TEXT' | 'FLAG';
+
+export interface BeliefInfo {
+  name: string;
+  value: string;
+}
 
 export interface Communication {
   communication: HearingInfo[];
@@ -115,6 +127,15 @@ export interface Fact {
   color: string | null;
 }
 
+export interface GoalInfo {
+  name: string;
+  state: Wanted;
+  urgency: string;
+  plans: string[];
+  steps: string[];
+  failure: string;
+}
+
 export interface GripperInfo {
   x: number;
   y: number;
@@ -154,6 +175,12 @@ export interface MeasureInfo {
   unit: string;
   min: number | null;
   max: number | null;
+}
+
+export interface MindInfo {
+  beliefs: BeliefInfo[];
+  goals: GoalInfo[];
+  left: number;
 }
 
 export interface Mistake {
@@ -280,6 +307,17 @@ export interface Speed {
 
 export type Status = 'RUNNING' | 'ENDED' | 'FAILED';
 
+export interface TalkInfo {
+  time: number;
+  from: string;
+  to: string;
+  conversation: string;
+  protocol: string;
+  act: string;
+  words: string;
+  times: number;
+}
+
 export interface ThingInfo {
   number: number;
   name: string;
@@ -296,3 +334,19 @@ export interface Things {
   gone: number[];
   left: number;
 }
+
+export interface TopicInfo {
+  topic: string;
+  said: number;
+  heard: number;
+  outOfRange: number;
+  byChance: number;
+  crowded: number;
+  byFault: number;
+}
+
+export interface Topics {
+  topics: TopicInfo[];
+}
+
+export type Wanted = 'NOT_WANTED' | 'REACHED' | 'WAITING' | 'PURSUED' | 'SUSPENDED' | 'RESTING';

@@ -2,6 +2,7 @@ package rsal.agent;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import rsal.data.Stamped;
 import rsal.device.Sensor;
@@ -70,6 +71,12 @@ public interface AgentContext {
 
     /// Shows something it believes, for people; replaces what it showed under this name.
     void show(String name, String belief);
+
+    /// Lets people look into it: when somebody does, `view` says what is there now, quickly and without
+    /// effects. Costs nothing while nobody looks. What it revealed of that type before is replaced.
+    ///
+    /// @param view asked on the run's thread; what it throws is told to those who look, and does the agent no harm
+    <T> void reveal(Class<T> type, Supplier<? extends T> view);
 
     /// Does something when the agent ends, however it ends: for letting go of what would go on without it. The
     /// last thing asked for is done first.

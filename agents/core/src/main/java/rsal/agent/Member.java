@@ -49,6 +49,7 @@ final class Member implements AgentContext {
     private final RandomGenerator random;
     private final Blackboard blackboard;
     private final Map<String, String> beliefs = new LinkedHashMap<>();
+    private final Map<Class<?>, Supplier<?>> views = new HashMap<>(); // for those who look
     private final Set<Subscription> held = new LinkedHashSet<>();
     private @Nullable Agent agent;
     private Society.Status status = Society.Status.RUNNING;
@@ -284,6 +285,25 @@ final class Member implements AgentContext {
     @Override
     public void show(String name, String belief) {
         beliefs.put(name, belief);
+    }
+
+    @Override
+    public <T> void reveal(Class<T> type, Supplier<? extends T> view) {
+        views.put(type, view);
+    }
+
+    /// What it reveals of a type now; empty when that is nothing, or when it does not run.
+    <T> Optional<T> look(Class<T> type) {
+        Supplier<?> view = status == Society.Status.RUNNING ? views.get(type) : null;
+        if (view == null) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(type.cast(view.get()));
+        } catch (RuntimeException | StackOverflowError e) {
+            throw new IllegalArgumentException(
+                    "Agent (%s) can't be looked into: %s".formatted(name(), e.getMessage()), e);
+        }
     }
 
     @Override

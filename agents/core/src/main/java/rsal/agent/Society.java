@@ -146,6 +146,14 @@ public final class Society implements AutoCloseable {
         return members.values().stream().map(Member::view).toList();
     }
 
+    /// What an agent reveals of itself now, by the type of it ([AgentContext#reveal]).
+    ///
+    /// @return empty when it reveals nothing of that type, does not run, or never was there
+    /// @throws IllegalArgumentException when it can't tell
+    public <T> Optional<T> look(String agent, Class<T> type) {
+        return Optional.ofNullable(members.get(agent)).flatMap(member -> member.look(type));
+    }
+
     /// Stops all agents, the newest first, then the host.
     @Override
     public void close() {

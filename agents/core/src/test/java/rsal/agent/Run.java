@@ -34,6 +34,10 @@ public final class Run {
         society.send(sender, to, topic, message);
     }
 
+    public <T> Optional<T> look(String name, Class<T> type) {
+        return society.look(name, type);
+    }
+
     public void stop(String name) {
         society.stop(name);
     }

@@ -93,6 +93,11 @@ final class Api {
         routes.get(
                 "/api/communication",
                 request -> answerWhenDone(request, running().communication()));
+        routes.get("/api/topics", request -> answerWhenDone(request, running().topics()));
+        routes.get("/api/agent", request -> {
+            String name = request.queryParam("name");
+            answerWhenDone(request, running().inside(name == null ? "" : name));
+        });
 
         command(routes, "pause", request -> running().pause());
         command(routes, "resume", request -> running().resume());
@@ -289,6 +294,8 @@ final class Api {
                         case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
                         case Answer.Read(var readings) -> answer(request, ReadingWords.of(readings));
                         case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));
+                        case Answer.Counted(var topics) -> answer(request, Descriptions.topics(topics));
+                        case Answer.Seen(var agent) -> answer(request, Descriptions.inside(agent));
                         case Answer.Refused(String why) -> throw new Refusal(409, why);
                     }
                 })

@@ -9,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.Society;
+import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
@@ -18,14 +19,19 @@ import rsal.scenario.Scenario;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.DeviceView;
 import rsal.scenario.run.Hearing;
+import rsal.scenario.run.Inside;
+import rsal.scenario.run.Loss;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
+import rsal.scenario.run.TopicTraffic;
 import rsal.scene.Scene;
 import rsal.server.Messages.AgentDetails;
+import rsal.server.Messages.AgentInside;
 import rsal.server.Messages.ArgumentInfo;
+import rsal.server.Messages.BeliefInfo;
 import rsal.server.Messages.Communication;
 import rsal.server.Messages.ConfigurationInfo;
 import rsal.server.Messages.Details;
@@ -33,15 +39,25 @@ import rsal.server.Messages.DeviceDetails;
 import rsal.server.Messages.DrawnMap;
 import rsal.server.Messages.Ending;
 import rsal.server.Messages.EventInfo;
+import rsal.server.Messages.GoalInfo;
 import rsal.server.Messages.HearingInfo;
 import rsal.server.Messages.MapInfo;
 import rsal.server.Messages.MeasureInfo;
+import rsal.server.Messages.MindInfo;
 import rsal.server.Messages.RobotDetails;
 import rsal.server.Messages.RunInfo;
+import rsal.server.Messages.TalkInfo;
+import rsal.server.Messages.TopicInfo;
+import rsal.server.Messages.Topics;
+import rsal.server.Messages.Wanted;
 import rsal.settings.Parameter;
 
 /// Puts a run into messages.
 final class Descriptions {
+    private static final int MOST_OF_A_MIND = 50; // beliefs, and goals
+    private static final int MOST_OF_A_GOAL = 20; // plans, and steps
+    private static final int MOST_WORDS = 200; // characters
+
     private Descriptions() {}
 
     /// @param team all robots that are or were there
@@ -104,9 +120,81 @@ final class Descriptions {
     }
 
     static Communication communication(List<Hearing> all) {
-        return new Communication(all.stream()
+        return new Communication(hearings(all));
+    }
+
+    static Topics topics(List<TopicTraffic> all) {
+        return new Topics(all.stream().map(Descriptions::topic).toList());
+    }
+
+    private static TopicInfo topic(TopicTraffic topic) {
+        return new TopicInfo(
+                topic.topic(),
+                topic.said(),
+                topic.heard(),
+                topic.lost().getOrDefault(Loss.RANGE, 0L),
+                topic.lost().getOrDefault(Loss.CHANCE, 0L),
+                topic.lost().getOrDefault(Loss.BANDWIDTH, 0L),
+                topic.lost().getOrDefault(Loss.FAULT, 0L));
+    }
+
+    private static List<HearingInfo> hearings(List<Hearing> all) {
+        return all.stream()
                 .map(one -> new HearingInfo(one.sender(), one.listener(), one.topic(), one.heard(), one.lost()))
-                .toList());
+                .toList();
+    }
+
+    static AgentInside inside(Inside agent) {
+        return new AgentInside(
+                agent.agent(),
+                agent.mind().map(Descriptions::mind),
+                agent.talks().stream()
+                        .map(said -> new TalkInfo(
+                                said.time().toNanos() / 1e9,
+                                said.from(),
+                                said.to(),
+                                said.conversation(),
+                                said.protocol(),
+                                said.act(),
+                                said.words(),
+                                said.times()))
+                        .toList(),
+                hearings(agent.hearings()));
+    }
+
+    private static MindInfo mind(Mind.View mind) {
+        return new MindInfo(
+                mind.beliefs().entrySet().stream()
+                        .limit(MOST_OF_A_MIND)
+                        .map(belief -> new BeliefInfo(clip(belief.getKey()), clip(belief.getValue())))
+                        .toList(),
+                mind.goals().stream()
+                        .limit(MOST_OF_A_MIND)
+                        .map(Descriptions::goal)
+                        .toList(),
+                Math.max(0, mind.beliefs().size() - MOST_OF_A_MIND)
+                        + Math.max(0, mind.goals().size() - MOST_OF_A_MIND));
+    }
+
+    private static GoalInfo goal(Mind.GoalView goal) {
+        double urgency = goal.urgency();
+        return new GoalInfo(
+                clip(goal.name()),
+                Wanted.valueOf(goal.state().name()),
+                urgency == Math.rint(urgency) && Math.abs(urgency) < 1e9
+                        ? String.valueOf((long) urgency)
+                        : String.format(Locale.ROOT, "%.3g", urgency),
+                clip(goal.plans()),
+                clip(goal.steps()),
+                clip(goal.failure()));
+    }
+
+    private static List<String> clip(List<String> words) {
+        return words.stream().limit(MOST_OF_A_GOAL).map(Descriptions::clip).toList();
+    }
+
+    private static String clip(String words) {
+        return words.length() <= MOST_WORDS ? words : words.substring(0, MOST_WORDS) + "…";
     }
 
     static Details details(int number, Snapshot snapshot, CompletableFuture<RunResult> result) {

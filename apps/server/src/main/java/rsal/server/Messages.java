@@ -296,9 +296,69 @@ final class Messages {
     /// @param color that it is about, `#rrggbb`
     record Fact(String name, String value, Optional<String> color) {}
 
-    /// Who heard what so far in a run that limits communication; else nothing.
+    /// Who heard what so far in a run that limits communication; else nothing. Of more than 10,000 pairs the sums only.
     record Communication(List<HearingInfo> communication) {}
 
+    /// What was said so far, by topic.
+    record Topics(List<TopicInfo> topics) {}
+
+    /// @param topic `…` for all together of which there were too many to count each
+    /// @param said how many messages
+    /// @param heard how often one of them reached an agent that listened
+    /// @param outOfRange how often one did not, as it was too far away or behind a wall
+    /// @param byChance how often one did not by chance
+    /// @param crowded how often one did not as its sender had more to say than the bandwidth allows
+    /// @param byFault how often one did not because of a fault
+    record TopicInfo(String topic, long said, long heard, long outOfRange, long byChance, long crowded, long byFault) {}
+
+    /// An agent, looked into.
+    ///
+    /// @param mind what it believes and wants, when it has a mind and runs
+    /// @param talks what it and its partners said in conversations lately, oldest first; at most 100
+    /// @param hearings what it heard of others and others of it, where that is recorded; at most 60
+    record AgentInside(String agent, Optional<MindInfo> mind, List<TalkInfo> talks, List<HearingInfo> hearings) {}
+
+    /// @param left how many beliefs and goals there are besides
+    record MindInfo(List<BeliefInfo> beliefs, List<GoalInfo> goals, int left) {}
+
+    record BeliefInfo(String name, String value) {}
+
+    /// @param urgency a number, larger for what is more urgent
+    /// @param plans the ways to reach it, in the order in which they are tried
+    /// @param steps what is done for it, from the goal inward: `collect: fetch`
+    /// @param failure which plan failed last, and why; empty when none has
+    record GoalInfo(
+            String name, Wanted state, String urgency, List<String> plans, List<String> steps, String failure) {}
+
+    enum Wanted {
+        NOT_WANTED,
+        REACHED,
+        WAITING,
+        PURSUED,
+        SUSPENDED,
+        RESTING
+    }
+
+    /// An act of a conversation.
+    ///
+    /// @param time since the run's start [s]
+    /// @param from name of the agent that said it
+    /// @param to name of the agent that it was for
+    /// @param protocol `fipa-request`
+    /// @param act `inform`
+    /// @param times how often it was said until it was heard
+    record TalkInfo(
+            double time,
+            String from,
+            String to,
+            String conversation,
+            String protocol,
+            String act,
+            String words,
+            int times) {}
+
+    /// @param sender empty for all together
+    /// @param listener empty for all together
     /// @param heard messages of the sender that reached the listener
     /// @param lost messages that the listener listened to and that did not get through
     record HearingInfo(String sender, String listener, String topic, long heard, long lost) {}

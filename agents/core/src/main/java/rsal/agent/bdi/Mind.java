@@ -17,7 +17,8 @@ import rsal.time.Scheduler;
 /// ends, or time is up, the most urgent goal that is wanted is pursued. One that is pursued and no more wanted is
 /// given up; one that is still wanted, but less urgent, waits with its plan and goes on later.
 ///
-/// All on the agent's lane. What it believes, wants and does is shown to people.
+/// All on the agent's lane. What it believes, wants and does is shown to people, and to those who look into the agent
+/// ([rsal.agent.Society#look]).
 public final class Mind {
     private final AgentContext self;
     private final Scheduler scheduler;
@@ -34,6 +35,7 @@ public final class Mind {
     public Mind(AgentContext self) {
         this.self = self;
         this.scheduler = self.scheduler();
+        self.reveal(View.class, this::view);
         self.atEnd(this::end);
     }
 
@@ -217,6 +219,7 @@ public final class Mind {
                         goal.name(),
                         state(goal),
                         goal.urgency(),
+                        goal.plans().stream().map(Goal.Plan::name).toList(),
                         intentions.containsKey(goal) ? intentions.get(goal).steps() : List.of(),
                         failures.getOrDefault(goal, "")))
                 .toList();
@@ -240,9 +243,11 @@ public final class Mind {
     /// @param goals in the order in which they were declared
     public record View(Map<String, String> beliefs, List<GoalView> goals) {}
 
+    /// @param plans names of the ways to reach it, in the order in which they are tried
     /// @param steps what is or was done for it, from the goal inward: `collect: fetch`, `open the door: push`
     /// @param failure which plan failed last, and why; empty when none has
-    public record GoalView(String name, GoalState state, double urgency, List<String> steps, String failure) {}
+    public record GoalView(
+            String name, GoalState state, double urgency, List<String> plans, List<String> steps, String failure) {}
 
     public enum GoalState {
         /// Its context does not hold.

@@ -282,6 +282,41 @@ class MindTest {
         assertThat(mind().view().beliefs()).containsEntry("charge", "0.5");
     }
 
+    @Test
+    void whoLooksIntoAnAgentSeesItsMind() {
+        agent(mind -> {
+            mind.belief("charge", 0.5);
+            mind.goal("explore")
+                    .priority(() -> 3)
+                    .plan("wander", endless("wander"))
+                    .plan("stroll", endless("stroll"));
+        });
+        assertThat(run.look("amy", Mind.View.class)).contains(mind().view());
+        assertThat(goal("explore").plans()).containsExactly("wander", "stroll");
+        assertThat(goal("explore").urgency()).isEqualTo(3);
+        run.stop("amy");
+        assertThat(run.look("amy", Mind.View.class)).isEmpty();
+        assertThat(run.look("zoe", Mind.View.class)).isEmpty();
+    }
+
+    @Test
+    void lookingDoesAnAgentNoHarmThatCannotTell() {
+        var tired = new boolean[1];
+        agent(mind -> mind.goal("explore")
+                .priority(() -> {
+                    if (tired[0]) {
+                        throw new IllegalStateException("too tired to say");
+                    }
+                    return 1;
+                })
+                .plan("wander", endless("wander")));
+        tired[0] = true;
+        assertThatThrownBy(() -> run.look("amy", Mind.View.class))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("(amy) can't be looked into");
+        assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
+    }
+
     /// Whatever happens, one plan at most has the robot, and each that began ends once.
     @Test
     void onePlanAtATimeHasTheRobot() {

@@ -9,10 +9,10 @@ import java.util.Optional;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
-import rsal.agent.Delivery;
 import rsal.agent.Message;
 import rsal.agent.Society;
 import rsal.agent.Turns;
+import rsal.agent.bdi.Mind;
 import rsal.agent.message.Alarm;
 import rsal.agent.message.Caught;
 import rsal.agent.message.ChargerTaken;
@@ -53,6 +53,7 @@ final class Agents implements AutoCloseable {
     private final Map<String, String> lastWords = new HashMap<>();
     private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
     private final Conversations conversations = new Conversations();
+    private final Talks talks;
     private Optional<Society> society = Optional.empty();
     private boolean closed;
 
@@ -72,6 +73,7 @@ final class Agents implements AutoCloseable {
         this.faults = faults;
         this.team = team;
         this.traffic = traffic;
+        this.talks = new Talks(scheduler.instant());
         this.turns = turns;
     }
 
@@ -85,10 +87,7 @@ final class Agents implements AutoCloseable {
         society = Optional.of(agents);
         agents.onMessage(message -> heard(message, simulation));
         agents.onChange(this::changed);
-        Delivery radio = plan.communication()
-                .<Delivery>map(limits -> radio(limits, simulation))
-                .orElse(Delivery.PERFECT);
-        agents.deliverBy(new Post(radio, faults, traffic));
+        agents.deliverBy(new Post(plan.communication().map(limits -> radio(limits, simulation)), faults, traffic));
     }
 
     private Radio radio(Communication limits, Optional<SimulationControl> simulation) {
@@ -150,7 +149,7 @@ final class Agents implements AutoCloseable {
         if (closed || faults.isSilent(message.sender())) {
             return;
         }
-        traffic.said();
+        traffic.said(message);
         var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
         last.addLast(message);
         if (last.size() > LAST_MESSAGES) {
@@ -193,7 +192,7 @@ final class Agents implements AutoCloseable {
                 observer.heard(found);
             }
             case Act act
-            when !conversations.isNew(message.sender(), message.to(), act) ->
+            when !isNew(message, act) ->
                 journal.hash(message.sender(), message.topic().name(), words);
             case Act act
             when act.content() instanceof NewGoal order -> {
@@ -202,6 +201,26 @@ final class Agents implements AutoCloseable {
             }
             default -> journal.event("message", message.sender(), words);
         }
+    }
+
+    private boolean isNew(Message<?> message, Act act) {
+        boolean isNew = conversations.isNew(message.sender(), message.to(), act);
+        if (isNew) {
+            talks.said(message, act);
+        } else {
+            talks.repeated(message, act);
+        }
+        return isNew;
+    }
+
+    /// What an agent believes, wants and says now; empty when there never was one of that name.
+    ///
+    /// @throws IllegalArgumentException when it can't tell
+    Optional<Inside> inside(String name) {
+        return society.filter(agents -> agents.views().stream()
+                        .anyMatch(view -> view.agent().name().equals(name)))
+                .map(agents ->
+                        new Inside(name, agents.look(name, Mind.View.class), talks.of(name), traffic.hearings(name)));
     }
 
     /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled has given way

@@ -20,12 +20,21 @@ public sealed interface Answer {
         }
     }
 
-    /// @param communication by sender, listener and topic
+    /// @param topics what was said so far, by topic
+    record Counted(List<TopicTraffic> topics) implements Answer {
+        public Counted {
+            topics = List.copyOf(topics);
+        }
+    }
+
+    /// @param communication by sender, listener and topic; nothing where it is not limited
     record Heard(List<Hearing> communication) implements Answer {
         public Heard {
             communication = List.copyOf(communication);
         }
     }
+
+    record Seen(Inside agent) implements Answer {}
 
     /// @param why a sentence for people
     record Refused(String why) implements Answer {}

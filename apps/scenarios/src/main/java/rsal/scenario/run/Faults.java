@@ -52,7 +52,7 @@ final class Faults {
         this.journal = journal;
         this.observer = observer;
         this.breaker = breaker;
-        this.mishaps = new Mishaps(traffic::lost);
+        this.mishaps = new Mishaps((message, listener) -> traffic.lost(message, listener, Loss.FAULT));
     }
 
     /// What becomes of messages.

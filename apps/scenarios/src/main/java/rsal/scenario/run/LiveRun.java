@@ -229,6 +229,16 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> new Answer.Heard(stage.hearings()));
     }
 
+    /// How much was said so far, and what became of it, as [Answer.Counted].
+    public CompletionStage<Answer> topics() {
+        return ask(stage -> new Answer.Counted(stage.topics()));
+    }
+
+    /// What an agent believes, wants and says now, as [Answer.Seen]. Looking changes nothing in the run.
+    public CompletionStage<Answer> inside(String agent) {
+        return ask(stage -> stage.inside(agent));
+    }
+
     /// Drives a robot by hand, instead of whoever else would, until [#letGo]. Must be said again and again: the robot
     /// stands still when it was not for half a second of real time, and is given back after five.
     ///

@@ -2,16 +2,18 @@ package rsal.scenario.run;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import rsal.agent.Delivery;
 import rsal.agent.Message;
 
 /// Carries messages: by radio first, then through what goes wrong besides. Counts what arrives and what does not.
 final class Post implements Delivery {
-    private final Delivery radio;
+    private final Optional<Radio> radio;
     private final Faults faults;
     private final Traffic traffic;
 
-    Post(Delivery radio, Faults faults, Traffic traffic) {
+    /// @param radio empty when all hear all
+    Post(Optional<Radio> radio, Faults faults, Traffic traffic) {
         this.radio = radio;
         this.faults = faults;
         this.traffic = traffic;
@@ -22,9 +24,9 @@ final class Post implements Delivery {
         if (faults.isSilent(message.sender()) || faults.isSilent(listener)) {
             return List.of();
         }
-        List<Duration> byRadio = radio.copies(message, listener);
+        List<Duration> byRadio = radio.map(way -> way.copies(message, listener)).orElse(AT_ONCE);
         if (byRadio.isEmpty()) {
-            traffic.lost(message, listener);
+            traffic.lost(message, listener, radio.orElseThrow().why());
             return byRadio;
         }
         Duration late = byRadio.getFirst();

@@ -38,6 +38,7 @@ final class Radio implements Delivery {
     private Instant instant = Instant.MIN;
     private @Nullable Message<?> newest;
     private Optional<Duration> turn = Optional.empty(); // how long the newest waits for it
+    private Loss why = Loss.CHANCE;
 
     private record Pair(String one, String other) {
         static Pair of(String one, String other) {
@@ -67,12 +68,28 @@ final class Radio implements Delivery {
             return AT_ONCE;
         }
         Optional<Duration> waits = turn(message);
-        if (waits.isEmpty() || !isInRange(from, to, message.time()) || isLost()) {
-            return List.of();
+        if (waits.isEmpty()) {
+            return lost(Loss.BANDWIDTH);
+        }
+        if (!isInRange(from, to, message.time())) {
+            return lost(Loss.RANGE);
+        }
+        if (isLost()) {
+            return lost(Loss.CHANCE);
         }
         Span delay = limits.delay();
         Duration late = delay.most().isZero() ? waits.get() : waits.get().plus(delay.draw(random));
         return late.isZero() ? AT_ONCE : List.of(late);
+    }
+
+    private List<Duration> lost(Loss cause) {
+        why = cause;
+        return List.of();
+    }
+
+    /// Why the message was lost that was lost last.
+    Loss why() {
+        return why;
     }
 
     private boolean isLost() {

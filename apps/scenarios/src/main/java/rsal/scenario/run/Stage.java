@@ -180,6 +180,16 @@ final class Stage implements AutoCloseable {
         return agents.views();
     }
 
+    Answer inside(String agent) {
+        return agents.inside(agent)
+                .<Answer>map(Answer.Seen::new)
+                .orElseGet(() -> new Answer.Refused("There is no agent (%s).".formatted(agent)));
+    }
+
+    List<TopicTraffic> topics() {
+        return traffic.topics();
+    }
+
     /// Who heard what so far, where communication is limited.
     List<Hearing> hearings() {
         return traffic.hearings();

@@ -1,15 +1,31 @@
 package rsal.scenario.run;
 
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import rsal.agent.Message;
 
-/// Counts what agents say and hear. Who heard what is recorded, and part of the event hash, where communication is
-/// limited: else all hear all, and a count is enough. All calls on the run's thread.
+/// Counts what agents say and hear, by topic. Who heard what is recorded, and part of the event hash, where
+/// communication
+/// is limited: else all hear all, and the counts are enough. All calls on the run's thread.
 final class Traffic {
+    private static final int MOST_TOPICS = 500;
+    private static final String OTHERS = "…";
+
     private final Journal journal;
     private final Observer observer;
     private final Optional<Hearings> hearings;
+    private final Map<String, Counts> topics = new HashMap<>();
+
+    private static final class Counts {
+        private final Map<Loss, Long> lost = new EnumMap<>(Loss.class);
+        private long said;
+        private long heard;
+    }
 
     Traffic(Journal journal, Observer observer, boolean isLimited) {
         this.journal = journal;
@@ -17,12 +33,14 @@ final class Traffic {
         this.hearings = isLimited ? Optional.of(new Hearings()) : Optional.empty();
     }
 
-    void said() {
+    void said(Message<?> message) {
         observer.messageSaid();
+        of(message).said++;
     }
 
     void heard(Message<?> message, String listener) {
         observer.messageHeard();
+        of(message).heard++;
         if (hearings.isPresent()) {
             String topic = message.topic().name();
             journal.hash("heard", message.sender(), topic, listener);
@@ -30,15 +48,38 @@ final class Traffic {
         }
     }
 
-    void lost(Message<?> message, String listener) {
+    void lost(Message<?> message, String listener, Loss why) {
         observer.messageLost();
+        of(message).lost.merge(why, 1L, Long::sum);
         String topic = message.topic().name();
         journal.hash("lost", message.sender(), topic, listener);
         hearings.ifPresent(all -> all.lost(message.sender(), listener, topic));
     }
 
+    private Counts of(Message<?> message) {
+        String topic = message.topic().name();
+        Counts known = topics.get(topic);
+        if (known != null) {
+            return known;
+        }
+        return topics.computeIfAbsent(topics.size() < MOST_TOPICS ? topic : OTHERS, _ -> new Counts());
+    }
+
+    /// What was said so far, by topic.
+    List<TopicTraffic> topics() {
+        var all = new ArrayList<TopicTraffic>();
+        new TreeMap<>(topics)
+                .forEach((topic, counts) -> all.add(new TopicTraffic(topic, counts.said, counts.heard, counts.lost)));
+        return all;
+    }
+
     /// Who heard what so far; nothing where communication is not limited.
     List<Hearing> hearings() {
         return hearings.map(Hearings::all).orElse(List.of());
+    }
+
+    /// What one agent heard and what was heard of it so far; nothing where communication is not limited.
+    List<Hearing> hearings(String agent) {
+        return hearings.map(all -> all.of(agent)).orElse(List.of());
     }
 }

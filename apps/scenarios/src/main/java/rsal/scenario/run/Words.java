@@ -29,6 +29,8 @@ import rsal.device.Navigator;
 
 /// Says things in words for people.
 final class Words {
+    private static final int MOST = 240; // characters of what is clipped
+
     private Words() {}
 
     static String of(Message<?> message) {
@@ -39,6 +41,12 @@ final class Words {
     private static String of(String to, Act act) {
         String about = content(act.content());
         return "%s, %s".formatted(to, act.performative()) + (about.isEmpty() ? "" : ": " + about);
+    }
+
+    /// What an act is about, in few words.
+    static String about(Act act) {
+        String words = content(act.content());
+        return words.length() <= MOST ? words : words.substring(0, MOST) + "…";
     }
 
     private static String content(Object content) {

@@ -56,8 +56,23 @@ class CommunicationTest {
     private Path folder;
 
     private RunPlan plan(String more) {
+        return plan(more, RunOptions.NONE);
+    }
+
+    private RunPlan plan(String more, RunOptions options) {
         Runs.write(folder.resolve("yard.yaml"), YARD);
-        return Runs.plan(folder, SCENARIO + more, RunOptions.NONE);
+        return Runs.plan(folder, SCENARIO + more, options);
+    }
+
+    /// A run that stands still after ten seconds.
+    private LiveRun stopped(String more) {
+        LiveRun run = LiveRun.start(plan(more, RunOptions.NONE.withSpeed(1))); // at full speed it might end first
+        run.pause();
+        for (int i = 0; i < 100; i++) {
+            run.step();
+        }
+        run.speed(Double.POSITIVE_INFINITY);
+        return run;
     }
 
     private static Hearing find(List<Hearing> all, String sender, String listener) {
@@ -94,11 +109,7 @@ class CommunicationTest {
 
     @Test
     void robotsBehindAWallHearEachOtherWhenTheyMeet() throws Exception {
-        try (var run = LiveRun.start(plan("communication: {range: 9, behindWalls: 3}\n"))) {
-            run.pause();
-            for (int i = 0; i < 100; i++) {
-                run.step();
-            }
+        try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
             List<Hearing> apart = recorded(run, 9);
             assertThat(find(apart, "amy", "bob").heard()).isZero();
             assertThat(find(apart, "bob", "amy").heard()).isZero();
@@ -147,6 +158,55 @@ class CommunicationTest {
         assertThat(result.communication())
                 .hasSize(6)
                 .allSatisfy(one -> assertThat(one.heard()).isBetween(115L, 121L));
+    }
+
+    @Test
+    void eachTopicTellsWhyItsMessagesWereLost() throws Exception {
+        try (var run = stopped("""
+                communication: {range: 9, behindWalls: 3, loss: 0.2, bandwidth: 9}
+                faults: [{kind: lost, share: 0.5}]
+                """)) {
+            TopicTraffic text = topics(run).getFirst();
+            assertThat(text.topic()).isEqualTo("text");
+            assertThat(text.said()).isGreaterThan(250);
+            assertThat(text.lost().keySet()).containsExactly(Loss.values());
+            assertThat(text.lost().values())
+                    .allSatisfy(count -> assertThat(count).isPositive());
+            assertThat(text.lost().get(Loss.RANGE)).isGreaterThan(100);
+        }
+    }
+
+    private static List<TopicTraffic> topics(LiveRun run) throws Exception {
+        recorded(run, 9);
+        Answer answer = run.topics().toCompletableFuture().get(10, TimeUnit.SECONDS);
+        assertThat(answer).isInstanceOf(Answer.Counted.class);
+        return ((Answer.Counted) answer).topics();
+    }
+
+    @Test
+    void withoutLimitsTopicsAreCountedAllTheSame() throws Exception {
+        try (var run = stopped("")) {
+            assertThat(recorded(run, 9)).isEmpty();
+            TopicTraffic text = topics(run).getFirst();
+            assertThat(text.heard()).isEqualTo(2 * text.said());
+            assertThat(text.lost()).isEmpty();
+        }
+    }
+
+    @Test
+    void anAgentTellsWhatItHeardOfWhom() throws Exception {
+        try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
+            assertThat(recorded(run, 9)).hasSize(6);
+            Answer answer = run.inside("amy").toCompletableFuture().get(10, TimeUnit.SECONDS);
+            assertThat(answer).isInstanceOf(Answer.Seen.class);
+            Inside amy = ((Answer.Seen) answer).agent();
+            assertThat(amy.mind()).isEmpty();
+            assertThat(amy.hearings())
+                    .extracting(one -> one.sender() + " to " + one.listener() + (one.lost() > 0 ? ", lost" : ""))
+                    .containsExactly("amy to bob, lost", "bob to amy, lost", "amy to base", "base to amy");
+            assertThat(run.inside("zoe").toCompletableFuture().get(10, TimeUnit.SECONDS))
+                    .isEqualTo(new Answer.Refused("There is no agent (zoe)."));
+        }
     }
 
     @Test

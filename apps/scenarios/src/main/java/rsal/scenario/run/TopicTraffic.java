@@ -1,0 +1,19 @@
+package rsal.scenario.run;
+
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.Map;
+
+/// How much was said about a topic, and what became of it.
+///
+/// @param topic its name; `…` for all together of which there were too many to count each
+/// @param said how many messages
+/// @param heard how often one of them reached an agent that listened
+/// @param lost how often one did not, by why; what never happened is left out
+public record TopicTraffic(String topic, long said, long heard, Map<Loss, Long> lost) {
+    public TopicTraffic {
+        var copy = new EnumMap<Loss, Long>(Loss.class);
+        copy.putAll(lost);
+        lost = Collections.unmodifiableMap(copy);
+    }
+}

@@ -1,0 +1,185 @@
+package rsal.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static rsal.server.Errand.TOKEN;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.stream.StreamSupport;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rsal.scenario.RunOptions;
+import rsal.scenario.run.LiveRun;
+import rsal.server.RawHttp.Response;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.ObjectMapper;
+
+/// What the page is told of what agents say, hear, believe and want.
+@Timeout(120)
+class CommunicationApiTest {
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    @TempDir
+    private Path directory;
+
+    private RunServer server;
+    private int port;
+    private String host;
+
+    @BeforeEach
+    void start() throws Exception {
+        server = Errand.serve("talk.yaml", directory, 0);
+        port = server.url().getPort();
+        host = "Host: 127.0.0.1:" + port;
+    }
+
+    @AfterEach
+    void stop() {
+        server.close();
+    }
+
+    private JsonNode get(String path) throws Exception {
+        Response response = RawHttp.get(port, path, host);
+        assertThat(response.status()).as(response.body()).isEqualTo(200);
+        return JSON.readTree(response.body());
+    }
+
+    /// Lets the run come so far, and stand still there.
+    private void advanceTo(double seconds) {
+        while (server.run().snapshot().time().toMillis() < 1000 * seconds) {
+            Thread.onSpinWait();
+        }
+        server.run().pause();
+        while (!server.run().snapshot().paused()) {
+            Thread.onSpinWait();
+        }
+    }
+
+    private static List<JsonNode> each(JsonNode list) {
+        return StreamSupport.stream(list.spliterator(), false).toList();
+    }
+
+    @Test
+    void tellsWhoHeardWhatAndWhyNotWithoutAToken() throws Exception {
+        advanceTo(5);
+        JsonNode topics = get("/api/topics").get("topics");
+        assertThat(each(topics))
+                .extracting(topic -> topic.get("topic").asString())
+                .contains("go", "hello", "pose")
+                .isSorted();
+        JsonNode pose = StreamSupport.stream(topics.spliterator(), false)
+                .filter(topic -> topic.get("topic").asString().equals("pose"))
+                .findFirst()
+                .orElseThrow();
+        JsonNode all = get("/api/communication").get("communication");
+        assertThat(pose.get("said").asLong()).isPositive();
+        assertThat(pose.get("outOfRange").asLong()).isZero();
+        assertThat(pose.get("heard").asLong()).isPositive().isEqualTo(sum(all, "heard"));
+        assertThat(pose.get("byChance").asLong()).isPositive().isEqualTo(sum(all, "lost"));
+    }
+
+    private static long sum(JsonNode all, String what) {
+        return StreamSupport.stream(all.spliterator(), false)
+                .filter(one -> one.get("topic").asString().equals("pose"))
+                .mapToLong(one -> one.get(what).asLong())
+                .sum();
+    }
+
+    @Test
+    void tellsWhatAnAgentTalksAboutInOrder() throws Exception {
+        advanceTo(10);
+        JsonNode spread = get("/api/agent?name=spread");
+        assertThat(spread.get("agent").asString()).isEqualTo("spread");
+        assertThat(spread.get("mind").isNull()).isTrue();
+        assertThat(each(spread.get("talks")))
+                .isNotEmpty()
+                .hasSizeLessThanOrEqualTo(100)
+                .isSortedAccordingTo((one, next) -> Double.compare(
+                        one.get("time").asDouble(), next.get("time").asDouble()))
+                .allSatisfy(said -> assertThat(
+                                said.get("from").asString() + said.get("to").asString())
+                        .contains("spread"))
+                .anySatisfy(said -> {
+                    assertThat(said.get("protocol").asString()).isEqualTo("fipa-request");
+                    assertThat(said.get("act").asString()).isEqualTo("request");
+                    assertThat(said.get("to").asString()).startsWith("nav-");
+                    assertThat(said.get("words").asString()).contains("go to");
+                });
+        assertThat(each(spread.get("hearings"))).isNotEmpty().hasSizeLessThanOrEqualTo(60);
+    }
+
+    @Test
+    void tellsWhatAnAgentBelievesAndWants() throws Exception {
+        advanceTo(10);
+        JsonNode mind = get("/api/agent?name=evade").get("mind");
+        assertThat(each(mind.get("beliefs"))).isNotEmpty();
+        assertThat(each(mind.get("goals")))
+                .extracting(goal -> goal.get("name").asString())
+                .contains("explore", "not be caught");
+        assertThat(each(mind.get("goals")))
+                .filteredOn(goal -> goal.get("state").asString().equals("PURSUED"))
+                .hasSizeLessThanOrEqualTo(1);
+        assertThat(each(mind.get("goals")))
+                .allSatisfy(goal -> assertThat(each(goal.get("plans"))).isNotEmpty())
+                .allSatisfy(goal -> assertThat(goal.get("urgency").asString()).matches("-?[0-9.e+]+"));
+    }
+
+    @Test
+    void saysWhoIsNotThere() throws Exception {
+        advanceTo(1);
+        for (String path :
+                new String[] {"/api/agent?name=nobody", "/api/agent", "/api/agent?name=" + "x".repeat(500)}) {
+            Response response = RawHttp.get(port, path, host);
+            assertThat(response.status()).isEqualTo(409);
+            assertThat(response.body()).contains("There is no agent (");
+        }
+    }
+
+    @Test
+    void openToNobodyElsesPages() throws Exception {
+        for (String path : new String[] {"/api/communication", "/api/topics", "/api/agent?name=evade"}) {
+            assertThat(RawHttp.get(port, path, "Host: example.org").status()).isEqualTo(421);
+            assertThat(RawHttp.get(port, path, host, "Origin: http://example.org")
+                            .status())
+                    .isEqualTo(403);
+            assertThat(RawHttp.post(port, path, "{}", host, "Authorization: Bearer " + TOKEN)
+                            .status())
+                    .isEqualTo(404);
+        }
+    }
+
+    @Test
+    void refusedWhenTheRunIsOver() throws Exception {
+        server.run().stop();
+        server.run().result().toCompletableFuture().join();
+        for (String path : new String[] {"/api/communication", "/api/topics", "/api/agent?name=evade"}) {
+            Response response = RawHttp.get(port, path, host);
+            assertThat(response.status()).isEqualTo(409);
+            assertThat(response.body()).contains("The run is over.");
+        }
+    }
+
+    @Test
+    void lookingChangesNothing() throws Exception {
+        String seen = hashAt(60, true);
+        assertThat(seen).isEqualTo(hashAt(60, false));
+    }
+
+    /// The hash of a run that ends at a time, looked at or not.
+    private static String hashAt(int seconds, boolean looked) throws Exception {
+        RunOptions limited = RunOptions.NONE.withLimit(Duration.ofSeconds(seconds));
+        try (var run = LiveRun.start(Errand.plan("talk.yaml", limited))) {
+            var end = run.result().toCompletableFuture();
+            while (looked && !end.isDone()) {
+                run.inside("evade").toCompletableFuture().join();
+                run.inside("spread").toCompletableFuture().join();
+                run.communication().toCompletableFuture().join();
+            }
+            return end.join().eventHash();
+        }
+    }
+}
