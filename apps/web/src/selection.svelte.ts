@@ -4,6 +4,8 @@ class Selection {
   robot = $state<number | null>(null);
   /** Number of a thing; never while a robot is selected. */
   thing = $state<number | null>(null);
+  /** Name of the agent that is looked into; that of the selected robot at first. */
+  agent = $state<string | null>(null);
   /** Name of something that will be there soon, to be selected then. */
   wanted = $state<string | null>(null);
   following = $state(false);

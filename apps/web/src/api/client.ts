@@ -2,6 +2,7 @@ import type {
   Abilities,
   Added,
   Addition,
+  AgentInside,
   Drive,
   MapInfo,
   Mistake,
@@ -13,6 +14,7 @@ import type {
   Restart,
   RobotPose,
   RunInfo,
+  Topics,
 } from './messages';
 import { access } from './access.svelte';
 import { decodeDrawn } from './drawn';
@@ -41,6 +43,8 @@ export const api = {
   goal: (to: RobotPose) => post('goal', to),
   abilities: (robot: string) => about<Abilities>('abilities', robot),
   readings: (robot: string) => about<Readings>('readings', robot),
+  agent: (name: string) => found<AgentInside>(`agent?name=${encodeURIComponent(name)}`),
+  topics: () => found<Topics>('topics'),
   drive: (wish: Drive) => post('drive', wish),
   release: (wish: Release) => post('release', wish, true),
   behavior: (wish: Order) => post('behavior', wish),
@@ -79,9 +83,12 @@ async function post(command: string, body: object = {}, evenAtTheEnd = false): P
 }
 
 /** Something about a robot; null when nobody knows any more. */
-async function about<T>(what: string, robot: string): Promise<T | null> {
+const about = <T>(what: string, robot: string) => found<T>(`${what}?robot=${encodeURIComponent(robot)}`);
+
+/** Something to look at; null when nobody knows any more. */
+async function found<T>(what: string): Promise<T | null> {
   try {
-    const response = await fetch(`/api/${what}?robot=${encodeURIComponent(robot)}`);
+    const response = await fetch(`/api/${what}`);
     return response.ok ? ((await response.json()) as T) : null;
   } catch {
     return null;

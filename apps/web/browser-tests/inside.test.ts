@@ -1,0 +1,121 @@
+import { fileURLToPath } from 'node:url';
+import { AxeBuilder } from '@axe-core/playwright';
+import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
+import { Rsal } from './rsal';
+
+const TEAM = fileURLToPath(new URL('talk.yaml', import.meta.url));
+/** Where pictures go of what was tested, for people to look at; none when it is not set. */
+const PICTURES = process.env.PICTURES;
+
+describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
+  let rsal: Rsal;
+  let browser: Browser | undefined;
+  let context: BrowserContext | undefined;
+
+  beforeAll(async () => {
+    [rsal, browser] = await Promise.all([
+      Rsal.run(TEAM, '--port', '0'),
+      driver.launch({ executablePath: chromium!, args: flags }),
+    ]);
+  });
+
+  afterAll(async () => {
+    await browser?.close();
+    await Rsal.endAll();
+  });
+
+  afterEach(() => context?.close());
+
+  async function open(width: number, height: number, colorScheme: 'light' | 'dark'): Promise<Page> {
+    context = await browser!.newContext({ viewport: { width, height }, colorScheme });
+    const page = await context.newPage();
+    await page.goto(rsal.url);
+    await page.locator('tr[data-robot][data-x]').first().waitFor();
+    return page;
+  }
+
+  const agent = (page: Page, name: string) => page.locator(`[data-agent="${name}"]`);
+  const look = (page: Page, name: string) => agent(page, name).getByRole('button').first().click();
+
+  async function picture(page: Page, name: string) {
+    if (PICTURES) {
+      await page.screenshot({ path: `${PICTURES}/${name}.png` });
+    }
+  }
+
+  async function isAccessible(page: Page) {
+    const found = await new AxeBuilder({ page }).include('.panels').analyze();
+    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+  }
+
+  it('is shown of the agent of the robot that is selected', async () => {
+    const page = await open(1400, 900, 'light');
+    await page.locator('tr[data-robot="prey"]').first().click();
+    const goals = agent(page, 'evade').getByRole('list', { name: 'What it wants' });
+    await goals.waitFor();
+    expect(await goals.locator('[data-goal]').count()).toBeGreaterThan(1);
+    await eventually(
+      async () => (await goals.locator('[data-state="PURSUED"]').count()) === 1,
+      'one goal has the robot',
+    );
+    expect(await goals.locator('[data-state="PURSUED"]').innerText()).toContain('has the robot');
+    expect(await page.locator('[data-goal]').count()).toBe(await goals.locator('[data-goal]').count());
+    const panel = (await page.getByRole('region', { name: 'Agents' }).boundingBox())!;
+    const first = (await goals.locator('[data-goal]').first().boundingBox())!;
+    expect(first.y + first.height).toBeLessThan(panel.y + panel.height);
+    await picture(page, 'mind-light');
+    await isAccessible(page);
+  });
+
+  it('tells conversations, the newest first', async () => {
+    const page = await open(1400, 900, 'dark');
+    await look(page, 'spread');
+    const talks = agent(page, 'spread').getByRole('list', { name: 'What it talks about' });
+    await talks.getByText('request', { exact: true }).first().waitFor();
+    expect(await talks.getByText(/→ nav-\d/).count()).toBeGreaterThan(0);
+    expect(await talks.getByText(/go to/).count()).toBeGreaterThan(0);
+    const seconds = (await talks.locator('.time').allInnerTexts()).map((text) =>
+      text.split(':').reduce((sum, part) => 60 * sum + Number(part), 0),
+    );
+    expect(seconds).toEqual(seconds.toSorted((one, other) => other - one));
+    await picture(page, 'talks-dark');
+    await isAccessible(page);
+    await look(page, 'spread');
+    await eventually(async () => (await talks.count()) === 0, 'it is closed again');
+  });
+
+  it('tells by topic what was said, heard and lost, and why', async () => {
+    const page = await open(1000, 900, 'light');
+    await page.getByRole('button', { name: 'By topic' }).click();
+    const pose = page.locator('[data-topic="pose"]');
+    await pose.waitFor();
+    await eventually(async () => (await pose.innerText()).includes('by chance'), 'some were lost');
+    await picture(page, 'topics-narrow');
+    await isAccessible(page);
+    await page.getByRole('button', { name: 'By topic' }).click();
+    await pose.waitFor({ state: 'detached' });
+  });
+
+  it('fits into a narrow window', async () => {
+    const page = await open(480, 900, 'dark');
+    await page.locator('tr[data-robot="prey"]').first().click();
+    await page.locator('[data-goal]').first().waitFor();
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    expect(wide).toBeLessThanOrEqual(480);
+    await agent(page, 'evade').scrollIntoViewIfNeeded();
+    await picture(page, 'mind-narrow-dark');
+  });
+
+  it('asks nothing of agents that nobody looks at', async () => {
+    const page = await open(1400, 900, 'light');
+    const asked: string[] = [];
+    page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+    await page.waitForTimeout(1500);
+    expect(asked.filter((path) => path === '/api/agent' || path === '/api/topics')).toEqual([]);
+    await look(page, 'spread');
+    await eventually(async () => Promise.resolve(asked.includes('/api/agent')), 'it asks');
+  });
+});
