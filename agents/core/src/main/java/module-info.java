@@ -21,6 +21,7 @@ module rsal.agents {
             rsal.agents.BlackboardMaster,
             rsal.agents.Ceiling,
             rsal.agents.Collect,
+            rsal.agents.Dispatch,
             rsal.agents.Dispersion,
             rsal.agents.Escape,
             rsal.agents.Evade,

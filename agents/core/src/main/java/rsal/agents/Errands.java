@@ -1,5 +1,7 @@
 package rsal.agents;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
@@ -7,13 +9,14 @@ import rsal.agent.message.GoalReached;
 import rsal.agent.message.NewGoal;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
+import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 import rsal.device.Subscription;
 
 /// Drives a robot where others want it, who tell it ([NewGoal]) or ask for it ([#service]), and says how that ended
 /// ([GoalReached]). Comes before whatever else its agent does: that stops for an errand and goes on after the last. The
-/// newest counts.
+/// newest counts; who wants the robot where it is on its way to already joins those who wait.
 final class Errands {
     private final AgentContext self;
     private final String robot;
@@ -21,7 +24,7 @@ final class Errands {
     private final Runnable before;
     private final Runnable after;
     private Subscription orders = () -> {};
-    private @Nullable NewGoal newest;
+    private @Nullable Errand newest;
     private int underWay;
     private boolean over;
 
@@ -38,7 +41,7 @@ final class Errands {
     void begin() {
         orders = self.subscribe(NewGoal.TOPIC, message -> {
             if (message.content().isFor(robot)) {
-                run(message.content(), _ -> {});
+                run(message.content(), new Waiting(_ -> {}));
             }
         });
         service(self).answer(this::answer);
@@ -56,16 +59,17 @@ final class Errands {
             return;
         }
         asked.agree();
-        run(asked.what(), end -> {
+        var waiting = new Waiting(end -> {
             if (end.reached()) {
                 asked.inform(end);
             } else {
                 asked.fail(end.words());
             }
         });
-        NewGoal order = asked.what();
+        Errand errand = run(asked.what(), waiting);
         asked.whenUnwanted(() -> {
-            if (order.equals(newest)) {
+            errand.waiting.remove(waiting);
+            if (errand.waiting.isEmpty() && errand.equals(newest)) {
                 driver.stop();
             }
         });
@@ -82,22 +86,54 @@ final class Errands {
         return underWay > 0;
     }
 
-    private void run(NewGoal order, Consumer<GoalReached> onEnd) {
+    private Errand run(NewGoal order, Waiting waiting) {
+        Pose2d mapFromGoal = order.mapFromGoal();
+        if (newest != null && isUnderWay(newest, mapFromGoal)) {
+            newest.waiting.add(waiting);
+            return newest;
+        }
+        var errand = new Errand(mapFromGoal);
+        errand.waiting.add(waiting);
         underWay++;
-        newest = order;
+        newest = errand;
         before.run();
-        self.state("driving to " + Words.place(order.mapFromGoal()));
-        driver.goTo(order.mapFromGoal(), Tolerance.DEFAULT, result -> ended(order, result, onEnd));
+        self.state("driving to " + Words.place(mapFromGoal));
+        driver.goTo(mapFromGoal, Tolerance.DEFAULT, result -> ended(errand, result));
+        return errand;
     }
 
-    private void ended(NewGoal order, Result result, Consumer<GoalReached> onEnd) {
+    private boolean isUnderWay(Errand errand, Pose2d mapFromGoal) {
+        return busy()
+                && errand.mapFromGoal.equals(mapFromGoal)
+                && driver.mapFromGoal().filter(mapFromGoal::equals).isPresent();
+    }
+
+    private void ended(Errand errand, Result result) {
         underWay--;
-        var end = new GoalReached(robot, order.mapFromGoal(), Words.ending(result), Words.reason(result));
+        var end = new GoalReached(robot, errand.mapFromGoal, Words.ending(result), Words.reason(result));
         self.publish(GoalReached.TOPIC, end);
-        onEnd.accept(end);
+        List.copyOf(errand.waiting).forEach(waiting -> waiting.onEnd.accept(end));
         if (!busy() && !over) {
-            self.state("%s: %s".formatted(Words.place(order.mapFromGoal()), end.words()));
+            self.state("%s: %s".formatted(Words.place(errand.mapFromGoal), end.words()));
             after.run();
+        }
+    }
+
+    /// A drive, and who waits for its end.
+    private static final class Errand {
+        private final Pose2d mapFromGoal;
+        private final List<Waiting> waiting = new ArrayList<>();
+
+        Errand(Pose2d mapFromGoal) {
+            this.mapFromGoal = mapFromGoal;
+        }
+    }
+
+    private static final class Waiting {
+        private final Consumer<GoalReached> onEnd;
+
+        Waiting(Consumer<GoalReached> onEnd) {
+            this.onEnd = onEnd;
         }
     }
 }

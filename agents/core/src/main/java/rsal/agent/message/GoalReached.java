@@ -5,7 +5,7 @@ import rsal.data.Pose2d;
 
 /// A robot's drive to a place has ended.
 ///
-/// @param ending `reached`, `cancelled`, `no path` or `stuck`
+/// @param ending `reached`, `cancelled`, `no path` or `stuck`; `silent` says another of a robot that does not answer
 /// @param why it did not get there, for people; empty when it did or was cancelled
 public record GoalReached(String robot, Pose2d mapFromGoal, String ending, String why) {
     public static final Topic<GoalReached> TOPIC = new Topic<>("goal-reached", GoalReached.class);
