@@ -27,6 +27,7 @@ module rsal.agents {
             rsal.agents.Evade,
             rsal.agents.Explore,
             rsal.agents.FetchMaster,
+            rsal.agents.Forage,
             rsal.agents.Follow,
             rsal.agents.Formation,
             rsal.agents.HuntMaster,

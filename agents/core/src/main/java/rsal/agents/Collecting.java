@@ -30,7 +30,7 @@ final class Collecting implements Skill<Fetch> {
     static final Parameter DEPOT_RADIUS =
             Parameter.number("depotRadius", 1.5, 0.3, 10, "m", "What lies that near to the depot is collected.");
 
-    private static final Duration SETTLING = Duration.ofSeconds(2);
+    static final Duration SETTLING = Duration.ofSeconds(2);
     private static final Duration REPEAT = Duration.ofSeconds(4);
     private static final double NEAR = 0.5; // m, of a thing by a wall
     private static final double HANDLING = 6; // m that it could drive while it aims, grips and releases

@@ -2,7 +2,6 @@ package rsal.agents;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
@@ -18,9 +17,7 @@ import rsal.behavior.Pilot;
 import rsal.behavior.PioneerStack;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
-import rsal.device.Battery;
 import rsal.device.Navigator;
-import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
@@ -47,13 +44,11 @@ final class Evader {
     private final Optional<Sight> eyes; // else it knows what they report
     private final double sight;
     private final double fear;
-    private final List<Pose2d> mapFromChargers;
+    private final Charging charging;
     private final Mind mind;
     private final List<Goal> goals = new ArrayList<>();
     private final Belief<Double> nearest; // hunter [m]
-    private final Belief<Double> charge;
     private boolean running;
-    private boolean charging;
 
     Evader(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
@@ -69,10 +64,10 @@ final class Evader {
         this.evasion = new Evasion(self, robot);
         this.sight = arguments.number(Evade.SIGHT.name());
         this.fear = arguments.number(Evade.FEAR.name());
-        this.mapFromChargers = Words.poses(arguments.places(Recharging.CHARGERS.name()));
+        this.charging = new Charging(
+                self, robot, driver, reporter::mapFromBase, arguments.places(Recharging.CHARGERS.name()), LOW, FULL);
         this.mind = new Mind(self);
         this.nearest = mind.belief("nearest hunter", Double.POSITIVE_INFINITY);
-        this.charge = mind.belief("charge", 1.0);
         this.surrender = new Surrender(
                 self, robot, hunter, arguments.number(Escape.CATCH_DISTANCE.name()), byMarkers, this::letGo);
         this.self.atEnd(pilot::release);
@@ -81,25 +76,14 @@ final class Evader {
     void begin() {
         eyes.ifPresentOrElse(Sight::begin, () -> self.subscribe(PoseReport.TOPIC, message -> hear(message.content())));
         self.subscribe(Sighting.TOPIC, message -> hear(message.content()));
-        robot.find(Battery.class)
-                .ifPresent(battery -> self.subscribe(
-                        battery, reading -> charge.set(tenths(reading.value().level() * 10) / 10)));
         reporter.begin();
         goals.add(mind.goal("not be caught")
                 .priority(() -> 10)
                 .when(() -> nearest.get() < (running ? RELIEF * fear : fear))
                 .plan("run", this::run));
-        goals.add(mind.goal("recharge")
-                .priority(() -> 5)
-                .when(this::wantsToCharge)
-                .plan("stand at a charger", this::recharge));
+        goals.add(charging.goal(mind).priority(() -> 5));
         goals.add(mind.goal("explore").priority(() -> 1).plan("follow the wall", this::explore));
         mind.begin(THINK);
-    }
-
-    private boolean wantsToCharge() {
-        charging = charge.get() < (charging ? FULL : LOW);
-        return charging && !mapFromChargers.isEmpty();
     }
 
     /// Wants nothing any more.
@@ -206,19 +190,5 @@ final class Evader {
             pilot.release();
             driver.goTo(mapFromRefuge, Tolerance.position(SAME), _ -> {});
         }
-    }
-
-    private void recharge(Doing doing) {
-        Pose2d here = reporter.mapFromBase().orElse(Pose2d.ORIGIN);
-        Pose2d mapFromCharger = mapFromChargers.stream()
-                .min(Comparator.comparingDouble(here::distanceTo))
-                .orElseThrow(); // it is wanted only with chargers
-        Runnable go = () -> driver.goTo(mapFromCharger, Recharging.DOCKED, result -> {
-            if (!(result instanceof Result.Reached || result instanceof Result.Cancelled)) {
-                doing.fail(Words.reason(result));
-            }
-        });
-        doing.onSuspend(driver::stop).onResume(go).onEnd(driver::stop);
-        go.run();
     }
 }

@@ -113,7 +113,7 @@ class EvadeTest {
         p1.navigator.end(new Result.Reached(new Pose2d(0, 30, 0)));
         charge(0.6, Charging.CHARGING);
         scene.advance(1);
-        assertThat(scene.state("p1")).isEqualTo("recharge: stand at a charger");
+        assertThat(scene.state("p1")).isEqualTo("charging at (0.0, 30.0)");
         charge(0.95, Charging.CHARGING);
         scene.advance(1);
         assertThat(scene.state("p1")).isEqualTo("explore: follow the wall");

@@ -19,6 +19,7 @@ import rsal.scenario.Scenario;
 @Timeout(600)
 class FindAndCollectIT {
     private static final Scenario SCENARIO = Scenario.load("find-and-collect");
+    private static final Scenario ALONE = Scenario.load("foraging");
 
     /// @param cans where they lie at the end
     private record Collection(RunPlan plan, RunResult result, List<RunEvent> events, List<Standing> cans) {
@@ -40,12 +41,17 @@ class FindAndCollectIT {
     }
 
     private static Collection collect(String configuration, long seed, Map<String, String> arguments) {
+        return collect(SCENARIO, configuration, seed, arguments);
+    }
+
+    private static Collection collect(
+            Scenario scenario, String configuration, long seed, Map<String, String> arguments) {
         var options = RunOptions.NONE
                 .withConfiguration(configuration)
                 .withArguments(arguments)
                 .withSeed(seed)
                 .withSpeed(Double.POSITIVE_INFINITY);
-        RunPlan plan = SCENARIO.plan(options);
+        RunPlan plan = scenario.plan(options);
         try (var run = LiveRun.start(plan)) {
             var result = run.result()
                     .toCompletableFuture()
@@ -105,6 +111,29 @@ class FindAndCollectIT {
         assertTidy(all);
         assertThat(all.measure("gone")).isOne();
         assertThat(all.measure("collisions")).isZero();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"four-rooms, 1", "four-rooms, 2", "four-rooms, 3", "office, 1", "office, 2"})
+    void foragersBringAllByThemselvesAndKeepTheirBatteriesCharged(String configuration, long seed) {
+        Collection all = collect(ALONE, configuration, seed, Map.of());
+        assertTidy(all);
+        assertThat(all.measure("collisions")).isZero();
+        all.result.measures().forEach((name, value) -> {
+            if (name.startsWith("leastCharge.")) {
+                assertThat(value.getAsDouble()).as("%s, seed %d", name, seed).isGreaterThan(0.2);
+            }
+        });
+        assertThat(all.events).extracting(RunEvent::text).contains("recharge: stand at a charger");
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void foragersBringAllWhenOneStopsAndOneSeesNothingForAWhile(long seed) {
+        Collection all = collect(ALONE, "faulty", seed, Map.of());
+        assertTidy(all);
+        assertThat(all.measure("collisions")).isZero();
+        assertThat(all.measure("gone")).isOne();
     }
 
     @ParameterizedTest
