@@ -31,6 +31,7 @@ module rsal.agents {
             rsal.agents.Follow,
             rsal.agents.Formation,
             rsal.agents.HuntMaster,
+            rsal.agents.Mapping,
             rsal.agents.Intrude,
             rsal.agents.Nav,
             rsal.agents.Swarm,

@@ -1,8 +1,11 @@
 package rsal.agents;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.agent.AgentContext;
+import rsal.agent.team.Ways;
 import rsal.agent.team.Worker;
+import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.device.Planner;
 import rsal.robot.Robot;
@@ -26,7 +29,10 @@ public final class WorkerAgent extends Kind {
         Robot robot = Body.of(self);
         var driver = new Driver(self, robot.require(Navigator.class));
         var reporter = new Reporter(self, robot, arguments, _ -> {});
-        var ways = new PlannedWays(robot.find(Planner.class), NEAR);
+        Optional<Charting> charting =
+                robot.find(Mapper.class).map(mapper -> new Charting(self, robot.id(), driver, mapper));
+        Ways planned = new PlannedWays(robot.find(Planner.class), NEAR);
+        Ways ways = charting.map(skill -> skill.ways(planned)).orElse(planned);
         var worker = new Worker(self, ways, reporter::mapFromBase, now -> {
             if (now.job().isEmpty()) {
                 self.state("waiting for a job");
@@ -35,6 +41,10 @@ public final class WorkerAgent extends Kind {
         worker.learn(Visit.class, new Visiting(self, robot.id(), driver));
         var meeting = new Meeting(self, driver, reporter::mapFromBase);
         worker.learn(Meet.class, meeting);
+        charting.ifPresent(skill -> {
+            worker.learn(Chart.class, skill);
+            skill.begin();
+        });
         var recharging = new Recharging(
                 self,
                 robot,

@@ -1,13 +1,19 @@
 package rsal.agents;
 
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
 import rsal.data.OccupancyGrid;
+import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.Mapper;
 import rsal.device.SensorCore;
 
-/// Maps nothing, and notes whether it would.
+/// Maps what a test tells it, and notes whether it would drive.
 final class FakeMapper extends SensorCore<OccupancyGrid> implements Mapper {
     private boolean paused;
+    final List<End> leftAlone = new ArrayList<>();
+    private List<End> ends = List.of();
 
     FakeMapper(String robot, boolean paused) {
         super(new DeviceInfo(robot, "explorer", "fake"));
@@ -17,6 +23,23 @@ final class FakeMapper extends SensorCore<OccupancyGrid> implements Mapper {
     @Override
     public boolean isComplete() {
         return false;
+    }
+
+    @Override
+    public List<End> ends() {
+        return ends;
+    }
+
+    @Override
+    public void leaveAlone(End end) {
+        leftAlone.add(end);
+    }
+
+    /// Has drawn a map that ends there.
+    void draws(List<End> newest, Instant now) {
+        ends = newest;
+        var map = new OccupancyGrid(1, 1, 1, 0, 0, new byte[1]);
+        deliver(new Stamped<>(now, "map", map));
     }
 
     @Override

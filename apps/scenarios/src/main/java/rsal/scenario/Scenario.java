@@ -23,16 +23,8 @@ import rsal.settings.Yaml;
 
 /// A scenario as its author wrote it, checked in itself, arguments still open. Immutable.
 public final class Scenario {
-    private static final List<String> BUILT_IN =
-            List.of(
-                    "distribution",
-                    "find-and-collect",
-                    "foraging",
-                    "hunt-and-prey",
-                    "patrol",
-                    "rescue",
-                    "swarm",
-                    "teleop");
+    private static final List<String> BUILT_IN = List.of(
+            "distribution", "find-and-collect", "foraging", "hunt-and-prey", "patrol", "rescue", "swarm", "teleop");
     private static final String FILE = "scenario.yaml";
 
     private final Value.Mapping settings;

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.device.Mapper;
 import rsal.navigation.explore.Division;
 import rsal.navigation.explore.Frontier;
 import rsal.navigation.explore.Frontiers;
@@ -66,12 +68,25 @@ final class Exploration {
 
     /// What a robot is to do on a map; nothing when it has no goal.
     ///
-    /// @param complete whether it can get to no end of the map, also to none that another one has taken
-    record Order(OccupancyGrid map, Wavefront ways, DistanceField toNotFree, Optional<Goal> goal, boolean complete) {}
+    /// @param ends of the map that it can get to, also those that another one has taken
+    /// @param complete whether it is sure that there are none
+    record Order(
+            OccupancyGrid map,
+            Wavefront ways,
+            DistanceField toNotFree,
+            Optional<Goal> goal,
+            List<Mapper.End> ends,
+            boolean complete) {}
 
     /// @param stand where it can be
     /// @param frontier that it is for
-    record Goal(Point2d stand, Point2d frontier) {}
+    record Goal(Point2d stand, Point2d frontier) {
+        /// At the stand, looking at the frontier.
+        Pose2d mapFromStand() {
+            double towards = Math.atan2(frontier.y() - stand.y(), frontier.x() - stand.x());
+            return new Pose2d(stand.x(), stand.y(), towards);
+        }
+    }
 
     private record Reach(Point2d stand, double cost) {
         static Reach none(Point2d place) {
@@ -173,9 +188,23 @@ final class Exploration {
                     toNotFree,
                     chosen.get(robot)
                             .map(i -> new Goal(own[i].stand(), frontiers.get(i).place())),
+                    ends(frontiers, own),
                     complete[robot]));
         }
         return orders;
+    }
+
+    /// @param reaches of one robot, by frontier
+    private static List<Mapper.End> ends(List<Frontier> frontiers, Reach[] reaches) {
+        var ends = new ArrayList<Mapper.End>();
+        for (int i = 0; i < reaches.length; i++) {
+            if (reaches[i].cost() < Double.POSITIVE_INFINITY) {
+                Frontier frontier = frontiers.get(i);
+                var goal = new Goal(reaches[i].stand(), frontier.place());
+                ends.add(new Mapper.End(frontier.place(), goal.mapFromStand(), frontier.length(), reaches[i].cost()));
+            }
+        }
+        return List.copyOf(ends);
     }
 
     private static OccupancyGrid map(Settings settings, List<Seen> seen, List<Ready> ready) {

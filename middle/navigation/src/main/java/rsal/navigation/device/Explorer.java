@@ -7,7 +7,6 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
-import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.GoalHandle;
@@ -43,6 +42,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private Instant since = Instant.MIN;
     private int looksForNothing; // in a row, in which there was nothing more to get to
     private boolean paused;
+    private List<End> ends = List.of();
     private Wavefront ways = nowhere();
 
     Explorer(
@@ -123,6 +123,16 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         return paused;
     }
 
+    @Override
+    public List<End> ends() {
+        return ends;
+    }
+
+    @Override
+    public void leaveAlone(End end) {
+        team.leaveAlone(end.mapFromMiddle(), scheduler.instant());
+    }
+
     /// Where it is on its way to.
     Optional<Point2d> frontier() {
         return Optional.ofNullable(frontier);
@@ -138,6 +148,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         looksForNothing = order.complete() ? looksForNothing + 1 : 0;
         deliver(new Stamped<>(scheduler.instant(), localizer.frame(), order.map()));
         ways = order.ways();
+        ends = order.ends();
         navigator.on(ways, order.toNotFree());
         if (paused) {
             return;
@@ -164,10 +175,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
             frontier = null;
             return;
         }
-        double towards = Math.atan2(
-                goal.frontier().y() - goal.stand().y(),
-                goal.frontier().x() - goal.stand().x());
-        var next = navigator.goTo(new Pose2d(goal.stand().x(), goal.stand().y(), towards), THERE);
+        var next = navigator.goTo(goal.mapFromStand(), THERE);
         drive = next;
         next.result().thenAccept(result -> ended(next, goal.frontier(), result));
     }

@@ -1,0 +1,36 @@
+package rsal.agent.message;
+
+import java.util.List;
+import rsal.agent.Topic;
+import rsal.data.Point2d;
+
+/// Where the map of a robot ends, so far. It says so again and again.
+///
+/// @param robot its id
+/// @param ends of the map that it can get to; empty when all is mapped
+public record MapEnds(String robot, List<End> ends) {
+    public static final Topic<MapEnds> TOPIC = new Topic<>("map-ends", MapEnds.class);
+
+    /// At most so many are told; there will be others when these are mapped.
+    public static final int MOST = 50;
+
+    public MapEnds {
+        ends = List.copyOf(ends);
+        if (ends.size() > MOST) {
+            throw new IllegalArgumentException(
+                    "(%s) tells %d ends of its map; at most %d can be.".formatted(robot, ends.size(), MOST));
+        }
+    }
+
+    /// Where what is free meets what nobody has seen.
+    ///
+    /// @param length of that [m]
+    public record End(Point2d mapFromMiddle, double length) {
+        public End {
+            if (!Double.isFinite(mapFromMiddle.x()) || !Double.isFinite(mapFromMiddle.y()) || !(length >= 0)) {
+                throw new IllegalArgumentException(
+                        "A map ends somewhere, not at (%s) for (%s) m.".formatted(mapFromMiddle, length));
+            }
+        }
+    }
+}

@@ -1,0 +1,12 @@
+package rsal.agents;
+
+import rsal.agent.team.Job;
+import rsal.data.Point2d;
+
+/// Go where the map ends, so that it goes on.
+record Chart(Point2d mapFromEnd) implements Job {
+    @Override
+    public String name() {
+        return "map from " + Words.place(Words.pose(mapFromEnd));
+    }
+}

@@ -1,0 +1,115 @@
+package rsal.agents;
+
+import java.time.Duration;
+import java.util.Comparator;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import rsal.agent.AgentContext;
+import rsal.agent.message.MapEnds;
+import rsal.agent.team.Course;
+import rsal.agent.team.Skill;
+import rsal.agent.team.Ways;
+import rsal.agent.team.Work;
+import rsal.device.Mapper;
+import rsal.device.Mapper.End;
+import rsal.device.Navigator.Result;
+import rsal.device.Navigator.Tolerance;
+
+/// The skill to go where the map ends, and to tell others where that is. Its robot has a mapper, which leaves the
+/// driving to it.
+final class Charting implements Skill<Chart> {
+    /// Two ends nearer to each other than this are one, as they move with each look [m].
+    static final double SAME = 1.0;
+
+    private static final Tolerance THERE = new Tolerance(0.3, 0.5); // m, rad
+    private static final Duration LOOK = Duration.ofSeconds(1);
+    private static final Duration REPEAT = Duration.ofSeconds(4);
+
+    private final AgentContext self;
+    private final String robot;
+    private final Driver driver;
+    private final Mapper mapper;
+
+    Charting(AgentContext self, String robot, Driver driver, Mapper mapper) {
+        this.self = self;
+        this.robot = robot;
+        this.driver = driver;
+        this.mapper = mapper;
+    }
+
+    void begin() {
+        mapper.pause();
+        self.subscribe(mapper, _ -> {});
+        self.scheduler().every(REPEAT, this::tell);
+    }
+
+    private void tell() {
+        if (mapper.latest().isPresent()) {
+            self.publish(
+                    MapEnds.TOPIC,
+                    new MapEnds(
+                            robot,
+                            mapper.ends().stream()
+                                    .map(end -> new MapEnds.End(end.mapFromMiddle(), end.length()))
+                                    .limit(MapEnds.MOST)
+                                    .toList()));
+        }
+    }
+
+    /// What ways cost: to where the map ends, as the mapper told last, without planning each; else by others.
+    Ways ways(Ways others) {
+        return (mapFromStart, mapFromGoal) -> mapper.ends().stream()
+                .filter(end -> end.mapFromStand().equals(mapFromGoal))
+                .findFirst()
+                .map(end -> CompletableFuture.completedStage(end.cost()))
+                .orElseGet(() -> others.cost(mapFromStart, mapFromGoal));
+    }
+
+    private Optional<End> end(Chart job) {
+        return mapper.ends().stream()
+                .filter(end -> distance(job, end) < SAME)
+                .min(Comparator.comparingDouble(end -> distance(job, end)));
+    }
+
+    private static double distance(Chart job, End end) {
+        return end.mapFromMiddle().distanceTo(job.mapFromEnd());
+    }
+
+    @Override
+    public Optional<Course> course(Chart job) {
+        return end(job).map(end -> Course.at(end.mapFromStand()));
+    }
+
+    @Override
+    public void begin(Chart job, Work work) {
+        self.state(job.name());
+        var looks = self.scheduler().every(LOOK, () -> look(job, work));
+        work.onEnd(() -> {
+            looks.cancel();
+            driver.stop();
+        });
+        end(job).ifPresentOrElse(end -> go(end, work), () -> work.done("is mapped"));
+    }
+
+    private void look(Chart job, Work work) {
+        if (end(job).isEmpty()) {
+            work.done("is mapped");
+        }
+    }
+
+    private void go(End end, Work work) {
+        driver.goTo(end.mapFromStand(), THERE, result -> {
+            if (work.isOver()) {
+                return; // somebody else's now
+            }
+            if (!(result instanceof Result.Cancelled)) {
+                mapper.leaveAlone(end);
+            }
+            if (result instanceof Result.Reached) {
+                work.done("was there");
+            } else {
+                work.fail(Words.ending(result) + ". " + Words.reason(result));
+            }
+        });
+    }
+}

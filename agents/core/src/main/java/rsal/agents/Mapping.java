@@ -1,0 +1,21 @@
+package rsal.agents;
+
+import java.util.List;
+import rsal.agent.AgentContext;
+import rsal.settings.Arguments;
+
+/// Has a team map a place that nobody knows. Needs no robot.
+public final class Mapping extends Kind {
+    public Mapping() {
+        super(
+                "mapping",
+                "Has a team map a place: whoever gets there soonest goes where the map ends, until it ends nowhere.",
+                List.of(),
+                List.of());
+    }
+
+    @Override
+    void begin(AgentContext self, Arguments arguments) {
+        new Cartography(self).begin();
+    }
+}
