@@ -298,11 +298,16 @@ final class Member implements AgentContext {
         if (view == null) {
             return Optional.empty();
         }
+        boolean begins = turn.begin();
         try {
             return Optional.of(type.cast(view.get()));
-        } catch (RuntimeException | StackOverflowError e) {
+        } catch (RuntimeException | StackOverflowError | AssertionError | LinkageError e) {
             throw new IllegalArgumentException(
                     "Agent (%s) can't be looked into: %s".formatted(name(), e.getMessage()), e);
+        } finally {
+            if (begins) {
+                turn.end();
+            }
         }
     }
 

@@ -23,6 +23,7 @@ import rsal.device.Battery;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 import rsal.robot.Robot;
+import rsal.time.Task;
 
 /// Has a robot charged, whenever its agent lets it: at the nearest charger first that no other says it goes to, then,
 /// when it gets to none or is not charged there, at the next. It is needed from when the battery is low until it is
@@ -46,6 +47,7 @@ final class Charging {
     private @Nullable Pose2d mapFromOwn; // the charger that it goes to
     private boolean needed;
     private boolean atIt;
+    private @Nullable Task look; // that is due
 
     /// @param driver the robot's, which is used only from [#start] to [#stop]
     /// @param low share of the battery below which it is needed
@@ -82,9 +84,12 @@ final class Charging {
 
     /// The goal to have a full battery, of an agent with a mind; how urgent it is its agent says.
     Goal goal(Mind mind) {
-        Belief<Double> charge = mind.belief("charge", 1.0);
-        begin(() -> battery.flatMap(Battery::latest)
-                .ifPresent(reading -> charge.set(Math.round(reading.value().level() * 100) / 100.0)));
+        battery.ifPresent(device -> {
+            Belief<Double> charge = mind.belief("charge", 1.0);
+            self.subscribe(
+                    device, reading -> charge.set(Math.round(reading.value().level() * 100) / 100.0));
+        });
+        begin(mind::think);
         return mind.goal("recharge").when(this::isNeeded).plan("stand at a charger", this::start);
     }
 
@@ -119,7 +124,19 @@ final class Charging {
     /// Lets go of the robot.
     void stop() {
         atIt = false;
+        cancelLook();
         driver.stop();
+    }
+
+    private void cancelLook() {
+        if (look != null) {
+            look.cancel();
+        }
+    }
+
+    private void lookSoon() {
+        cancelLook();
+        look = self.scheduler().after(LOOK, this::lookWhetherItIsCharged);
     }
 
     private void note(BatteryState state) {
@@ -172,7 +189,7 @@ final class Charging {
         if (result instanceof Result.Reached) {
             self.state("charging at " + Words.place(mapFromCharger));
         }
-        self.scheduler().after(LOOK, this::lookWhetherItIsCharged);
+        lookSoon();
     }
 
     private void lookWhetherItIsCharged() {
@@ -180,7 +197,7 @@ final class Charging {
                 .filter(reading -> reading.value().charging() == BatteryState.Charging.CHARGING)
                 .isPresent();
         if (fills) {
-            self.scheduler().after(LOOK, this::lookWhetherItIsCharged);
+            lookSoon();
         } else {
             goToNext();
         }

@@ -15,8 +15,8 @@ import rsal.device.Mapper.End;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 
-/// The skill to go where the map ends, and to tell others where that is. Its robot has a mapper, which leaves the
-/// driving to it.
+/// The skill to go where the map ends, and to tell others where that is, if its map is theirs, too. Its robot has a
+/// mapper, which leaves the driving to it from the first such job on.
 final class Charting implements Skill<Chart> {
     /// Two ends nearer to each other than this are one, as they move with each look [m].
     static final double SAME = 1.0;
@@ -38,13 +38,14 @@ final class Charting implements Skill<Chart> {
     }
 
     void begin() {
-        mapper.pause();
         self.subscribe(mapper, _ -> {});
         self.scheduler().every(REPEAT, this::tell);
     }
 
     private void tell() {
-        if (mapper.latest().isPresent()) {
+        boolean common =
+                mapper.latest().filter(map -> map.frame().equals("map")).isPresent();
+        if (common) { // a map of its own is no concern of others
             self.publish(
                     MapEnds.TOPIC,
                     new MapEnds(
@@ -82,6 +83,7 @@ final class Charting implements Skill<Chart> {
 
     @Override
     public void begin(Chart job, Work work) {
+        mapper.pause(); // from now on the team decides
         self.state(job.name());
         var looks = self.scheduler().every(LOOK, () -> look(job, work));
         work.onEnd(() -> {

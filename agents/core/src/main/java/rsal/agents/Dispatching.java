@@ -34,6 +34,7 @@ final class Dispatching {
     private final Map<String, NewGoal> open =
             new TreeMap<>(); // newest of each robot that has not answered what came of it
     private final Set<String> told = new HashSet<>(); // robots of whose silence people know
+    private final Set<String> ours = new HashSet<>(); // agents; the directory knows none that has ended
     private final SortedSet<String> answering = new TreeSet<>(); // robots
     private final SortedSet<String> silent = new TreeSet<>(); // robots
 
@@ -98,9 +99,14 @@ final class Dispatching {
     }
 
     private void note(Roll.Change change) {
+        String agent = change.member().name();
         String robot = change.member().robot();
-        if (robot.isEmpty()
-                || entry(change.member().name()).filter(this::isOurs).isEmpty()) {
+        if (change instanceof Roll.Change.Appeared
+                && !robot.isEmpty()
+                && self.directory().find(agent).filter(this::isOurs).isPresent()) {
+            ours.add(agent);
+        }
+        if (!ours.contains(agent)) {
             return;
         }
         switch (change) {
@@ -116,9 +122,10 @@ final class Dispatching {
                 Optional.ofNullable(open.get(robot)).ifPresent(this::tellOf);
             }
             case Roll.Change.Left _ -> {
+                ours.remove(agent);
                 answering.remove(robot);
                 silent.remove(robot);
-                open.remove(robot);
+                Optional.ofNullable(open.remove(robot)).ifPresent(this::tellOf);
             }
         }
         tell();
@@ -135,10 +142,6 @@ final class Dispatching {
 
     private boolean isOurs(Directory.Entry agent) {
         return robots.equals(NewGoal.ALL) || robots.equals(agent.robotRole()) || robots.equals(agent.robot());
-    }
-
-    private Optional<Directory.Entry> entry(String agent) {
-        return self.directory().find(agent);
     }
 
     private Optional<String> agentOf(String robot) {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.bdi.Belief;
 import rsal.agent.bdi.Doing;
@@ -45,7 +46,8 @@ final class Forager {
     private final List<CollectGoal> finds = new ArrayList<>();
     private final List<Barred> barred = new ArrayList<>();
     private List<Point2d> mapFromDepots;
-    private boolean busy;
+    private @Nullable Haul haul;
+    private boolean dropped; // for something more urgent
 
     /// What it could not fetch.
     ///
@@ -84,8 +86,8 @@ final class Forager {
         lookouts.begin();
         charging.goal(mind).priority(() -> CHARGE);
         mind.goal("bring things")
-                .priority(() -> busy ? HOLD : BRING)
-                .when(() -> busy || nearest().isPresent())
+                .priority(() -> haul == null || haul.canBeDropped() ? BRING : HOLD)
+                .when(() -> haul != null || nearest().isPresent())
                 .pause(Duration.ZERO)
                 .plan("fetch the nearest", this::fetch);
         mind.goal("find things").priority(() -> LOOK).plan("look around", this::lookAround);
@@ -119,12 +121,12 @@ final class Forager {
         Instant now = self.scheduler().instant();
         barred.removeIf(bar -> now.isAfter(bar.until));
         Point2d there = thing.mapFromThing();
-        boolean known = finds.stream().anyMatch(thing::isSame)
+        boolean isNone = finds.stream().anyMatch(thing::isSame)
                 || barred.stream().anyMatch(bar -> bar.thing.isSame(thing))
                 || self.blackboard().read(Depot.TOPIC).stream()
                         .anyMatch(depot -> depot.content().holds(there));
-        boolean inHand = busy && distance(there) < IN_FRONT;
-        if (!known && !inHand) {
+        boolean inHand = haul != null && distance(there) < IN_FRONT;
+        if (!isNone && !inHand) {
             finds.add(thing);
             tell();
         }
@@ -150,8 +152,8 @@ final class Forager {
         Point2d mapFromDepot = mapFromDepots.stream()
                 .min(Comparator.comparingDouble(thing.mapFromThing()::distanceTo))
                 .orElseThrow(); // it settles before it thinks
-        busy = true;
-        var haul = new Haul(
+        dropped = false;
+        var begun = new Haul(
                 self,
                 robot,
                 reporter,
@@ -159,11 +161,23 @@ final class Forager {
                 thing,
                 mapFromDepot,
                 why -> self.scheduler().execute(() -> ended(doing, thing, mapFromDepot, why)));
-        haul.begin();
+        haul = begun;
+        doing.onSuspend(() -> drop(begun));
+        begun.begin();
+    }
+
+    /// It goes for it again later.
+    private void drop(Haul begun) {
+        dropped = begun.canBeDropped();
+        begun.drop();
     }
 
     private void ended(Doing doing, CollectGoal thing, Point2d mapFromDepot, Optional<String> why) {
-        busy = false;
+        haul = null;
+        if (dropped) {
+            doing.fail("There was something more urgent.");
+            return;
+        }
         finds.remove(thing);
         tell();
         if (why.isEmpty()) {

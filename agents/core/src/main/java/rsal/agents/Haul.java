@@ -116,9 +116,14 @@ final class Haul {
         return stage == Stage.BRINGING || stage == Stage.RELEASING;
     }
 
+    /// Whether nothing is lost when it is dropped: it is on its way to the thing, or looks for it.
+    boolean canBeDropped() {
+        return stage == Stage.GOING || stage == Stage.AIMING;
+    }
+
     /// Nobody wants it any more. What it holds already it brings all the same.
     void drop() {
-        if (stage == Stage.GOING || stage == Stage.AIMING) {
+        if (canBeDropped()) {
             end(Optional.of("Nobody wants it any more."));
         }
     }

@@ -26,6 +26,7 @@ final class Hunter {
     private final Chasing chasing;
     private final Errands errands;
     private final Search search;
+    private int looks; // only the newest counts
 
     Hunter(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
@@ -74,8 +75,9 @@ final class Hunter {
     /// When it gets no other prey at once.
     private void lookSoon() {
         if (search.roams()) {
+            int now = ++looks;
             self.scheduler().after(MOMENT, () -> {
-                if (worker.job().isEmpty() && !errands.busy()) {
+                if (now == looks && worker.job().isEmpty() && !errands.busy()) {
                     search.goOn();
                 }
             });
@@ -91,6 +93,7 @@ final class Hunter {
             self.state("waiting for a prey");
             lookSoon();
         } else {
+            looks++;
             search.pause();
         }
         self.show("prey", now.job().map(Job::name).orElse("none"));

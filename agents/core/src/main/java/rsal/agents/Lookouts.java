@@ -60,6 +60,8 @@ final class Lookouts {
     private List<Point2d> places = List.of(); // of this round
     private int rounds;
     private boolean paused;
+    private int pauses; // what was begun before one counts no more
+    private int search; // for places; only the newest counts
     private Subscription turning = () -> {};
 
     /// @param driver the robot's, which whoever pauses this may have
@@ -88,18 +90,31 @@ final class Lookouts {
     void begin() {
         self.subscribe(Lookout.TOPIC, message -> note(message.content()));
         self.state("choosing lookouts");
-        self.scheduler().after(AGAIN, this::findPlaces);
+        findSoon();
+    }
+
+    private void findSoon() {
+        int now = ++search;
+        self.scheduler().after(AGAIN, () -> {
+            if (now == search) {
+                findPlaces();
+            }
+        });
     }
 
     /// In each round a few more than before, and so others: what none of them shows, some may show in the next.
     private void findPlaces() {
         Optional<Pose2d> mapFromBase = belief.get();
         if (mapFromBase.isEmpty()) {
-            self.scheduler().after(AGAIN, this::findPlaces);
+            findSoon();
             return;
         }
+        int now = ++search;
         finder.find(mapFromBase.get(), count + rounds * MORE, CLEARANCE)
                 .whenComplete((result, error) -> self.scheduler().execute(() -> {
+                    if (now != search) {
+                        return; // it looks again when it goes on
+                    }
                     switch (result) {
                         case PlaceFinder.Result.Found(List<Point2d> found) -> {
                             rounds++;
@@ -135,6 +150,8 @@ final class Lookouts {
     /// Lets others drive the robot, until it is to go on.
     void pause() {
         paused = true;
+        pauses++;
+        search++;
         letGo();
     }
 
@@ -153,7 +170,7 @@ final class Lookouts {
 
     private void next() {
         Optional<Pose2d> mapFromBase = belief.get();
-        if (places.isEmpty() || paused) {
+        if (paused) {
             return;
         }
         if (left.isEmpty() || mapFromBase.isEmpty()) {
@@ -167,12 +184,13 @@ final class Lookouts {
     }
 
     private void chooseOf(List<Point2d> candidates, Pose2d mapFromBase) {
+        int now = pauses;
         var told = new ArrayList<Way>();
         for (Point2d candidate : candidates) {
             ways.cost(mapFromBase, Words.pose(candidate))
                     .thenAccept(cost -> self.scheduler().execute(() -> {
                         told.add(new Way(candidate, cost));
-                        if (told.size() == candidates.size()) {
+                        if (told.size() == candidates.size() && now == pauses) {
                             go(Collections.min(told, Comparator.comparingDouble(Way::cost))
                                     .mapFromPlace());
                         }
@@ -183,14 +201,12 @@ final class Lookouts {
     private record Way(Point2d mapFromPlace, double cost) {}
 
     private void go(Point2d place) {
-        if (paused) {
-            return;
-        }
+        int now = pauses;
         left.remove(place);
         self.publish(Lookout.TOPIC, new Lookout(robot.id(), place, false));
         self.state("going to look around at " + Words.place(Words.pose(place)));
         driver.goTo(Words.pose(place), THERE, result -> {
-            if (paused) {
+            if (now != pauses) {
                 return;
             }
             if (result instanceof Navigator.Result.Reached && turn() > NONE) {

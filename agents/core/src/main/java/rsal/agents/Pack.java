@@ -30,6 +30,7 @@ final class Pack {
     private final String prey;
     private final Team team;
     private final SortedMap<String, Instant> seen = new TreeMap<>(); // when last
+    private final Set<String> lost = new HashSet<>(); // neither seen lately nor caught
     private final Set<String> caught = new HashSet<>();
 
     Pack(AgentContext self, Arguments arguments) {
@@ -59,6 +60,7 @@ final class Pack {
     }
 
     private void see(String robot) {
+        lost.remove(robot);
         if (!caught.contains(robot) && seen.put(robot, self.scheduler().instant()) == null) {
             for (int number = 1; number <= MOST; number++) {
                 double urgency = FIRST * (MOST - number);
@@ -71,18 +73,20 @@ final class Pack {
 
     private void giveUp(String robot) {
         caught.add(robot);
+        lost.remove(robot);
         letGo(robot);
     }
 
     private void forget() {
         Instant then = self.scheduler().instant().minus(LOST);
-        List<String> lost = seen.entrySet().stream()
+        List<String> gone = seen.entrySet().stream()
                 .filter(sighting -> sighting.getValue().isBefore(then))
                 .map(Map.Entry::getKey)
                 .filter(robot -> !caught.contains(robot))
                 .toList();
-        lost.forEach(robot -> {
+        gone.forEach(robot -> {
             seen.remove(robot);
+            lost.add(robot);
             letGo(robot);
         });
     }
@@ -98,7 +102,8 @@ final class Pack {
         var free = new TreeSet<>(seen.keySet());
         free.removeAll(caught);
         if (free.isEmpty()) {
-            self.state(caught.isEmpty() ? "looking for prey" : "all that were seen are caught");
+            boolean all = lost.isEmpty() && !caught.isEmpty();
+            self.state(all ? "all that were seen are caught" : "looking for prey");
         } else {
             self.state("hunting " + String.join(", ", free));
         }

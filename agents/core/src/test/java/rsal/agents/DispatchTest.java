@@ -80,6 +80,19 @@ class DispatchTest {
     }
 
     @Test
+    void tellsWhenARobotsAgentHasEndedOnItsWay() {
+        scene.order("r1", 3, -1);
+        scene.advance(2);
+        assertThat(r1.navigator.driving()).isTrue();
+        scene.society.stop("r1");
+        scene.advance(8);
+        assertThat(scene.said("dispatch", GoalReached.TOPIC))
+                .singleElement()
+                .satisfies(end -> assertThat(end.silent()).isTrue());
+        assertThat(scene.state("dispatch")).isEqualTo("1 of 1 robots answer");
+    }
+
+    @Test
     void onlyWherePeopleSentARobotLastCounts() {
         silence("r1");
         scene.order("r1", 3, -1);

@@ -2,6 +2,7 @@ package rsal.agents;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,10 +23,16 @@ class EvadeTest {
     private final FakeBattery battery = new FakeBattery("p1");
 
     private void preyAtOrigin() {
+        preyAtOrigin("0 30");
+    }
+
+    private void preyAtOrigin(String chargers) {
         p1.places.result =
                 new PlaceFinder.Result.Found(List.of(new Point2d(20, 0), new Point2d(-20, 0), new Point2d(0, 15)));
         var robot = p1.robot.with(p1.places).with(battery).with(new FakePlanner("p1"));
-        scene.start("evade", "p1", Optional.of(robot), HUNTED);
+        var arguments = new HashMap<String, Object>(HUNTED);
+        arguments.put("chargers", chargers);
+        scene.start("evade", "p1", Optional.of(robot), arguments);
         p1.isAt(0, 0);
         scene.advance(0);
     }
@@ -33,6 +40,7 @@ class EvadeTest {
     @Test
     void exploresUntilAHunterIsNearAndRunsWhereItHasTheGreatestLead() {
         preyAtOrigin();
+        assertThat(scene.view("p1").beliefs()).containsEntry("nearest hunter", "∞");
         scene.report("h1", "hunter", 9, 0);
         scene.advance(2);
         assertThat(scene.state("p1")).isEqualTo("explore: follow the wall");
@@ -117,6 +125,25 @@ class EvadeTest {
         charge(0.95, Charging.CHARGING);
         scene.advance(1);
         assertThat(scene.state("p1")).isEqualTo("explore: follow the wall");
+    }
+
+    @Test
+    void oneThatWasInterruptedAtAChargerGoesToOneAndNotToAndFro() {
+        preyAtOrigin("0 30; 0 -30");
+        charge(0.2, Charging.DISCHARGING);
+        scene.advance(1);
+        p1.navigator.reach();
+        charge(0.3, Charging.CHARGING);
+        scene.advance(1);
+        scene.report("h1", "hunter", 5, 0);
+        scene.advance(1);
+        charge(0.3, Charging.DISCHARGING);
+        scene.report("h1", "hunter", 9, 0);
+        scene.advance(1);
+        int goals = p1.navigator.goals.size();
+        assertThat(p1.navigator.goals.getLast().x()).isZero();
+        scene.advance(30);
+        assertThat(p1.navigator.goals).hasSize(goals);
     }
 
     private void charge(double level, Charging charging) {

@@ -82,8 +82,9 @@ class ForageTest {
     @Test
     void bringsWhatItHoldsBeforeItGoesToTheCharger() {
         isSeenAhead(5);
-        charge(0.1, Charging.DISCHARGING);
         grips();
+        charge(0.1, Charging.DISCHARGING);
+        scene.advance(2);
         assertThat(goal()).as("its depot").isEqualTo(new Pose2d(0, 0, 0));
         body.isAt(0, 0);
         body.navigator.reach();
@@ -97,6 +98,17 @@ class ForageTest {
         charge(0.95, Charging.CHARGING);
         scene.advance(1);
         assertThat(goal()).isEqualTo(LOOKOUT);
+    }
+
+    @Test
+    void turnsBackToTheChargerWhileItsHandsAreEmptyAndFetchesLater() {
+        isSeenAhead(5);
+        charge(0.1, Charging.DISCHARGING);
+        scene.advance(2);
+        assertThat(goal()).isEqualTo(CHARGER);
+        charge(0.95, Charging.CHARGING);
+        scene.advance(2);
+        assertThat(goal()).isEqualTo(new Pose2d(5, 0, 0));
     }
 
     @Test

@@ -47,8 +47,10 @@ class MappingTest {
     }
 
     @Test
-    void theirMappersLeaveTheDrivingToThem() {
-        assertThat(westMap.paused()).isTrue();
+    void theirMappersLeaveTheDrivingToThemOnceTheTeamMaps() {
+        assertThat(eastMap.paused()).isFalse();
+        mapEndsAt(26);
+        assertThat(eastMap.paused()).isTrue();
     }
 
     @Test

@@ -108,6 +108,7 @@ final class PlanReader {
                 .collect(Collectors.toSet());
         List<PlannedThings> things =
                 new ThingReader(names, map, inWorld, robotReader.taken(), seeds, problems).read(root.section("things"));
+        checkMarkers(roles, things, root.locationOf("things"));
         int before = problems.all().size();
         List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), names, seeds));
         Optional<Joined> joined = new JoinReader(scenario, catalog, problems).read(root);
@@ -498,6 +499,39 @@ final class PlanReader {
                                     DeviceReader.words(missing),
                                     role.get().name()),
                     "Add it to (robots.%s.devices).".formatted(role.get().name()));
+        }
+    }
+
+    /// Finders of markers must not take one for another.
+    private void checkMarkers(List<Role> roles, List<PlannedThings> things, Location atThings) {
+        var wearers = new HashMap<Integer, String>();
+        for (Role role : roles) {
+            for (PlannedRobot robot : role.robots()) {
+                robot.spec()
+                        .marker()
+                        .ifPresent(marker -> note(
+                                wearers,
+                                marker,
+                                robot.spec().id(),
+                                role.section().locationOf(Format.FIDUCIAL.name())));
+            }
+        }
+        for (PlannedThings.PlannedThing thing :
+                things.stream().flatMap(group -> group.each().stream()).toList()) {
+            thing.thing()
+                    .marker()
+                    .ifPresent(
+                            marker -> note(wearers, marker.id(), thing.thing().name(), atThings));
+        }
+    }
+
+    private void note(Map<Integer, String> wearers, int marker, String name, Location at) {
+        String other = wearers.putIfAbsent(marker, name);
+        if (other != null) {
+            problems.add(
+                    at,
+                    "(%s) and (%s) wear the same marker (%d).".formatted(other, name, marker),
+                    "Give (fiducial) of one group another number, so that its ids don't meet the other's.");
         }
     }
 

@@ -103,6 +103,8 @@ class ScenarioTest {
                 .extracting(robot -> robot.spec().marker())
                 .containsExactly(OptionalInt.empty(), OptionalInt.of(21), OptionalInt.of(22));
         assertThat(mistakes(marked.replace("fiducial: 21", "fiducial: -1"))).contains("robots.hunter.fiducial");
+        String twice = marked.replace("    model: pioneer2dx\n", "    model: pioneer2dx\n    fiducial: 22\n");
+        assertThat(mistakes(twice)).contains("(prey) and (hunter-2) wear the same marker (22).");
     }
 
     @Test

@@ -184,8 +184,13 @@ public final class Mind {
         think();
     }
 
+    /// For people.
+    private static String words(Object value) {
+        return value instanceof Double number && number == Double.POSITIVE_INFINITY ? "∞" : String.valueOf(value);
+    }
+
     void believes(Belief<?> belief) {
-        self.show(belief.name(), String.valueOf(belief.get()));
+        self.show(belief.name(), words(belief.get()));
         think();
     }
 
@@ -213,7 +218,7 @@ public final class Mind {
     /// What is in it now, for people.
     public View view() {
         var believed = new LinkedHashMap<String, String>();
-        beliefs.forEach((name, belief) -> believed.put(name, String.valueOf(belief.get())));
+        beliefs.forEach((name, belief) -> believed.put(name, words(belief.get())));
         List<GoalView> wanted = goals.stream()
                 .map(goal -> new GoalView(
                         goal.name(),

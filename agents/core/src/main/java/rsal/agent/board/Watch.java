@@ -8,6 +8,9 @@ import rsal.device.Subscription;
 
 /// What an agent has heard of a part of a board, ready to be read without asking. On the agent's lane.
 public final class Watch<M> implements Subscription {
+    /// How many notes it remembers, the newest: more than it shows, as those that it shows may go.
+    private static final int MOST = 10_000;
+
     private final InstantSource clock;
     private final long number;
     private final Query<M> query;
@@ -87,9 +90,12 @@ public final class Watch<M> implements Subscription {
         }
         changes.gone().forEach(heard::remove);
         changes.notes().stream().filter(query::wants).forEach(note -> heard.put(note.key(), query.typed(note)));
-        if (heard.size() > 2 * query.most()) {
-            List<Note.Key> newest = notes().stream().map(Note::key).toList();
-            heard.keySet().retainAll(newest);
+        if (heard.size() > MOST) {
+            fade();
+            query.among(heard.values().stream()).stream()
+                    .skip(MOST)
+                    .map(Note::key)
+                    .forEach(heard::remove);
         }
         listener.run();
     }

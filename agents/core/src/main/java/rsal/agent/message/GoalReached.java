@@ -18,6 +18,11 @@ public record GoalReached(String robot, Pose2d mapFromGoal, String ending, Strin
         return ending.equals("cancelled");
     }
 
+    /// Another says it: nothing is heard of the robot. What becomes of its drive may be heard yet.
+    public boolean silent() {
+        return ending.equals("silent");
+    }
+
     /// `stuck. A box is ahead.`
     public String words() {
         return why.isEmpty() ? ending : ending + ". " + why;

@@ -105,6 +105,21 @@ class TeamBoardTest {
     }
 
     @Test
+    void whenTheNewestGoesThatIsWatchedTheNextIsShown() {
+        keeper(run, "master");
+        var amy = new User(run, "amy");
+        Watch<String> newest = amy.board().watch(Query.of(CANS).newest(1), () -> {});
+        for (int can = 1; can <= 5; can++) {
+            amy.write("can-" + can, "red");
+            run.advance(1);
+        }
+        assertThat(words(newest)).containsExactly("amy can-5: red");
+        amy.board().erase(CANS, "can-5");
+        run.advance(1);
+        assertThat(words(newest)).containsExactly("amy can-4: red");
+    }
+
+    @Test
     void placesAreFoundByDistance() {
         keeper(run, "master");
         var amy = new User(run, "amy");

@@ -18,6 +18,7 @@ import rsal.agent.message.Caught;
 import rsal.agent.message.ChargerTaken;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.Hello;
+import rsal.agent.message.MapEnds;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
@@ -164,7 +165,7 @@ final class Agents implements AutoCloseable {
                 journal.hash(message.sender(), message.topic().name(), words);
                 observer.heard(message.sender(), ranks);
             }
-            case PoseReport _, PoseRequest _, ChargerTaken _, Alarm _ ->
+            case PoseReport _, PoseRequest _, ChargerTaken _, Alarm _, MapEnds _ ->
                 journal.hash(message.sender(), message.topic().name(), words);
             case NewGoal order -> {
                 journal.event("goal", message.sender(), words);
@@ -224,12 +225,14 @@ final class Agents implements AutoCloseable {
     }
 
     /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled has given way
-    /// to another, maybe to the same place again.
+    /// to another, maybe to the same place again; of one that is silent more may be heard.
     private void ended(GoalReached end) {
         if (end.cancelled() || !end.mapFromGoal().equals(mapFromAsked.get(end.robot()))) {
             return;
         }
-        mapFromAsked.remove(end.robot());
+        if (!end.silent()) {
+            mapFromAsked.remove(end.robot());
+        }
         if (!end.reached()) {
             journal.event(
                     "unreached",

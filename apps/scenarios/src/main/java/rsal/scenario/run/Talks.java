@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import rsal.agent.Message;
@@ -16,8 +16,16 @@ final class Talks {
     /// How many acts of one agent and its partners are kept.
     static final int MOST = 100;
 
+    /// How many agents' words are kept: acts may be for names that nobody has.
+    private static final int MOST_AGENTS = 4_000;
+
     private final Instant began;
-    private final Map<String, Deque<Line>> byAgent = new HashMap<>();
+    private final Map<String, Deque<Line>> byAgent = new LinkedHashMap<>(16, 0.75f, true) { // whoever spoke last, last
+                @Override
+                protected boolean removeEldestEntry(Map.Entry<String, Deque<Line>> eldest) {
+                    return size() > MOST_AGENTS;
+                }
+            };
 
     private static final class Line {
         private final Message<?> message;

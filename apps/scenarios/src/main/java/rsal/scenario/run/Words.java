@@ -13,6 +13,7 @@ import rsal.agent.message.Depot;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.Hello;
 import rsal.agent.message.Lookout;
+import rsal.agent.message.MapEnds;
 import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
@@ -51,6 +52,9 @@ final class Words {
 
     private static String content(Object content) {
         return switch (content) {
+            case MapEnds told ->
+                "map of %s ends at %d places"
+                        .formatted(told.robot(), told.ends().size());
             case PoseReport report -> "%s is at %s".formatted(report.robot(), of(report.mapFromBase()));
             case PoseRequest request -> "%s, where are you?".formatted(request.robot());
             case NewGoal goal -> "%s, go to %s".formatted(goal.robot(), of(goal.mapFromGoal()));

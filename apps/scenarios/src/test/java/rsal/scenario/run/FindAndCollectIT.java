@@ -124,7 +124,9 @@ class FindAndCollectIT {
                 assertThat(value.getAsDouble()).as("%s, seed %d", name, seed).isGreaterThan(0.2);
             }
         });
-        assertThat(all.events).extracting(RunEvent::text).contains("recharge: stand at a charger");
+        if (configuration.equals("office")) { // where it takes long enough
+            assertThat(all.events).extracting(RunEvent::text).contains("recharge: stand at a charger");
+        }
     }
 
     @ParameterizedTest
