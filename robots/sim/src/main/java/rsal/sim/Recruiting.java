@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
 import rsal.data.Pose2d;
@@ -45,8 +44,7 @@ final class Recruiting {
 
     /// @return empty when there is no room for it; [World#obstacle] says why
     Optional<SimRobot> recruit(String id, Kind like, Pose2d mapFromBase) {
-        OptionalInt marker = id.equals(like.spec().id()) ? like.spec().marker() : OptionalInt.empty();
-        List<Block> blocks = marker.equals(like.spec().marker()) ? like.blocks() : Lineup.marked(like.blocks(), 0);
+        List<Block> blocks = like.spec().marker().isEmpty() ? like.blocks() : Lineup.marked(like.blocks(), 0);
         List<Chunk> body = chunks.computeIfAbsent(blocks, Chunk::of);
         if (!world.hasRoom(body, mapFromBase, like.height(), 0)) {
             return Optional.empty();
@@ -56,8 +54,7 @@ final class Recruiting {
                 like.spec().role(),
                 like.spec().model(),
                 Optional.of(mapFromBase),
-                like.spec().color(),
-                marker);
+                like.spec().color());
         Body added = world.add(id, body, mapFromBase, like.height());
         SimRobot robot = assembly.robot(spec, added);
         if (like.odometryKnowsMap()) {

@@ -91,8 +91,6 @@ class SimComingTest {
         assertThat(markers(seeing)).containsExactly(OptionalInt.of(5));
         assertThat(seeing.simulation.removeRobot("b")).isTrue();
         assertThat(markers(seeing)).isEmpty();
-        assertThat(seeing.simulation.addRobot("b", "b", THERE)).isEqualTo(PLACED);
-        assertThat(markers(seeing)).as("the same robot comes back").containsExactly(OptionalInt.of(5));
     }
 
     /// That robot `a` sees.
