@@ -3,24 +3,48 @@ package rsal.navigation.wavefront;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
 /// The waves of a map: one each for the goals that were asked for more than once, as far as it had to spread, and
 /// some to lend. Goals asked for the first time, as of those who follow something that moves, are not worth a wave
-/// that lasts. Safe for several threads.
+/// that lasts. When there is no room for one more, a goal gets the wave of another that it was asked for
+/// [#ASKED_SINCE] times since, so that no wave goes to and fro between many goals that are all in use (as LRU-K has
+/// it: E. O'Neil, P. O'Neil, G. Weikum, SIGMOD 1993). Safe for several threads.
 final class Waves {
     private static final int MOST_KEPT = 16;
     private static final int CELLS_KEPT = 16_000_000; // of all waves together; 64 MB
+    private static final int ASKED_SINCE = 3;
     private static final int GOALS_REMEMBERED = 256;
 
     private final CostMap map;
     private final List<Kept> kept = new ArrayList<>();
-    private final LinkedHashSet<Integer> askedOnce = new LinkedHashSet<>();
+    private final Map<Integer, Asked> waiting = new LinkedHashMap<>(); // goals without a wave, oldest first
     private final ArrayDeque<Wave> lent = new ArrayDeque<>();
     private long asked;
+
+    /// When a goal was asked for: the last times, as many as count.
+    private static final class Asked {
+        private final ArrayDeque<Long> times = new ArrayDeque<>(ASKED_SINCE);
+
+        void at(long time) {
+            if (times.size() == ASKED_SINCE) {
+                times.removeFirst();
+            }
+            times.addLast(time);
+        }
+
+        boolean isAgain() {
+            return times.size() > 1;
+        }
+
+        boolean isOftenSince(long time) {
+            return times.size() == ASKED_SINCE && times.getFirst() > time;
+        }
+    }
 
     /// A wave from a goal. Whoever looks at the wave or lets it spread holds its lock.
     static final class Kept {
@@ -70,28 +94,39 @@ final class Waves {
     }
 
     private synchronized Optional<Kept> kept(int goalCell) {
-        Optional<Kept> found = kept.stream().filter(one -> one.goal == goalCell).findFirst();
-        if (found.isEmpty() && askedOnce.add(goalCell)) {
-            if (askedOnce.size() > GOALS_REMEMBERED) {
-                askedOnce.removeFirst();
-            }
-            return Optional.empty();
-        }
-        Kept wanted = found.orElseGet(this::another);
-        wanted.goal = goalCell;
-        wanted.asked = ++asked;
-        return Optional.of(wanted);
+        asked++;
+        Optional<Kept> wanted =
+                kept.stream().filter(one -> one.goal == goalCell).findFirst().or(() -> another(goalCell));
+        wanted.ifPresent(one -> one.asked = asked);
+        return wanted;
     }
 
-    /// One more, or that which was not asked for the longest.
-    private Kept another() {
+    /// A wave for a goal that has none, once it was asked for often enough.
+    private Optional<Kept> another(int goalCell) {
+        Asked times = waiting.computeIfAbsent(goalCell, _ -> new Asked());
+        times.at(asked);
+        if (waiting.size() > GOALS_REMEMBERED) {
+            waiting.remove(waiting.keySet().iterator().next());
+        }
+        Optional<Kept> found = times.isAgain() ? room(times) : Optional.empty();
+        found.ifPresent(one -> {
+            one.goal = goalCell;
+            waiting.remove(goalCell);
+        });
+        return found;
+    }
+
+    /// A new wave while there is room, else that which was not asked for the longest, if it may be had.
+    private Optional<Kept> room(Asked times) {
         boolean full = kept.size() >= MOST_KEPT || (kept.size() + 1L) * map.costs().length > CELLS_KEPT;
         if (full && !kept.isEmpty()) {
-            return kept.stream().min(Comparator.comparingLong(one -> one.asked)).orElseThrow();
+            return kept.stream()
+                    .min(Comparator.comparingLong(one -> one.asked))
+                    .filter(one -> times.isOftenSince(one.asked));
         }
         var made = new Kept(new Wave(map));
         kept.add(made);
-        return made;
+        return Optional.of(made);
     }
 
     private synchronized Wave taken() {
