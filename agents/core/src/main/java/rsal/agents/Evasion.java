@@ -151,7 +151,7 @@ final class Evasion {
 
     /// @param told what the ways cost [m]; +∞ where that is not known
     private void costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals, Consumer<List<Double>> told) {
-        planner.costs(mapFromStart, mapFromGoals)
+        planner.costs(mapFromStart, mapFromGoals, Double.POSITIVE_INFINITY)
                 .exceptionally(_ -> Collections.nCopies(mapFromGoals.size(), Double.POSITIVE_INFINITY))
                 .thenAccept(costs -> self.scheduler().execute(() -> told.accept(costs)));
     }

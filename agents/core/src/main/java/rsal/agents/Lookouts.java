@@ -3,7 +3,6 @@ package rsal.agents;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -185,20 +184,13 @@ final class Lookouts {
 
     private void chooseOf(List<Point2d> candidates, Pose2d mapFromBase) {
         int now = pauses;
-        var told = new ArrayList<Way>();
-        for (Point2d candidate : candidates) {
-            ways.cost(mapFromBase, Words.pose(candidate))
-                    .thenAccept(cost -> self.scheduler().execute(() -> {
-                        told.add(new Way(candidate, cost));
-                        if (told.size() == candidates.size() && now == pauses) {
-                            go(Collections.min(told, Comparator.comparingDouble(Way::cost))
-                                    .mapFromPlace());
-                        }
-                    }));
-        }
+        ways.costs(mapFromBase, Words.poses(candidates))
+                .thenAccept(costs -> self.scheduler().execute(() -> {
+                    if (now == pauses) {
+                        go(candidates.get(costs.indexOf(Collections.min(costs))));
+                    }
+                }));
     }
-
-    private record Way(Point2d mapFromPlace, double cost) {}
 
     private void go(Point2d place) {
         int now = pauses;

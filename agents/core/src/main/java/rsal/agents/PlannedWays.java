@@ -1,5 +1,7 @@
 package rsal.agents;
 
+import java.util.Collections;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -35,5 +37,18 @@ final class PlannedWays implements Ways {
             case Planner.Result.Found found when found.offGoal() <= near -> found.cost();
             case null, default -> Double.POSITIVE_INFINITY;
         });
+    }
+
+    /// What ways from one place to several cost, in the goals' order; comes on the scheduler's thread. Takes less than
+    /// to
+    /// ask for each.
+    CompletionStage<List<Double>> costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals) {
+        if (planner.isEmpty()) {
+            return CompletableFuture.completedStage(
+                    mapFromGoals.stream().map(mapFromStart::distanceTo).toList());
+        }
+        return planner.get()
+                .costs(mapFromStart, mapFromGoals, near)
+                .exceptionally(_ -> Collections.nCopies(mapFromGoals.size(), Double.POSITIVE_INFINITY));
     }
 }

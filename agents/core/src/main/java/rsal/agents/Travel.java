@@ -3,8 +3,6 @@ package rsal.agents;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.TreeMap;
-import java.util.stream.Collectors;
 import rsal.agent.AgentContext;
 import rsal.agent.Capability;
 import rsal.agent.protocol.Request;
@@ -49,22 +47,8 @@ final class Travel {
             asked.refuse("I don't know where I am.");
             return;
         }
-        if (asked.what().mapFromPlaces().isEmpty()) {
-            asked.inform(new Costs(List.of()));
-            return;
-        }
-        List<Pose2d> places = asked.what().mapFromPlaces();
-        var told = new TreeMap<Integer, Double>(); // cost by number of the place
-        for (int i = 0; i < places.size(); i++) {
-            int number = i;
-            ways.cost(mapFromBase.get(), places.get(i))
-                    .thenAccept(cost -> self.scheduler().execute(() -> {
-                        told.put(number, cost);
-                        if (told.size() == places.size()) {
-                            asked.inform(new Costs(List.copyOf(told.values())));
-                        }
-                    }));
-        }
+        ways.costs(mapFromBase.get(), asked.what().mapFromPlaces())
+                .thenAccept(costs -> self.scheduler().execute(() -> asked.inform(new Costs(costs))));
     }
 
     /// Where somebody might go, in the map.
@@ -78,7 +62,7 @@ final class Travel {
 
         @Override
         public String toString() {
-            return mapFromPlaces.stream().map(Words::place).collect(Collectors.joining(", "));
+            return Words.list(mapFromPlaces, Words::place);
         }
     }
 
@@ -90,9 +74,7 @@ final class Travel {
 
         @Override
         public String toString() {
-            return costs.stream()
-                    .map(cost -> cost.isInfinite() ? "no way" : String.format(Locale.ROOT, "%.1f", cost))
-                    .collect(Collectors.joining(", "));
+            return Words.list(costs, cost -> cost.isInfinite() ? "no way" : String.format(Locale.ROOT, "%.1f", cost));
         }
     }
 }

@@ -2,12 +2,16 @@ package rsal.agents;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 
 /// How agents put things to people, the same on every machine.
 final class Words {
+    private static final int LISTED = 12;
+
     private Words() {}
 
     /// `(3.2, -1.0)`
@@ -22,6 +26,12 @@ final class Words {
 
     static Pose2d pose(Point2d mapFromPlace) {
         return new Pose2d(mapFromPlace.x(), mapFromPlace.y(), 0);
+    }
+
+    /// `a, b, c`; of more than a line holds only the first, and how many there are.
+    static <T> String list(List<T> all, Function<T, String> word) {
+        String first = all.stream().limit(LISTED).map(word).collect(Collectors.joining(", "));
+        return all.size() <= LISTED ? first : "%s, … (%d)".formatted(first, all.size());
     }
 
     /// `2.4 m`

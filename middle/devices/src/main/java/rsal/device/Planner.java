@@ -13,12 +13,17 @@ public interface Planner extends Device {
 
     /// What ways from one place to several cost, in their order: as of those that it would find; +∞ where none leads.
     /// Takes less than to plan them one by one, where that can be.
-    default CompletionStage<List<Double>> costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals) {
+    ///
+    /// @param near how far from its goal a way may end [m], at least 0; +∞ for as far as the planner ever has it
+    default CompletionStage<List<Double>> costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals, double near) {
         CompletionStage<List<Double>> costs = CompletableFuture.completedStage(List.of());
         for (Pose2d mapFromGoal : mapFromGoals) {
             costs = costs.thenCombine(plan(mapFromStart, mapFromGoal), (before, result) -> {
                 var all = new ArrayList<>(before);
-                all.add(result instanceof Result.Found found ? found.cost() : Double.POSITIVE_INFINITY);
+                all.add(
+                        result instanceof Result.Found found && found.offGoal() <= near
+                                ? found.cost()
+                                : Double.POSITIVE_INFINITY);
                 return all;
             });
         }

@@ -54,7 +54,7 @@ public final class JumpPointDriver implements DeviceDriver {
         }
 
         @Override
-        public List<Double> costs(Point2d start, List<Point2d> goals) {
+        public List<Double> costs(Point2d start, List<Point2d> goals, double near) {
             return goals.stream()
                     .map(goal -> jumps.plan(start, goal).map(Path2d::length).orElse(Double.POSITIVE_INFINITY))
                     .toList();

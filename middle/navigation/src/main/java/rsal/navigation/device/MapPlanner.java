@@ -20,7 +20,7 @@ final class MapPlanner extends DeviceCore implements Planner {
         Result plan(Point2d start, Point2d goal);
 
         /// What ways from a start to goals cost, as [Planner#costs] has it.
-        List<Double> costs(Point2d start, List<Point2d> goals);
+        List<Double> costs(Point2d start, List<Point2d> goals, double near);
     }
 
     /// @param search that of now, whatever is drawn meanwhile; asked for on the scheduler's thread
@@ -37,9 +37,9 @@ final class MapPlanner extends DeviceCore implements Planner {
     }
 
     @Override
-    public CompletionStage<List<Double>> costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals) {
+    public CompletionStage<List<Double>> costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals, double near) {
         Search now = search.get();
         List<Point2d> goals = mapFromGoals.stream().map(Pose2d::position).toList();
-        return scheduler.compute(() -> now.costs(mapFromStart.position(), goals));
+        return scheduler.compute(() -> now.costs(mapFromStart.position(), goals, near));
     }
 }

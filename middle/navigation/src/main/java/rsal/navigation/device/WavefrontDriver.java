@@ -61,8 +61,8 @@ public final class WavefrontDriver implements DeviceDriver {
         }
 
         @Override
-        public List<Double> costs(Point2d start, List<Point2d> goals) {
-            return ways.costs(start, goals, goalDistance);
+        public List<Double> costs(Point2d start, List<Point2d> goals, double near) {
+            return ways.costs(start, goals, Math.min(near, goalDistance));
         }
     }
 }

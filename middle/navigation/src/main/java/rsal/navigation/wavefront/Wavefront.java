@@ -83,8 +83,7 @@ public final class Wavefront {
     }
 
     /// What ways from a start to several goals cost [m], as those that [#plan] finds; +∞ where none leads. One wave
-    /// from
-    /// the start, as far as it must spread.
+    /// from the start, as far as it must spread; to a single goal it is hurried.
     public List<Double> costs(Point2d start, List<Point2d> goals, double slack) {
         return waves.borrow(wave -> {
             var costs = new ArrayList<Double>();
@@ -95,7 +94,7 @@ public final class Wavefront {
                     continue;
                 }
                 if (!started) {
-                    wave.start(cells.start);
+                    wave.start(cells.start, goals.size() == 1 ? straightTo(cells.goal) : null);
                     started = true;
                 }
                 int end = wave.spread(cells.goal)

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -57,7 +58,7 @@ public abstract class PlannerContract extends DeviceContract<Planner> {
     void tellsWhatWaysToSeveralPlacesCost() {
         List<Pose2d> goals =
                 List.of(WORLD.pose('b', 0), WORLD.pose('x', 0), WORLD.pose('a', 0), new Pose2d(-5, 3, 0), START);
-        List<Double> costs = await(device().costs(START, goals));
+        List<Double> costs = await(device().costs(START, goals, Double.POSITIVE_INFINITY));
         assertThat(costs).hasSameSizeAs(goals);
         for (int i = 0; i < goals.size(); i++) {
             double expected = plan(START, goals.get(i)) instanceof Planner.Result.Found found
@@ -69,7 +70,25 @@ public abstract class PlannerContract extends DeviceContract<Planner> {
                             cost -> assertThat(cost).isEqualTo(expected),
                             cost -> assertThat(cost).isCloseTo(expected, within(0.01)));
         }
-        assertThat(await(device().costs(START, List.of()))).isEmpty();
+        assertThat(await(device().costs(START, List.of(), 0))).isEmpty();
+    }
+
+    @Test
+    void waysThatEndTooFarFromAPlaceLeadNowhereWhenAskedSo() {
+        Pose2d there = WORLD.pose('a', 0);
+        List<Pose2d> goals = IntStream.range(0, 40) // some of them too near to a wall
+                .mapToObj(i -> new Pose2d(there.x() + 0.05 * i, there.y() + 0.05 * i, 0))
+                .toList();
+        for (double near : new double[] {0, 0.2}) {
+            List<Double> costs = await(device().costs(START, goals, near));
+            for (int i = 0; i < goals.size(); i++) {
+                boolean leadsThere =
+                        plan(START, goals.get(i)) instanceof Planner.Result.Found found && found.offGoal() <= near;
+                assertThat(Double.isFinite(costs.get(i)))
+                        .as("to %s, %s m from it", goals.get(i), near)
+                        .isEqualTo(leadsThere);
+            }
+        }
     }
 
     @Test
