@@ -12,8 +12,7 @@ import rsal.settings.Parameter;
 
 /// One of many: tells all where it is, hears where they are, follows the wall on its left, drives where it is told and
 /// keeps its place in formations. Its robot needs few devices, so that hundreds fit into a run; without a pilot it
-/// waits
-/// where others follow walls.
+/// waits where others follow walls.
 public final class Swarm extends Kind {
     static final Parameter RADIUS = Parameter.number(
             "radius", 0, 0, 10_000, "m", "Robots farther away than this are not heard; 0 hears all of them.");
@@ -54,6 +53,7 @@ public final class Swarm extends Kind {
         }
         reporter.begin();
         Travel.begin(self, robot, reporter);
+        PlaceSearch.begin(self, robot, reporter);
         Survey.begin(self, robot);
     }
 }

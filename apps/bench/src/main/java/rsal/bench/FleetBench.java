@@ -2,6 +2,7 @@ package rsal.bench;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
@@ -10,22 +11,25 @@ import rsal.scenario.run.RunResult;
 
 /// Whole runs of the scenario `swarm` in a cave of 128 m × 128 m, each repeat with a seed of its own: robots that
 /// localize themselves by their sonars, follow walls and tell all others where they are. A run that nobody counts goes
-/// before, for the machine to learn the code; what a run needs to begin counts.
+/// before, for the machine to learn the code; what a run needs to begin counts. In those named `driving`, all are sent
+/// about by `distribution:found`, each to a place of its own, as soon as the places are found.
 ///
-/// Names are `swarm.<robots>.core2.<what>`. What: `rtf`, seconds simulated per second; `cpu`, seconds simulated per
-/// second of a processor; and `swarm.<robots>.memory.mb`, all that the process holds while a run goes on.
+/// Names are `swarm.<robots>[.driving].core2.<what>`. What: `rtf`, seconds simulated per second; `cpu`, seconds
+/// simulated per
+/// second of a processor; and `swarm.<robots>[.driving].memory.mb`, all that the process holds while a run goes on.
 final class FleetBench implements Bench {
     private static final Scenario SWARM = Scenario.load("swarm");
     private static final Duration LEARNING = Duration.ofSeconds(10);
 
+    /// @param joined the scenario that is joined to it; empty for none
     /// @param length of a run
-    private record Case(String configuration, int robots, Duration length) {
+    private record Case(String key, String configuration, Optional<String> joined, Duration length) {
         String name(String what) {
-            return "swarm.%d.core2.%s".formatted(robots, what);
+            return "swarm.%s.core2.%s".formatted(key, what);
         }
 
         String memory() {
-            return "swarm.%d.memory.mb".formatted(robots);
+            return "swarm.%s.memory.mb".formatted(key);
         }
 
         Stream<String> names() {
@@ -34,7 +38,9 @@ final class FleetBench implements Bench {
     }
 
     private static final List<Case> CASES = List.of(
-            new Case("hundred", 100, Duration.ofSeconds(60)), new Case("thousand", 1000, Duration.ofSeconds(20)));
+            new Case("100", "hundred", Optional.empty(), Duration.ofSeconds(60)),
+            new Case("100.driving", "hundred", Optional.of("distribution:found"), Duration.ofSeconds(60)),
+            new Case("1000", "thousand", Optional.empty(), Duration.ofSeconds(20)));
 
     @Override
     public List<String> names() {
@@ -76,7 +82,8 @@ final class FleetBench implements Bench {
                 .withSeed(seed)
                 .withSpeed(Double.POSITIVE_INFINITY)
                 .withLimit(length);
-        try (var run = LiveRun.start(SWARM.plan(options))) {
+        RunOptions whole = one.joined.map(options::withJoined).orElse(options);
+        try (var run = LiveRun.start(SWARM.plan(whole))) {
             RunResult result = run.result().toCompletableFuture().join();
             if (!result.outcome().equals("limit")) {
                 throw new IllegalStateException(

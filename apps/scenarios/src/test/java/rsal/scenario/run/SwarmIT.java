@@ -65,6 +65,26 @@ class SwarmIT {
         assertThat(measure(result, "wallCollisions")).isZero();
     }
 
+    @Test
+    void allGoToPlacesOfTheirOwnWhenDistributionJoins() {
+        var options = RunOptions.NONE
+                .withJoined("distribution:found")
+                .withSeed(1)
+                .withSpeed(Double.POSITIVE_INFINITY)
+                .withLimit(Duration.ofSeconds(10));
+        try (var run = LiveRun.start(SWARM.plan(options))) {
+            RunResult result = run.result()
+                    .toCompletableFuture()
+                    .orTimeout(120, TimeUnit.SECONDS)
+                    .join();
+            var goals = run.snapshot().robots().stream()
+                    .flatMap(robot -> robot.goal().stream())
+                    .toList();
+            assertThat(goals).as("they are on their long way").hasSize(10).doesNotHaveDuplicates();
+            assertThat(measure(result, "collisions")).isZero();
+        }
+    }
+
     /// @param formation what its leader did, by time
     private record Marched(RunResult result, NavigableMap<Double, String> formation, List<Double> faults) {}
 
