@@ -16,7 +16,7 @@ import rsal.settings.Parameter;
 /// Sensors on the ceiling, which see what lies under them and have robots that can collect it. In the simulated world
 /// they see the truth, through walls too: places and range are to be chosen so that a sensor sees one room.
 public final class Ceiling extends Kind {
-    static final Parameter PLACES = Parameter.places("places", "Where there is a sensor.");
+    static final Parameter PLACES = Parameter.points("places", "Where there is a sensor.");
     static final Parameter THINGS = Parameter.text("things", "What the things are called that it looks for (can).");
     static final Parameter RANGE =
             Parameter.number("range", 2.5, 0.1, 100, "m", "How far from the place under a sensor it sees.");

@@ -118,7 +118,7 @@ final class RunCommand extends Subcommand {
         ScenarioReference reference = ScenarioReference.parse(scenario);
         RunPlan plan = reference.load().plan(options(reference.configuration()));
         plan.scene().warnings().forEach(warning -> err().println(warning));
-        plan.notes().forEach(note -> err().println("Note: " + note));
+        plan.notes().forEach(note -> err().println(ValidateCommand.note(note)));
         if (headless && plan.scenario().isWorld() && plan.stops().isEmpty() && limit == null) {
             throw new ParameterException(
                     spec.commandLine(), "A world has no end of its own: without a page, say --for SECONDS.");

@@ -8,7 +8,6 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scene.Scene;
 import rsal.settings.InvalidSettings;
-import rsal.settings.Location;
 import rsal.settings.Problem;
 
 /// `rsal validate`
@@ -68,18 +67,19 @@ final class ValidateCommand extends Subcommand {
         scenario.check();
         tell("%s: right, with %d configuration(s)"
                 .formatted(file, scenario.configurations().size()));
-        List<String> notes = scenario.configurations().stream()
+        List<Problem> notes = scenario.configurations().stream()
                 .map(configuration -> scenario.plan(RunOptions.NONE.withConfiguration(configuration.name())))
                 .flatMap(plan -> plan.notes().stream())
                 .distinct()
                 .toList();
-        notes.forEach(note -> tell("Note: " + note));
-        return new Checked(
-                file,
-                true,
-                Mistake.of(notes.stream()
-                        .map(note -> new Problem(Location.of(file), note, ""))
-                        .toList()));
+        notes.forEach(note -> tell(note(note)));
+        return new Checked(file, true, Mistake.of(notes));
+    }
+
+    /// As people read it: with where it is written, when that is more than the file.
+    static String note(Problem note) {
+        boolean isOfAll = note.location().line() == 0 && !note.location().file().startsWith("--");
+        return "Note: " + (isOfAll ? note.message() : note);
     }
 
     /// Warnings are no mistakes, but nobody should miss them.

@@ -129,6 +129,29 @@ class CommandLineIT {
     }
 
     @Test
+    void notesPlacesThatNoRobotGetsTo() throws Exception {
+        Files.writeString(folder.resolve("watch.yaml"), """
+                rsal: 1
+                scenario: watch
+                arguments: {places: {type: string, default: "0 -1; 900 0"}}
+                world: {map: office}
+                robots: {guard: {model: pioneer3at, pose: [0, -1, 0], devices: {laser: utm30lx, localizer: amcl, planner: wavefront, navigator: {}}}}
+                agents: {worker: {type: worker, robot: guard}, patrol: {type: patrol, args: {places: $places}}}
+                run: {stop: [{when: time > 1, outcome: success}]}
+                """);
+        Ended ended = rsal.run("validate", "watch.yaml");
+        assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out())
+                .contains("Note: watch.yaml:3:", "(places) of agent (patrol)", "(900.00, 0.00) is outside the map");
+        assertThat(rsal.run("run", "watch.yaml", "--headless", "--set", "places=800 0")
+                        .err())
+                .contains("Note: --set places=800 0: (places) of agent (patrol)");
+        assertThat(rsal.run("run", "watch.yaml", "--headless", "--set", "places=0 -1")
+                        .err())
+                .doesNotContain("Note");
+    }
+
+    @Test
     void showsMapsModelsAndParts() throws Exception {
         assertThat(rsal.run("show", "office").out()).contains("a map, 63.", "world: {map: office}");
         assertThat(rsal.run("show", "pioneer2dx").out()).contains("a robot model, Pioneer 2-DX", "mounts:");

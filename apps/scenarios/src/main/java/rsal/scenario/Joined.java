@@ -101,7 +101,7 @@ record Joined(
         Map<String, String> arguments = placed.getOrDefault(agent, Map.of());
         for (Parameter parameter : type.parameters()) {
             String argument = arguments.getOrDefault(parameter.name(), "");
-            boolean areTheirs = parameter.kind() == Parameter.Kind.PLACES
+            boolean areTheirs = (parameter.kind() == Parameter.Kind.PLACES || parameter.kind() == Parameter.Kind.POINTS)
                     && !own.places(parameter.name()).isEmpty()
                     && !given.contains(argument);
             if (areTheirs) {

@@ -4,18 +4,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.settings.Location;
+import rsal.settings.Problem;
 
 /// What is right in a run, but may not be what people think.
 final class Notes {
     private Notes() {}
 
-    /// Sentences, each only once.
-    static List<String> of(RunPlan plan) {
+    /// Each only once.
+    static List<Problem> of(RunPlan plan) {
         var notes = new ArrayList<String>();
         for (PlannedRobot robot : plan.robots()) {
             if (robot.spec().mapFromBase().isEmpty()) {
@@ -38,7 +41,11 @@ final class Notes {
                             place.x(),
                             place.y())));
         }
-        return notes.stream().distinct().toList();
+        Location at = plan.scenario().location();
+        return Stream.concat(
+                        notes.stream().map(note -> new Problem(at, note, "")), Destinations.misplaced(plan).stream())
+                .distinct()
+                .toList();
     }
 
     private static boolean findsItsWay(PlannedRobot robot) {

@@ -15,6 +15,7 @@ import rsal.scenario.condition.Condition;
 import rsal.scenario.condition.Measure;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
+import rsal.settings.Problem;
 import rsal.system.RobotSystemProvider;
 
 /// A run with everything decided and nothing started. Immutable; it can be run again and again, and each time is
@@ -66,8 +67,9 @@ public record RunPlan(
         measures = List.copyOf(measures);
     }
 
-    /// What is right in it, but may not be what people think: sentences, each only once.
-    public List<String> notes() {
+    /// What is right in it, but may not be what people think, each only once. Looks at the map, which takes a while
+    /// when it is large.
+    public List<Problem> notes() {
         return Notes.of(this);
     }
 

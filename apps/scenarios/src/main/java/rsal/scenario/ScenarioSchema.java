@@ -460,7 +460,7 @@ public final class ScenarioSchema {
                 switch (parameter.kind()) {
                     case NUMBER -> "number";
                     case INTEGER -> "integer";
-                    case TEXT, ROBOTS, PLACES -> "string";
+                    case TEXT, ROBOTS, PLACES, POINTS -> "string";
                     case FLAG -> "boolean";
                 });
         if (Double.isFinite(parameter.min())) {

@@ -1,9 +1,12 @@
 package rsal.robot;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.random.RandomGenerator;
 import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Device;
 import rsal.settings.Arguments;
@@ -55,6 +58,12 @@ public interface DeviceDriver {
         return Optional.empty();
     }
 
+    /// Which places robots don't get to that such a device drives, and why: sentences that name the place, by its
+    /// index among those asked about. Empty when they get to all, or it can't tell. Takes a while on large maps.
+    default SortedMap<Integer, String> misplaced(Places asked, Arguments arguments) {
+        return Collections.emptySortedMap();
+    }
+
     /// Makes the device and starts its work on the scheduler.
     Device create(Context context, Arguments arguments);
 
@@ -69,4 +78,23 @@ public interface DeviceDriver {
             Optional<Pose2d> mapFromBase,
             Scheduler scheduler,
             RandomGenerator random) {}
+
+    /// Places where robots of a model are to go.
+    ///
+    /// @param mapFromStarts where robots are at first: it is enough to get there from one of them; none when
+    /// that is not known
+    /// @param mapFromPlaces where they are to go
+    /// @param within how near is near enough, for each of the places [m]
+    record Places(
+            OccupancyGrid map,
+            RobotModel model,
+            List<Point2d> mapFromStarts,
+            List<Point2d> mapFromPlaces,
+            List<Double> within) {
+        public Places {
+            mapFromStarts = List.copyOf(mapFromStarts);
+            mapFromPlaces = List.copyOf(mapFromPlaces);
+            within = List.copyOf(within);
+        }
+    }
 }

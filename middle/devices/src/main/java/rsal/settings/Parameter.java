@@ -31,8 +31,10 @@ public record Parameter(
         FLAG,
         /// A text that names robots of the scenario, by their role or one by its id.
         ROBOTS,
-        /// A text that names places in the map [m], as [Places] reads it.
-        PLACES
+        /// A text that names places in the map [m] where robots are to go, as [Places] reads it.
+        PLACES,
+        /// The same, of places where no robot has to go.
+        POINTS
     }
 
     public Parameter {
@@ -68,9 +70,14 @@ public record Parameter(
         return new Parameter(name, Kind.ROBOTS, Optional.of(fallback), -inf(), inf(), others, "", description);
     }
 
-    /// None when nothing is given.
+    /// Places where robots are to go; none when nothing is given.
     public static Parameter places(String name, String description) {
         return new Parameter(name, Kind.PLACES, Optional.of(""), -inf(), inf(), List.of(), "", description);
+    }
+
+    /// Places where no robot has to go; none when nothing is given.
+    public static Parameter points(String name, String description) {
+        return new Parameter(name, Kind.POINTS, Optional.of(""), -inf(), inf(), List.of(), "", description);
     }
 
     public static Parameter flag(String name, boolean fallback, String description) {
@@ -89,13 +96,14 @@ public record Parameter(
             case NUMBER -> value instanceof Number n ? (Object) n.doubleValue() : value;
             case INTEGER ->
                 value instanceof Integer || value instanceof Long ? (Object) ((Number) value).longValue() : value;
-            case TEXT, FLAG, ROBOTS, PLACES -> value;
+            case TEXT, FLAG, ROBOTS, PLACES, POINTS -> value;
         };
         boolean right = switch (kind) {
             case NUMBER -> converted instanceof Double d && Double.isFinite(d);
             case INTEGER -> converted instanceof Long;
             case TEXT, ROBOTS -> converted instanceof String;
-            case PLACES -> converted instanceof String s && Places.read(s).isPresent();
+            case PLACES, POINTS ->
+                converted instanceof String s && Places.read(s).isPresent();
             case FLAG -> converted instanceof Boolean;
         };
         if (!right) {
@@ -122,7 +130,7 @@ public record Parameter(
                 case INTEGER -> value = Long.parseLong(typed);
                 case FLAG ->
                     value = typed.equals("true") ? (Object) true : typed.equals("false") ? (Object) false : typed;
-                case TEXT, ROBOTS, PLACES -> {}
+                case TEXT, ROBOTS, PLACES, POINTS -> {}
             }
         } catch (NumberFormatException _) {
             // stays a text, which accept refuses with the right words
@@ -144,7 +152,7 @@ public record Parameter(
             case INTEGER -> "a whole number";
             case TEXT -> options.isEmpty() ? "a text" : "one of " + String.join(", ", options);
             case FLAG -> "true or false";
-            case PLACES -> "places as x y; x y [m]";
+            case PLACES, POINTS -> "places as x y; x y [m]";
             case ROBOTS -> "a role of robots or the id of one" + besides();
         };
         if (min > -inf() && max < inf()) {

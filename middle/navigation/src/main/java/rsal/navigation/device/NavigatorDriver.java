@@ -3,6 +3,8 @@ package rsal.navigation.device;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import rsal.data.Footprint;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
@@ -19,6 +21,7 @@ import rsal.navigation.dwa.Dwa;
 import rsal.navigation.mpc.Mpc;
 import rsal.navigation.nd.Nd;
 import rsal.navigation.snd.Snd;
+import rsal.navigation.spread.Ground;
 import rsal.navigation.vfh.Vfh;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
@@ -94,6 +97,21 @@ public final class NavigatorDriver implements DeviceDriver {
                 ? Optional.empty()
                 : Optional.of(
                         "It plans ways for robots that turn in place, which a car (%s) can't.".formatted(model.name()));
+    }
+
+    @Override
+    public SortedMap<Integer, String> misplaced(Places asked, Arguments arguments) {
+        var wrong = new TreeMap<Integer, String>();
+        double clearance = Ways.clearance(asked.model().footprint(), arguments).radius();
+        try {
+            Ground.check(asked.map(), clearance, asked.mapFromStarts(), asked.mapFromPlaces(), asked.within())
+                    .forEach(place -> wrong.put(place.index(), place.why()));
+        } catch (IllegalArgumentException e) { // they fit nowhere
+            for (int i = 0; i < asked.mapFromPlaces().size(); i++) {
+                wrong.put(i, String.valueOf(e.getMessage()));
+            }
+        }
+        return wrong;
     }
 
     @Override

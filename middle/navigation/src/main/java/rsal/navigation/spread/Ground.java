@@ -3,6 +3,8 @@ package rsal.navigation.spread;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.TreeSet;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.spread.Misplaced.Reason;
@@ -16,6 +18,8 @@ import rsal.navigation.wavefront.Wavefront;
 /// longer than a taut string. Immutable.
 public final class Ground {
     private static final double ESCAPE = 1; // m; so far from where it can be a robot may start, as for planners
+
+    private static final double INSTEAD = 5; // m; so far from a place another is named that may be meant
 
     private final Parts parts;
     private final int part;
@@ -43,8 +47,7 @@ public final class Ground {
     public static Ground around(OccupancyGrid map, double clearance, Point2d start) {
         var parts = new Parts(map, clearance);
         orNowhere(parts, parts.largest());
-        int own = parts.of(start);
-        int part = own == Parts.NONE ? parts.nearest(start, ESCAPE) : own;
+        int part = start(parts, start);
         if (part == Parts.NONE) {
             throw new IllegalArgumentException(
                     ("From the start %s nothing can be reached: no place within %s m of it has (%s) m of clearance."
@@ -60,7 +63,12 @@ public final class Ground {
     /// @throws IllegalArgumentException likewise
     public static Ground holding(OccupancyGrid map, double clearance, List<Point2d> places) {
         var parts = new Parts(map, clearance);
-        int best = orNowhere(parts, parts.largest());
+        orNowhere(parts, parts.largest());
+        return new Ground(parts, mostOf(parts, places));
+    }
+
+    private static int mostOf(Parts parts, List<Point2d> places) {
+        int best = parts.largest();
         var held = new int[parts.count()];
         for (Point2d place : places) {
             int part = parts.of(place);
@@ -72,7 +80,48 @@ public final class Ground {
             boolean larger = held[part] == held[best] && parts.size(part) > parts.size(best);
             best = held[part] > held[best] || larger ? part : best;
         }
-        return new Ground(parts, best);
+        return best;
+    }
+
+    /// Looks at places that somebody gave robots to go to: which of them can't be reached from any of their starts,
+    /// each of which may be up to 1 m off where a robot can be.
+    ///
+    /// @param clearance as for the [#largest]
+    /// @param starts when there are none, robots are where most of the places are
+    /// @param within how near to it is near enough, for each place [m]
+    /// @return in their order; empty when all will do
+    /// @throws IllegalArgumentException as for the [#largest]
+    public static List<Misplaced> check(
+            OccupancyGrid map, double clearance, List<Point2d> starts, List<Point2d> places, List<Double> within) {
+        var parts = new Parts(map, clearance);
+        orNowhere(parts, parts.largest());
+        var reached = new TreeSet<Integer>();
+        for (Point2d start : starts) {
+            reached.add(start(parts, start));
+        }
+        reached.remove(Parts.NONE);
+        if (reached.isEmpty()) {
+            reached.add(mostOf(parts, places));
+        }
+        var wrong = new ArrayList<Misplaced>();
+        var ground = new Ground(parts, reached.getFirst());
+        for (int i = 0; i < places.size(); i++) {
+            Point2d place = places.get(i);
+            double near = within.get(i);
+            if (reached.stream()
+                    .noneMatch(part -> parts.of(place) == part
+                            || parts.nearest(place, near, part).isPresent())) {
+                boolean isElsewhere = parts.nearest(place, near) != Parts.NONE;
+                wrong.add(ground.misplaced(i, place, isElsewhere ? Reason.CUT_OFF : ground.reason(place)));
+            }
+        }
+        return List.copyOf(wrong);
+    }
+
+    /// The part that a robot at a place is in, [Parts#NONE] when it is nowhere near any.
+    private static int start(Parts parts, Point2d start) {
+        int own = parts.of(start);
+        return own == Parts.NONE ? parts.nearest(start, ESCAPE) : own;
     }
 
     private static int orNowhere(Parts parts, int part) {
@@ -135,13 +184,15 @@ public final class Ground {
     public List<Misplaced> check(List<Point2d> places) {
         var wrong = new ArrayList<Misplaced>();
         for (int i = 0; i < places.size(); i++) {
-            Point2d place = places.get(i);
-            if (!contains(place)) {
-                Reason reason = reason(place);
-                wrong.add(new Misplaced(i, place, reason, why(i, place, reason)));
+            if (!contains(places.get(i))) {
+                wrong.add(misplaced(i, places.get(i), reason(places.get(i))));
             }
         }
         return List.copyOf(wrong);
+    }
+
+    private Misplaced misplaced(int index, Point2d place, Reason reason) {
+        return new Misplaced(index, place, reason, why(place, reason));
     }
 
     private Reason reason(Point2d place) {
@@ -158,35 +209,32 @@ public final class Ground {
                 };
     }
 
-    private String why(int index, Point2d place, Reason reason) {
+    private String why(Point2d place, Reason reason) {
         double clear = Math.max(
                 0, parts.toNotFree().at(place.x(), place.y()) - parts.map().resolution() / 2);
         String what = switch (reason) {
             case OUTSIDE -> "is outside the map";
-            case OCCUPIED -> "is in a wall";
+            case OCCUPIED -> "is in a wall, or in something else that stands there";
             case UNKNOWN -> "is where the map knows nothing";
             case TOO_NEAR ->
                 "is (%s) m from what is not free, nearer than (%s) m".formatted(number(clear), number(clearance()));
-            case CUT_OFF -> "cannot be reached from the others with (%s) m of clearance".formatted(number(clearance()));
+            case CUT_OFF -> "cannot be reached with (%s) m of clearance".formatted(number(clearance()));
         };
-        String instead = Double.isFinite(place.x()) && Double.isFinite(place.y())
-                ? " Maybe the nearest place that will do is meant, %s.".formatted(text(nearest(place)))
-                : "";
-        return "Place %d, %s, %s.%s".formatted(index + 1, text(place), what, instead);
+        String instead = nearest(place)
+                .map(near -> "Maybe the nearest place that will do is meant, %s.".formatted(text(near)))
+                .orElse(
+                        reason == Reason.CUT_OFF
+                                ? "Maybe a passage on the way there is too narrow."
+                                : "Maybe it is meant for another map.");
+        return "Place %s %s. %s".formatted(text(place), what, instead);
     }
 
-    private Point2d nearest(Point2d place) {
+    /// Not farther than it may be meant.
+    private Optional<Point2d> nearest(Point2d place) {
         OccupancyGrid map = parts.map();
-        int nearest = cells[0];
-        double least = Double.POSITIVE_INFINITY;
-        for (int cell : cells) {
-            double distance = place.distanceTo(map.middle(cell));
-            if (distance < least) {
-                least = distance;
-                nearest = cell;
-            }
-        }
-        return map.middle(nearest);
+        return parts.nearest(place, INSTEAD, part).stream()
+                .mapToObj(map::middle)
+                .findFirst();
     }
 
     OccupancyGrid map() {

@@ -1,6 +1,7 @@
 package rsal.navigation.spread;
 
 import java.util.Arrays;
+import java.util.OptionalInt;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
@@ -10,6 +11,7 @@ import rsal.navigation.wavefront.CostMap.Clearance;
 /// The parts of a map between which no way leads with some clearance.
 final class Parts {
     static final int NONE = -1;
+    private static final int ANY = -2;
 
     private final OccupancyGrid map;
     private final double clearance;
@@ -132,6 +134,12 @@ final class Parts {
 
     /// The part of the nearest place within a distance [m] in which a robot can be, or [#NONE].
     int nearest(Point2d place, double within) {
+        OptionalInt nearest = nearest(place, within, ANY);
+        return nearest.isPresent() ? partOf[nearest.getAsInt()] : NONE;
+    }
+
+    /// The cell of a part that is nearest to a place, within a distance [m].
+    OptionalInt nearest(Point2d place, double within, int wanted) {
         int column = map.column(place.x());
         int row = map.row(place.y());
         int reach = (int) Math.ceil(within / map.resolution());
@@ -140,14 +148,15 @@ final class Parts {
         for (int r = Math.max(0, row - reach); r <= Math.min(map.height() - 1, row + reach); r++) {
             for (int c = Math.max(0, column - reach); c <= Math.min(map.width() - 1, column + reach); c++) {
                 double distance = Math.hypot(map.x(c) - place.x(), map.y(r) - place.y());
-                int part = partOf[r * map.width() + c];
-                if (part != NONE && (distance < least || (nearest == NONE && distance <= least))) {
+                int cell = r * map.width() + c;
+                boolean counts = wanted == ANY ? partOf[cell] != NONE : partOf[cell] == wanted;
+                if (counts && (distance < least || (nearest == NONE && distance <= least))) {
                     least = distance;
-                    nearest = part;
+                    nearest = cell;
                 }
             }
         }
-        return nearest;
+        return nearest == NONE ? OptionalInt.empty() : OptionalInt.of(nearest);
     }
 
     /// The cells of a part, row by row.

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -101,10 +102,33 @@ class GroundTest {
                         tuple(5, Reason.OUTSIDE),
                         tuple(6, Reason.OUTSIDE));
         assertThat(wrong.get(1).why())
-                .isEqualTo("Place 3, (0.75, 2.25), is (0.25) m from what is not free, nearer than (0.60) m. Maybe the"
+                .isEqualTo("Place (0.75, 2.25) is (0.25) m from what is not free, nearer than (0.60) m. Maybe the"
                         + " nearest place that will do is meant, (1.25, 2.25).");
-        assertThat(wrong.getFirst().why()).contains("cannot be reached from the others with (0.60) m of clearance");
+        assertThat(wrong.getFirst().why()).contains("cannot be reached with (0.60) m of clearance");
         assertThat(ground.check(List.of(ROOMS.place('a'), ROOMS.place('b')))).isEmpty();
+    }
+
+    @Test
+    void looksWhetherRobotsGetToPlacesFromWhereTheyStart() {
+        List<Point2d> given = List.of(ROOMS.place('w'), new Point2d(0.1, 2.25), ROOMS.place('s'));
+        assertThat(wrong(0.4, given, ROOMS.place('a'))).containsExactly(0, 1, 2);
+        assertThat(wrong(1.2, given, ROOMS.place('a'))).containsExactly(2);
+        assertThat(wrong(1.2, given, ROOMS.place('a'), ROOMS.place('s'))).isEmpty();
+        assertThat(wrong(1.2, given, ROOMS.place('s'))).containsExactly(0, 1);
+        assertThat(wrong(1.2, given)).as("only that is quite on any part").containsExactly(0, 1);
+        assertThat(wrong(1.2, given, new Point2d(40, 40)))
+                .as("a start that is nowhere")
+                .containsExactly(0, 1);
+        assertThat(Ground.check(ROOMS.grid(), 0.6, List.of(ROOMS.place('a')), given, List.of(1.2, 1.2, 1.2)))
+                .singleElement()
+                .satisfies(cut -> assertThat(cut.reason()).isEqualTo(Reason.CUT_OFF));
+    }
+
+    private static List<Integer> wrong(double within, List<Point2d> given, Point2d... starts) {
+        return Ground.check(ROOMS.grid(), 0.6, List.of(starts), given, Collections.nCopies(given.size(), within))
+                .stream()
+                .map(Misplaced::index)
+                .toList();
     }
 
     @Test
