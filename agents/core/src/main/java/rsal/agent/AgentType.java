@@ -17,9 +17,14 @@ public interface AgentType {
         return List.of();
     }
 
-    /// Types of devices without which it can't work; none for agents without a robot.
+    /// Types of devices without which it can't work, whatever its arguments; none for agents without a robot.
     default List<Class<? extends Device>> needs() {
         return List.of();
+    }
+
+    /// The same for one with such arguments, which may need more.
+    default List<Class<? extends Device>> needs(Arguments arguments) {
+        return needs();
     }
 
     /// @param arguments for [#parameters]

@@ -3,6 +3,7 @@ package rsal.agents;
 import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.behavior.Pilot;
+import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
@@ -23,6 +24,11 @@ public final class Escape extends Kind {
                 "Prey: follows the wall on its left until a hunter comes too near, then gives up.",
                 List.of(HUNTER, CATCH_DISTANCE, Sight.SEES, Reporter.PERIOD),
                 List.of(Pilot.class));
+    }
+
+    @Override
+    List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return Sight.needs(arguments);
     }
 
     @Override

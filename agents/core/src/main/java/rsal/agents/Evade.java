@@ -3,6 +3,7 @@ package rsal.agents;
 import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.behavior.Pilot;
+import rsal.device.Device;
 import rsal.device.Navigator;
 import rsal.device.Planner;
 import rsal.settings.Arguments;
@@ -28,6 +29,11 @@ public final class Evade extends Kind {
                         Recharging.CHARGERS,
                         Reporter.PERIOD),
                 List.of(Pilot.class, Navigator.class, Planner.class));
+    }
+
+    @Override
+    List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return Sight.needs(arguments);
     }
 
     @Override

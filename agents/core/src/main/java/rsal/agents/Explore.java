@@ -4,13 +4,16 @@ import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.behavior.Pilot;
 import rsal.device.BlobFinder;
+import rsal.device.Device;
 import rsal.device.Navigator;
+import rsal.device.PlaceFinder;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Looks for things of a color, and has others collect them.
 public final class Explore extends Kind {
+    private static final String LOOKOUTS = "lookouts";
     private static final double NARROW = 0; // rad, its view: it turns all around
 
     static final Parameter COLOR =
@@ -21,7 +24,7 @@ public final class Explore extends Kind {
     static final Parameter ROAM = Parameter.choice(
             "roam",
             "walls",
-            List.of("walls", "lookouts"),
+            List.of("walls", LOOKOUTS),
             "How it gets about: along the walls, or between places spread over the map, which takes a navigator and"
                     + " a device of type (places).");
 
@@ -31,6 +34,11 @@ public final class Explore extends Kind {
                 "Looks for colored things, and has them collected by robots that can.",
                 List.of(Reporter.PERIOD, ROAM, Lookouts.COUNT, COLOR, RANGE),
                 List.of(BlobFinder.class, Pilot.class));
+    }
+
+    @Override
+    List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return arguments.text(ROAM.name()).equals(LOOKOUTS) ? List.of(Navigator.class, PlaceFinder.class) : List.of();
     }
 
     @Override
@@ -48,7 +56,7 @@ public final class Explore extends Kind {
                         arguments.number(RANGE.name()),
                         finds::see)
                 .begin();
-        if (arguments.text(ROAM.name()).equals("lookouts")) {
+        if (arguments.text(ROAM.name()).equals(LOOKOUTS)) {
             roam(self, robot, reporter, arguments.integer(Lookouts.COUNT.name()));
         } else {
             Roaming.alongWalls(self, robot).begin();

@@ -2,6 +2,7 @@ package rsal.agents;
 
 import java.util.List;
 import rsal.agent.AgentContext;
+import rsal.device.Device;
 import rsal.device.Navigator;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -28,6 +29,11 @@ public final class Follow extends Kind {
                 "Hunts: goes for the newest pose of a prey until it has been caught.",
                 List.of(PREY, CATCH_DISTANCE, UPDATE_INTERVAL, ASSIGNMENT, Sight.SEES, Lookouts.COUNT, Reporter.PERIOD),
                 List.of(Navigator.class));
+    }
+
+    @Override
+    List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return Search.needs(arguments);
     }
 
     @Override

@@ -1,6 +1,7 @@
 package rsal.agents;
 
 import java.util.List;
+import java.util.stream.Stream;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentType;
@@ -45,6 +46,18 @@ abstract class Kind implements AgentType {
     @Override
     public final List<Class<? extends Device>> needs() {
         return needs;
+    }
+
+    @Override
+    public final List<Class<? extends Device>> needs(Arguments arguments) {
+        return Stream.concat(needs.stream(), needsBesides(arguments).stream())
+                .distinct()
+                .toList();
+    }
+
+    /// What one with such arguments needs besides.
+    List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return List.of();
     }
 
     @Override

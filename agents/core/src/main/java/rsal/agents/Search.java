@@ -1,12 +1,17 @@
 package rsal.agents;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rsal.agent.AgentContext;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.Sighting;
+import rsal.behavior.Pilot;
 import rsal.data.Pose2d;
+import rsal.device.Device;
+import rsal.device.FiducialFinder;
+import rsal.device.PlaceFinder;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
@@ -39,6 +44,11 @@ final class Search {
                 : Optional.empty();
         int places = arguments.integer(Lookouts.COUNT.name());
         this.lookouts = sight.map(eyes -> new Lookouts(self, robot, driver, mapFromBase, places, eyes::fieldOfView));
+    }
+
+    /// Types of devices that it takes to look: to see prey, and to find places to look from and turn there.
+    static List<Class<? extends Device>> needs(Arguments arguments) {
+        return Sight.byMarkers(arguments) ? List.of(FiducialFinder.class, Pilot.class, PlaceFinder.class) : List.of();
     }
 
     void begin() {

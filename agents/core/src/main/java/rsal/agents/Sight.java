@@ -13,6 +13,7 @@ import rsal.agent.Directory;
 import rsal.agent.message.Sighting;
 import rsal.data.Fiducials;
 import rsal.data.Pose2d;
+import rsal.device.Device;
 import rsal.device.FiducialFinder;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
@@ -56,6 +57,11 @@ final class Sight {
     /// Whether it is to know others by their markers.
     static boolean byMarkers(Arguments arguments) {
         return arguments.text(SEES.name()).equals("markers");
+    }
+
+    /// Types of devices that it takes to know others so.
+    static List<Class<? extends Device>> needs(Arguments arguments) {
+        return byMarkers(arguments) ? List.of(FiducialFinder.class) : List.of();
     }
 
     /// How wide the finder sees [rad]; 0 before its first reading.

@@ -5,6 +5,8 @@ import java.util.Optional;
 import rsal.agent.AgentContext;
 import rsal.agent.team.Ways;
 import rsal.agent.team.Worker;
+import rsal.device.BlobFinder;
+import rsal.device.Device;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.device.Planner;
@@ -22,6 +24,11 @@ public final class WorkerAgent extends Kind {
                 "Bids for what its team has to do, does what it gets, and minds its battery.",
                 List.of(Recharging.CHARGERS, Recharging.LOW, Recharging.FULL, Sentry.INTRUDER, Reporter.PERIOD),
                 List.of(Navigator.class));
+    }
+
+    @Override
+    List<Class<? extends Device>> needsBesides(Arguments arguments) {
+        return arguments.text(Sentry.INTRUDER.name()).isEmpty() ? List.of() : List.of(BlobFinder.class);
     }
 
     @Override

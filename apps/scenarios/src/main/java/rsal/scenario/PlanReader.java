@@ -345,7 +345,7 @@ final class PlanReader {
         for (PlannedAgent agent : agents) {
             agent.robot()
                     .ifPresent(id -> needs.computeIfAbsent(id, _ -> new HashSet<>())
-                            .addAll(agent.type().needs()));
+                            .addAll(agent.type().needs(agent.arguments())));
         }
         return robots.stream()
                 .map(robot -> Outfitter.equipped(
@@ -409,8 +409,9 @@ final class PlanReader {
             if (type.isEmpty()) {
                 continue;
             }
-            checkNeeds(agent, type.get(), Optional.empty());
-            settings(args, type.get().parameters()).ifPresent(read -> {
+            Optional<Arguments> given = settings(args, type.get().parameters());
+            checkNeeds(agent, new Needs(type.get(), given), Optional.empty());
+            given.ifPresent(read -> {
                 other.checkPlaces(name, type.get(), read, map, problems);
                 Arguments arguments = other.here(type.get(), read, robots, problems);
                 agents.add(new PlannedAgent(
@@ -441,8 +442,8 @@ final class PlanReader {
         if (type.isEmpty()) {
             return List.of();
         }
-        checkNeeds(section, type.get(), role);
         Optional<Arguments> arguments = settings(args, type.get().parameters());
+        checkNeeds(section, new Needs(type.get(), arguments), role);
         if (arguments.isEmpty()) {
             return List.of();
         }
@@ -479,23 +480,24 @@ final class PlanReader {
         return role;
     }
 
-    private void checkNeeds(Section section, AgentType type, Optional<Role> role) {
+    private static void checkNeeds(Section section, Needs needs, Optional<Role> role) {
         if (role.isEmpty()) {
-            if (!type.needs().isEmpty() && !section.has("robot")) {
+            if (!needs.all().isEmpty() && !section.has("robot")) {
                 section.problem(
                         "type",
-                        "Agent (%s) needs a robot with %s.".formatted(type.key(), DeviceReader.words(type.needs())),
+                        "%s needs a robot with %s."
+                                .formatted(needs.whose(needs.all()), DeviceReader.words(needs.all())),
                         "Add a line (robot: ROLE).");
             }
             return;
         }
-        var missing = role.get().missing(type.needs());
+        var missing = role.get().missing(needs.all());
         if (role.get().complete() && !missing.isEmpty()) {
             section.problem(
                     "robot",
-                    "Agent (%s) needs a robot with %s, which robots of role (%s) don't have."
+                    "%s needs a robot with %s, which robots of role (%s) don't have."
                             .formatted(
-                                    type.key(),
+                                    needs.whose(missing),
                                     DeviceReader.words(missing),
                                     role.get().name()),
                     "Add it to (robots.%s.devices).".formatted(role.get().name()));
