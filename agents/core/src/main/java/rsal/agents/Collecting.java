@@ -1,13 +1,11 @@
 package rsal.agents;
 
 import java.time.Duration;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.message.Collected;
-import rsal.agent.message.Depot;
 import rsal.agent.team.Course;
 import rsal.agent.team.Skill;
 import rsal.agent.team.Work;
@@ -41,8 +39,9 @@ final class Collecting implements Skill<Fetch> {
     private final Driver driver;
     private final Recharging recharging;
     private final Worker worker;
+    private final List<Point2d> given;
     private final double depotRadius;
-    private List<Point2d> depots;
+    private final Depots depots;
     private @Nullable Haul haul;
 
     Collecting(AgentContext self, Robot robot, Reporter reporter, Arguments arguments) {
@@ -65,18 +64,19 @@ final class Collecting implements Skill<Fetch> {
         worker.learn(Fetch.class, this);
         worker.within(() -> recharging.reach(range));
         this.depotRadius = arguments.number(DEPOT_RADIUS.name());
-        this.depots = arguments.places(DEPOT.name());
+        this.given = arguments.places(DEPOT.name());
+        this.depots = new Depots(self);
     }
 
     void begin() {
         recharging.begin();
         self.state("waiting to know where it stands");
-        if (depots.isEmpty()) {
+        if (given.isEmpty()) {
             self.scheduler().after(SETTLING, this::standHere);
         } else {
-            settle();
+            settle(given);
         }
-        self.scheduler().every(REPEAT, this::tell);
+        self.scheduler().every(REPEAT, depots::tell);
     }
 
     private void standHere() {
@@ -85,27 +85,22 @@ final class Collecting implements Skill<Fetch> {
             self.scheduler().after(SETTLING, this::standHere);
             return;
         }
-        depots = List.of(mapFromBase.get().position());
-        settle();
+        settle(List.of(mapFromBase.get().position()));
     }
 
-    private void settle() {
+    private void settle(List<Point2d> mapFromDepots) {
+        depots.settle(
+                mapFromDepots.size() == 1 ? List.of(robot.id()) : Depots.numbered(robot.id(), mapFromDepots.size()),
+                mapFromDepots,
+                depotRadius);
         worker.begin();
         beFit();
-        tell();
+        depots.tell();
     }
 
     private void beFit() {
         worker.fit();
         self.state("waiting for something to fetch");
-    }
-
-    /// Others may have missed it.
-    private void tell() {
-        for (int i = 0; i < depots.size(); i++) {
-            String name = depots.size() == 1 ? robot.id() : robot.id() + "/" + (i + 1);
-            self.publish(Depot.TOPIC, new Depot(name, depots.get(i), depotRadius));
-        }
     }
 
     @Override
@@ -120,9 +115,7 @@ final class Collecting implements Skill<Fetch> {
     }
 
     private Point2d depotFor(Fetch job) {
-        return depots.stream()
-                .min(Comparator.comparingDouble(job.goal().mapFromThing()::distanceTo))
-                .orElseThrow(); // it takes no jobs before there is one
+        return depots.nearest(job.goal().mapFromThing()); // it takes no jobs before there is one
     }
 
     @Override

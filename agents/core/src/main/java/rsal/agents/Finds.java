@@ -5,15 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 import rsal.agent.AgentContext;
 import rsal.agent.message.CollectGoal;
-import rsal.agent.message.Depot;
 import rsal.agent.message.PoseReport;
 import rsal.agent.protocol.Ending;
 import rsal.agent.protocol.Request;
 import rsal.data.Point2d;
 
 /// What was found, by oneself and by others, and is to be fetched: new things are asked for ([Orders]). New is a thing
-/// of which nobody has said for ten seconds that it is taken
-/// care of, that lies in no depot, and that is not where a robot is, which may carry it.
+/// of which nobody has said for ten seconds that it is taken care of, that lies in no depot, and that is not where a
+/// robot is, which may carry it.
 final class Finds {
     /// How long is remembered what is not heard of again.
     static final Duration MEMORY = Duration.ofSeconds(10);
@@ -22,6 +21,7 @@ final class Finds {
 
     private final AgentContext self;
     private final Sightings robots;
+    private final Depots depots;
     private final Request<CollectGoal, String> orders;
     private final List<CollectGoal> asked = new ArrayList<>();
     private int noted;
@@ -29,21 +29,19 @@ final class Finds {
     Finds(AgentContext self) {
         this.self = self;
         this.robots = new Sightings(self.blackboard());
+        this.depots = new Depots(self);
         this.orders = Orders.service(self);
     }
 
     void begin() {
         self.subscribe(CollectGoal.TOPIC, message -> note(message.content()));
-        self.subscribe(Depot.TOPIC, message -> {
-            Depot depot = message.content();
-            self.blackboard().write(Depot.TOPIC, depot.robot(), depot);
-        });
+        depots.listen();
         self.subscribe(PoseReport.TOPIC, message -> robots.note(message.content()));
     }
 
     /// Something is seen: now, or still.
     void see(CollectGoal seen) {
-        if (!isKnown(seen) && !isInADepot(seen.mapFromThing()) && !isWhereARobotIs(seen.mapFromThing())) {
+        if (!isKnown(seen) && !depots.hold(seen.mapFromThing()) && !isWhereARobotIs(seen.mapFromThing())) {
             ask(seen);
         }
     }
@@ -80,11 +78,6 @@ final class Finds {
                 .findFirst()
                 .orElseGet(() -> "thing-" + ++noted);
         self.blackboard().write(CollectGoal.TOPIC, name, goal, MEMORY);
-    }
-
-    private boolean isInADepot(Point2d mapFromThing) {
-        return self.blackboard().read(Depot.TOPIC).stream()
-                .anyMatch(note -> note.content().holds(mapFromThing));
     }
 
     private boolean isWhereARobotIs(Point2d mapFromThing) {

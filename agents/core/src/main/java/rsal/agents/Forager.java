@@ -13,7 +13,6 @@ import rsal.agent.bdi.Doing;
 import rsal.agent.bdi.Mind;
 import rsal.agent.message.CollectGoal;
 import rsal.agent.message.Collected;
-import rsal.agent.message.Depot;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Navigator;
@@ -21,8 +20,8 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
 /// What one forager wants: to look for things, more to bring what it knows of to its depot, more than that a full
-/// battery, and most of all to bring what it holds. Tells others only where its depot is, so
-/// that none takes things out of it, and where it is about to look ([Lookouts]).
+/// battery, and most of all to bring what it holds. Tells others only where its depot is, so that none takes things out
+/// of it, and where it is about to look ([Lookouts]).
 final class Forager {
     private static final Duration THINK = Duration.ofSeconds(1);
     private static final Duration REPEAT = Duration.ofSeconds(4);
@@ -42,10 +41,11 @@ final class Forager {
     private final Charging charging;
     private final Mind mind;
     private final Belief<String> known;
+    private final List<Point2d> given;
     private final double depotRadius;
+    private final Depots depots;
     private final List<CollectGoal> finds = new ArrayList<>();
     private final List<Barred> barred = new ArrayList<>();
-    private List<Point2d> mapFromDepots;
     private @Nullable Haul haul;
     private boolean dropped; // for something more urgent
 
@@ -69,17 +69,15 @@ final class Forager {
         this.lookouts = new Lookouts(
                 self, robot, driver, reporter::mapFromBase, arguments.integer(Lookouts.COUNT.name()), () -> 0);
         this.charging = Recharging.charging(self, robot, driver, reporter::mapFromBase, arguments);
-        this.mapFromDepots = arguments.places(Collecting.DEPOT.name());
+        this.given = arguments.places(Collecting.DEPOT.name());
         this.depotRadius = arguments.number(Collecting.DEPOT_RADIUS.name());
+        this.depots = new Depots(self);
         this.mind = new Mind(self);
         this.known = mind.belief("things", "none");
     }
 
     void begin() {
-        self.subscribe(Depot.TOPIC, message -> {
-            Depot depot = message.content();
-            self.blackboard().write(Depot.TOPIC, depot.robot(), depot);
-        });
+        depots.listen();
         reporter.begin();
         spotting.begin();
         lookouts.pause(); // until it is wanted
@@ -101,20 +99,11 @@ final class Forager {
             self.scheduler().after(Collecting.SETTLING, this::settle);
             return;
         }
-        if (mapFromDepots.isEmpty()) {
-            mapFromDepots = List.of(here.get().position());
-        }
-        sayWhereItsDepotIs();
-        self.scheduler().every(REPEAT, this::sayWhereItsDepotIs); // others may have missed it
+        List<Point2d> mapFromDepots = given.isEmpty() ? List.of(here.get().position()) : given;
+        depots.settle(Depots.numbered(robot.id(), mapFromDepots.size()), mapFromDepots, depotRadius);
+        depots.tell();
+        self.scheduler().every(REPEAT, depots::tell);
         mind.begin(THINK);
-    }
-
-    private void sayWhereItsDepotIs() {
-        for (int i = 0; i < mapFromDepots.size(); i++) {
-            var depot = new Depot(robot.id() + "/" + (i + 1), mapFromDepots.get(i), depotRadius);
-            self.blackboard().write(Depot.TOPIC, depot.robot(), depot);
-            self.publish(Depot.TOPIC, depot);
-        }
     }
 
     private void see(CollectGoal thing) {
@@ -123,8 +112,7 @@ final class Forager {
         Point2d there = thing.mapFromThing();
         boolean isNone = finds.stream().anyMatch(thing::isSame)
                 || barred.stream().anyMatch(bar -> bar.thing.isSame(thing))
-                || self.blackboard().read(Depot.TOPIC).stream()
-                        .anyMatch(depot -> depot.content().holds(there));
+                || depots.hold(there);
         boolean inHand = haul != null && distance(there) < IN_FRONT;
         if (!isNone && !inHand) {
             finds.add(thing);
@@ -149,9 +137,7 @@ final class Forager {
 
     private void fetch(Doing doing) {
         CollectGoal thing = nearest().orElseThrow(); // else it is not wanted
-        Point2d mapFromDepot = mapFromDepots.stream()
-                .min(Comparator.comparingDouble(thing.mapFromThing()::distanceTo))
-                .orElseThrow(); // it settles before it thinks
+        Point2d mapFromDepot = depots.nearest(thing.mapFromThing()); // it settles before it thinks
         dropped = false;
         var begun = new Haul(
                 self,
