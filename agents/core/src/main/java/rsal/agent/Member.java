@@ -32,9 +32,14 @@ import rsal.time.Task;
 /// One agent's life and the fence around it: all code of the agent runs inside [#act], so that what it throws
 /// ends this agent alone, and its end takes with it whatever it listens to, has scheduled and holds.
 final class Member implements AgentContext {
-    /// How many messages and tasks an agent may set off within [#WINDOW]. A run with two agents that answer each
-    /// other for ever would never see the next instant.
+    /// How many messages and tasks an agent may set off within [#WINDOW], answers to what it says to one included.
+    /// A run with two agents that answer each other for ever would never see the next instant.
     static final int LIMIT = 10_000;
+
+    /// How many answers to something that an agent says to another alone count for the one who asked, as long as
+    /// they come before the end of the next [#WINDOW]. So nobody is ended for what others ask it, and none has to
+    /// pay for what it did not set off.
+    private static final int ANSWERS = 4;
 
     private static final Duration WINDOW = Duration.ofMillis(100);
     private static final Logger LOG = System.getLogger(Agent.class.getName());
@@ -58,6 +63,8 @@ final class Member implements AgentContext {
     private @Nullable Arrival coming; // of the newest message
     private Instant windowEnd = Instant.MIN;
     private int setOff;
+    private Map<String, Integer> answers = new HashMap<>(); // that others may still give at its expense, by agent
+    private Map<String, Integer> answersBefore = Map.of(); // in the window before
 
     Member(Society society, AgentSpec spec, Scheduler hostLane) {
         this.society = society;
@@ -148,16 +155,42 @@ final class Member implements AgentContext {
     }
 
     private void countWhatItSetsOff() {
+        passOn();
+        if (++setOff > LIMIT) {
+            throw new IllegalStateException(
+                    "Agent (%s) set off more than (%d) messages, answers to them and tasks within %d ms, which would stop the run."
+                            .formatted(name(), LIMIT, WINDOW.toMillis()));
+        }
+    }
+
+    /// To the window of now.
+    private void passOn() {
         Instant now = hostLane.instant();
         if (!now.isBefore(windowEnd)) {
+            answersBefore = now.isBefore(windowEnd.plus(WINDOW)) ? answers : Map.of();
+            answers = new HashMap<>();
             windowEnd = now.plus(WINDOW);
             setOff = 0;
         }
-        if (++setOff > LIMIT) {
-            throw new IllegalStateException(
-                    "Agent (%s) set off more than (%d) messages and tasks within %d ms, which would stop the run."
-                            .formatted(name(), LIMIT, WINDOW.toMillis()));
+    }
+
+    /// Whether another says something to this agent at this one's expense: it has been asked. Goes on to be so
+    /// when this one has ended, as what it has asked may still be heard.
+    private boolean paysFor(String other) {
+        passOn();
+        if (!take(answersBefore, other) && !take(answers, other)) {
+            return false;
         }
+        act(other, _ -> countWhatItSetsOff());
+        return true;
+    }
+
+    private static boolean take(Map<String, Integer> answers, String other) {
+        int left = answers.getOrDefault(other, 0);
+        if (left > 0) {
+            answers.put(other, left - 1);
+        }
+        return left > 0;
     }
 
     @Override
@@ -187,19 +220,22 @@ final class Member implements AgentContext {
 
     @Override
     public <M> void publish(Topic<M> topic, M message) {
-        say(() -> society.publish(name(), topic, message));
+        if (status == Society.Status.RUNNING) {
+            countWhatItSetsOff();
+            sent++;
+            society.publish(name(), topic, message);
+        }
     }
 
     @Override
     public <M> void send(String to, Topic<M> topic, M message) {
-        say(() -> society.send(name(), to, topic, message));
-    }
-
-    private void say(Runnable something) {
         if (status == Society.Status.RUNNING) {
-            countWhatItSetsOff();
+            if (!society.member(to).filter(asker -> asker.paysFor(name())).isPresent()) {
+                countWhatItSetsOff();
+                answers.merge(to, ANSWERS, (before, more) -> Math.min(before + more, LIMIT));
+            }
             sent++;
-            something.run();
+            society.send(name(), to, topic, message);
         }
     }
 

@@ -163,6 +163,11 @@ public final class Society implements AutoCloseable {
         host.close();
     }
 
+    /// Also one that has ended.
+    Optional<Member> member(String name) {
+        return Optional.ofNullable(members.get(name));
+    }
+
     void offer(Directory.Entry agent, Capability capability) {
         roster.offer(agent, capability);
     }

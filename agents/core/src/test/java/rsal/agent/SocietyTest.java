@@ -329,6 +329,76 @@ class SocietyTest {
         assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
     }
 
+    /// Says something to another a number of times at once.
+    private void sayOften(String name, String to, int times) {
+        run.start(name, self -> {
+            self.subscribe(WORDS, _ -> {});
+            self.scheduler().after(Duration.ofSeconds(1), () -> {
+                for (int i = 0; i < times; i++) {
+                    self.send(to, WORDS, "?");
+                }
+            });
+        });
+    }
+
+    /// Says something a number of times to whoever says something to it.
+    private void answer(String name, int times) {
+        run.start(
+                name,
+                self -> self.subscribe(WORDS, question -> {
+                    for (int i = 0; i < times; i++) {
+                        self.send(question.sender(), WORDS, "!");
+                    }
+                }));
+    }
+
+    @Test
+    void answersCountForTheOneWhoAsked() {
+        answer("amy", 2);
+        sayOften("bob", "amy", Member.LIMIT / 2);
+        sayOften("eve", "amy", Member.LIMIT / 2);
+        sayOften("zoe", "amy", Member.LIMIT / 4);
+        run.advance(2);
+        assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
+        assertThat(run.view("zoe").status()).isEqualTo(Status.RUNNING);
+        for (String name : List.of("bob", "eve")) {
+            assertThat(run.view(name).status()).isEqualTo(Status.FAILED);
+            assertThat(run.view(name).state()).contains("(%s)".formatted(name), "answers");
+        }
+    }
+
+    @Test
+    void manyMayAskOneTogetherMoreThanItMaySay() {
+        int times = Member.LIMIT / 12;
+        answer("amy", 2);
+        for (int i = 0; i < 12; i++) {
+            sayOften("asker-" + i, "amy", times);
+        }
+        run.advance(2);
+        assertThat(run.society.views()).extracting(Society.View::status).containsOnly(Status.RUNNING);
+        assertThat(run.view("amy").sent()).isEqualTo(24L * times);
+    }
+
+    @Test
+    void whoAnswersMoreThanAnybodyAskedForIsEndedItself() {
+        answer("amy", 2 * Member.LIMIT);
+        sayOften("bob", "amy", 1);
+        run.advance(2);
+        assertThat(run.view("amy").status()).isEqualTo(Status.FAILED);
+        assertThat(run.view("bob").status()).isEqualTo(Status.RUNNING);
+    }
+
+    @Test
+    void ofTwoThatAnswerEachOtherTheOneWhoBeganIsEnded() {
+        answer("pong", 1);
+        answer("ping", 1);
+        run.start("zoe", self -> {});
+        run.society.send("pong", "ping", WORDS, "?"); // in its name: not counted
+        run.advance(1);
+        assertThat(run.view("ping").status()).isEqualTo(Status.FAILED);
+        assertThat(run.view("pong").status()).isEqualTo(Status.RUNNING);
+    }
+
     @Test
     void oneThatSchedulesItselfForEverAtOneInstantIsEnded() {
         run.start("busy", new Agent() {
