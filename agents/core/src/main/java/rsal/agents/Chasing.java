@@ -19,8 +19,7 @@ import rsal.robot.Robot;
 
 /// The skill to go for a prey, alone or as one of several. While hunters are near enough to it that it may run, it
 /// goes where it can stop the prey on the way that it would take ([Evasion]), so that several stop all of its ways;
-/// else
-/// where the prey is. Without a planner and a place finder it always goes where it is.
+/// else where the prey is. Without a planner and a place finder it always goes where it is.
 final class Chasing implements Skill<Catch> {
     private static final double NOT_WORTH_A_NEW_PLAN = 0.1; // m
     private static final double NEAR = 10.0; // m, in which prey may see hunters

@@ -30,12 +30,11 @@ import rsal.data.Pose2d;
 import rsal.settings.Arguments;
 
 /// Moves a formation as one body along a way and tells each robot where its place in it is: a virtual structure (M.
-/// Lewis,
-/// K.-H. Tan, High Precision Formation Control of Mobile Robots Using Virtual Structures, Autonomous Robots 4, 1997).
-/// The structure waits for robots that lag (the formation feedback of B. Young, R. Beard, J. Kelsey, A Control Scheme
-/// for Improving Multi-Vehicle Formation Maneuvers, ACC 2001). Places are allotted with the least sum of squared
-/// distances, for then straight ways to them do not cross (M. Turpin, N. Michael, V. Kumar, CAPT, International Journal
-/// of Robotics Research 33, 2014), anew whenever the shape or the team changes.
+/// Lewis, K.-H. Tan, High Precision Formation Control of Mobile Robots Using Virtual Structures, Autonomous Robots
+/// 4, 1997). The structure waits for robots that lag (the formation feedback of B. Young, R. Beard, J. Kelsey, A
+/// Control Scheme for Improving Multi-Vehicle Formation Maneuvers, ACC 2001). Places are allotted with the least
+/// sum of squared distances, for then straight ways to them do not cross (M. Turpin, N. Michael, V. Kumar, CAPT,
+/// International Journal of Robotics Research 33, 2014), anew whenever the shape or the team changes.
 ///
 /// Differs from these in that robots drive to their places by their own navigators, around whatever is in the way; and
 /// in that the structure is a column that follows the way wherever a robot's planner finds no room for the shape.

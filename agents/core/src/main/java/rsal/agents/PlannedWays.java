@@ -39,9 +39,8 @@ final class PlannedWays implements Ways {
         });
     }
 
-    /// What ways from one place to several cost, in the goals' order; comes on the scheduler's thread. Takes less than
-    /// to
-    /// ask for each.
+    /// What ways from one place to several cost, in the goals' order; comes on the scheduler's thread. Takes less
+    /// than to ask for each.
     CompletionStage<List<Double>> costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals) {
         if (planner.isEmpty()) {
             return CompletableFuture.completedStage(

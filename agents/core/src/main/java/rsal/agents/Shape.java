@@ -7,9 +7,8 @@ import java.util.stream.Stream;
 import rsal.data.Point2d;
 
 /// How robots stand to each other in a formation: line, column and wedge as T. Balch and R. Arkin have them
-/// (Behavior-Based
-/// Formation Control for Multirobot Teams, IEEE Transactions on Robotics and Automation 14, 1998); their diamond is a
-/// wedge's and a grid's special case and left out, circle and grid are added.
+/// (Behavior-Based Formation Control for Multirobot Teams, IEEE Transactions on Robotics and Automation 14, 1998);
+/// their diamond is a wedge's and a grid's special case and left out, circle and grid are added.
 enum Shape {
     /// Side by side.
     LINE {

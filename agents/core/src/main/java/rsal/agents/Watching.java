@@ -26,11 +26,10 @@ import rsal.data.Pose2d;
 import rsal.settings.Arguments;
 
 /// Watches places by a team. By bids, each place is a job again as soon as somebody has been there, the more urgent
-/// the longer nobody was: what A. Machado et al., "Multi-agent patrolling" (2002), call idleness, weighed against the
-/// way as in A. Almeida et al., "Recent advances on multi-agent patrolling" (2004). The other two ways are what to
-/// compare with: along a cycle, on which the robots begin evenly spaced, and at random. When one of them sees an
-/// intruder,
-/// some go there first, and the others go on.
+/// the longer nobody was: what A. Machado et al., "Multi-agent patrolling" (2002), call idleness, weighed against
+/// the way as in A. Almeida et al., "Recent advances on multi-agent patrolling" (2004). The other two ways are what
+/// to compare with: along a cycle, on which the robots begin evenly spaced, and at random. When one of them sees an
+/// intruder, some go there first, and the others go on.
 final class Watching {
     private static final Duration SEEN = Duration.ofSeconds(10); // nobody need look again before
     private static final Duration LOOK = Duration.ofSeconds(5); // for robots that can find places, or have come

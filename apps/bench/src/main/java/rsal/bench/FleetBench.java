@@ -15,8 +15,8 @@ import rsal.scenario.run.RunResult;
 /// about by `distribution:found`, each to a place of its own, as soon as the places are found.
 ///
 /// Names are `swarm.<robots>[.driving].core2.<what>`. What: `rtf`, seconds simulated per second; `cpu`, seconds
-/// simulated per
-/// second of a processor; and `swarm.<robots>[.driving].memory.mb`, all that the process holds while a run goes on.
+/// simulated per second of a processor; and `swarm.<robots>[.driving].memory.mb`, all that the process holds while
+/// a run goes on.
 final class FleetBench implements Bench {
     private static final Scenario SWARM = Scenario.load("swarm");
     private static final Duration LEARNING = Duration.ofSeconds(10);

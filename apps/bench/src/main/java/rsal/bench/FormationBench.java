@@ -12,11 +12,10 @@ import rsal.scenario.run.RunResult;
 /// Whole runs of the scenario `swarm` in the configuration `formation`: six robots that cross a cave in each of the
 /// shapes.
 ///
-/// Names are `formation.<shape>.<what>`. What: `error`, true distance of robots to their places while the formation is
-/// in place, root mean square of a run [m]; `apart`, share of the run in which it is not; `seconds` until all have
-/// arrived, or that the run took. All these are means of all runs ([Confidence]). And `arrived`, share of the robots
-/// that
-/// do; `contacts`, touches in a run.
+/// Names are `formation.<shape>.<what>`. What: `error`, true distance of robots to their places while the formation
+/// is in place, root mean square of a run [m]; `apart`, share of the run in which it is not; `seconds` until all
+/// have arrived, or that the run took. All these are means of all runs ([Confidence]). And `arrived`, share of the
+/// robots that do; `contacts`, touches in a run.
 final class FormationBench implements Bench {
     private static final Scenario SCENARIO = Scenario.load("swarm");
     private static final double ROBOTS = 6;

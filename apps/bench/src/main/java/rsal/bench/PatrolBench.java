@@ -11,10 +11,9 @@ import rsal.scenario.run.RunResult;
 /// Whole runs of the scenario `patrol`, 20 minutes long: guards that bid for places beside those that go along a cycle
 /// and at random.
 ///
-/// Names are `patrol.<strategy>.<what>`. What: `mean` and `worst`, for how long a place was left alone on average and
-/// at
-/// most, the mean of all runs ([Confidence]); `contacts`, touches in a run. And `patrol.bids.<what>.saved.<strategy>`,
-/// how much less that is by bids ([Saving]).
+/// Names are `patrol.<strategy>.<what>`. What: `mean` and `worst`, for how long a place was left alone on average
+/// and at most, the mean of all runs ([Confidence]); `contacts`, touches in a run. And
+/// `patrol.bids.<what>.saved.<strategy>`, how much less that is by bids ([Saving]).
 final class PatrolBench implements Bench {
     private static final Scenario SCENARIO = Scenario.load("patrol");
     private static final String BIDS = "bids";

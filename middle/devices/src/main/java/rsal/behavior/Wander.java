@@ -3,9 +3,8 @@ package rsal.behavior;
 import rsal.data.Footprint;
 import rsal.data.Twist2d;
 
-/// Drives ahead as long as there is room for its body, then turns on the spot to the side where there is more of it,
-/// and
-/// on to that side until there is room ahead again.
+/// Drives ahead as long as there is room for its body, then turns on the spot to the side where there is more of
+/// it, and on to that side until there is room ahead again.
 public final class Wander implements Behavior {
     private static final double MARGIN = 0.1; // m beside the body
     private static final double HORIZON = 2; // s

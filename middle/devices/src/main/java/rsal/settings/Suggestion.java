@@ -13,8 +13,7 @@ public final class Suggestion {
     private Suggestion() {}
 
     /// "Maybe (catchDistance)?" when a known word is close to what was read, else the list of the known words, the
-    /// first
-    /// of them if there are many.
+    /// first of them if there are many.
     public static String among(String read, Collection<String> known) {
         return closest(read, known)
                 .map(word -> "Maybe (%s) was meant?".formatted(word))

@@ -59,9 +59,8 @@ public sealed interface Value {
             return "a group of " + entries.size() + " settings";
         }
 
-        /// This with `over` laid on top: groups merge key by key, all else is replaced; so is a group that says it is
-        /// of
-        /// another `type`, as the options of one make no sense for another.
+        /// This with `over` laid on top: groups merge key by key, all else is replaced; so is a group that says it
+        /// is of another `type`, as the options of one make no sense for another.
         public Mapping merge(Mapping over) {
             var merged = new LinkedHashMap<>(entries);
             var places = new LinkedHashMap<>(keys);

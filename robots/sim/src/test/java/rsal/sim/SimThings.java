@@ -28,8 +28,7 @@ final class SimThings {
     }
 
     /// Open from x = 0.3 to 0.5 of a robot, 0.24 m across, 0.2 m high, 2 s from open to closed and from down to up.
-    /// Tells
-    /// of every step.
+    /// Tells of every step.
     static Part.Gripper gripper() {
         return gripper(false, false, false);
     }

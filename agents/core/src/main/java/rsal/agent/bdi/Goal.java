@@ -31,9 +31,8 @@ public final class Goal {
         return name;
     }
 
-    /// How urgent it is; 0 when nothing is said. Of goals that are equally urgent the one that is pursued stays, else
-    /// the
-    /// one that was declared first comes first.
+    /// How urgent it is; 0 when nothing is said. Of goals that are equally urgent the one that is pursued stays,
+    /// else the one that was declared first comes first.
     public Goal priority(DoubleSupplier urgency) {
         priority = urgency;
         return this;

@@ -9,8 +9,7 @@ import rsal.agent.Topic;
 import rsal.data.Point2d;
 
 /// Which notes of a topic somebody wants: `Query.of(VICTIMS).within(5, here).newest(3)`. The newest come first; of
-/// equally
-/// old ones, those of the first author by name.
+/// equally old ones, those of the first author by name.
 ///
 /// @param name only notes of that name; empty for all
 /// @param author only notes of that agent; empty for all

@@ -17,10 +17,9 @@ import java.util.stream.IntStream;
 /// divided exactly. Same estimates, same answer.
 ///
 /// Source: M. G. Lagoudakis et al., "Auction-based multi-robot routing" (2005) for the two objectives and the
-/// insertion;
-/// the moves are those customary in vehicle routing (P. Toth and D. Vigo, "Vehicle Routing", 2014, ch. 4); taking out
-/// and putting back after G. Schrimpf et al., "Record breaking optimization results using the ruin and recreate
-/// principle" (2000), with neighborhoods of each job in turn instead of random ones.
+/// insertion; the moves are those customary in vehicle routing (P. Toth and D. Vigo, "Vehicle Routing", 2014, ch.
+/// 4); taking out and putting back after G. Schrimpf et al., "Record breaking optimization results using the ruin
+/// and recreate principle" (2000), with neighborhoods of each job in turn instead of random ones.
 final class Routes {
     private static final double WORTH_IT = 1e-9; // m
     private static final double AS_GOOD = 1.01; // times as long

@@ -9,9 +9,8 @@ import java.time.Duration;
 /// @param ping a member of which nothing was heard for that long is asked
 /// @param silence after that long without a sign a member counts as silent; at least twice the ping
 /// @param replyWithin how long a call for bids waits
-/// @param reconsider how often jobs that are under way are allotted anew, too, one each, as fits things that move; 0
-/// for
-/// never. Who has a job keeps it unless another can do it for clearly less.
+/// @param reconsider how often jobs that are under way are allotted anew, too, one each, as fits things that move;
+/// 0 for never. Who has a job keeps it unless another can do it for clearly less.
 /// @param tries after as many failures a job is given up; 0 for never
 public record Rules(
         Objective objective,

@@ -31,9 +31,8 @@ public sealed interface Condition {
         }
     }
 
-    /// `allCaught(prey)`: all that there are and that are still to come. Of robots that are gone nobody expects that
-    /// they
-    /// arrive.
+    /// `allCaught(prey)`: all that there are and that are still to come. Of robots that are gone nobody expects
+    /// that they arrive.
     record All(Quantity quantity) implements Condition {
         @Override
         public boolean holds(Facts facts) {

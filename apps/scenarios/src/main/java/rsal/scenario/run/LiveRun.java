@@ -218,8 +218,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// What a robot's devices have told last, as [Answer.Read]; nothing of one that is gone, or from where it was
-    /// before
-    /// it was placed elsewhere.
+    /// before it was placed elsewhere.
     public CompletionStage<Answer> readings(String robot) {
         return ask(stage -> stage.readings(robot));
     }

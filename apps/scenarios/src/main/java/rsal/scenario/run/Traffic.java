@@ -10,8 +10,7 @@ import java.util.TreeMap;
 import rsal.agent.Message;
 
 /// Counts what agents say and hear, by topic. Who heard what is recorded, and part of the event hash, where
-/// communication
-/// is limited: else all hear all, and the counts are enough. All calls on the run's thread.
+/// communication is limited: else all hear all, and the counts are enough. All calls on the run's thread.
 final class Traffic {
     private static final int MOST_TOPICS = 500;
     private static final String OTHERS = "…";

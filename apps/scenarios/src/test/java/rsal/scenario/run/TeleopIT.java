@@ -36,8 +36,7 @@ class TeleopIT {
     }
 
     /// The first is taken away, the second can't be heard from the 10th to the 40th second, and a fifth of all
-    /// messages
-    /// is lost, also of those by which robots are sent.
+    /// messages is lost, also of those by which robots are sent.
     @Test
     void peopleAreToldWhoDoesNotAnswerAndTheOthersGoWhereTheyAreSent() {
         for (long seed = 1; seed <= 5; seed++) {

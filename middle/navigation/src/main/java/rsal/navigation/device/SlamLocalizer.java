@@ -35,10 +35,9 @@ import rsal.time.Scheduler;
 /// farther the wheels led it since a scan matched, and is lost when they don't match for long.
 ///
 /// Its map's frame is that of the pose it was told to start from, else one of its own, `<robot>/map`, in which it
-/// starts at the origin. Told otherwise where it is, it begins a new map from there. Without scans or odometry it is
-/// stale and silent;
-/// when mapping fails it is lost and begins a new map from where it is. Bad readings are skipped ([Scrutiny]),
-/// the first with a word in the log, and counted in its health when no good ones come.
+/// starts at the origin. Told otherwise where it is, it begins a new map from there. Without scans or odometry it
+/// is stale and silent; when mapping fails it is lost and begins a new map from where it is. Bad readings are
+/// skipped ([Scrutiny]), the first with a word in the log, and counted in its health when no good ones come.
 final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private static final Logger LOG = System.getLogger(SlamLocalizer.class.getName());
     private static final Duration PATIENCE = Duration.ofSeconds(2);

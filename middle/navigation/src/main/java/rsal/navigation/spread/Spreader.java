@@ -17,10 +17,9 @@ import rsal.data.Point2d;
 /// hall that has one. The greatest distance alone would put places against walls and leave all but one free to be
 /// anywhere.
 ///
-/// Places are where two robots fit side by side, that is with twice the clearance, so that none stands in a door where
-/// nobody else gets by, unless less than half of the ground is so wide. In the office that makes the ways to 10 places
-/// 1.3 %
-/// longer.
+/// Places are where two robots fit side by side, that is with twice the clearance, so that none stands in a door
+/// where nobody else gets by, unless less than half of the ground is so wide. In the office that makes the ways to
+/// 10 places 1.3 % longer.
 ///
 /// Works from coarse to fine: on at most 2000 patches of the ground the best of some choices that no swap betters
 /// ([Medoids]), then downhill on tens of thousands ([Descent]). More places than that coarse level can tell apart begin
@@ -151,9 +150,8 @@ public final class Spreader {
                 .toList();
     }
 
-    /// One run of Lloyd's from random places, without seeds, swaps and regard for doors: what to compare with. Exact
-    /// medoids on the
-    /// coarse level, then downhill on the fine one.
+    /// One run of Lloyd's from random places, without seeds, swaps and regard for doors: what to compare with.
+    /// Exact medoids on the coarse level, then downhill on the fine one.
     public Spread lloyd(RandomGenerator random) {
         int[] at = coarse.map(level -> {
                     int[] chosen = level.choice.anywhere(number, random);
