@@ -16,6 +16,7 @@ import rsal.navigation.explore.Frontier;
 import rsal.navigation.explore.Frontiers;
 import rsal.navigation.explore.Trodden;
 import rsal.navigation.grid.DistanceField;
+import rsal.navigation.grid.Drawing;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.grid.ScanMapper.PosedScan;
 import rsal.navigation.wavefront.CostMap;
@@ -38,6 +39,8 @@ final class Exploration {
     private final Settings settings;
     private final List<Explorer> robots = new ArrayList<>();
     private final LeftAlone leftAlone = new LeftAlone();
+    private final Sequence sequence = new Sequence(); // only the look under way touches it
+    private final Drawing drawing; // likewise
     private Instant lastLook = Instant.MIN;
     private boolean looking;
 
@@ -96,6 +99,8 @@ final class Exploration {
 
     Exploration(Settings settings) {
         this.settings = settings;
+        this.drawing =
+                new Drawing(ScanMapper.Settings.of(settings.resolution()).upTo(settings.view(), settings.view()));
     }
 
     void join(Explorer robot) {
@@ -133,7 +138,7 @@ final class Exploration {
                 .toList();
         List<Point2d> alone = leftAlone.at(scheduler.instant());
         looking = true;
-        scheduler.compute(() -> orders(settings, seen, sent, alone)).whenComplete((orders, error) -> {
+        scheduler.compute(() -> orders(seen, sent, alone)).whenComplete((orders, error) -> {
             looking = false;
             for (int i = 0; i < ready.size(); i++) {
                 if (error != null) {
@@ -147,8 +152,8 @@ final class Exploration {
 
     /// @param alone frontiers to which nobody is sent
     /// @return by robot that is ready
-    static List<Order> orders(Settings settings, List<Seen> seen, List<Ready> ready, List<Point2d> alone) {
-        OccupancyGrid map = map(settings, seen, ready);
+    List<Order> orders(List<Seen> seen, List<Ready> ready, List<Point2d> alone) {
+        OccupancyGrid map = map(seen, ready);
         DistanceField toNotFree = DistanceField.toNotFree(map);
         var waysOf = new HashMap<CostMap.Clearance, Wavefront>();
         List<Wavefront> ways = ready.stream()
@@ -207,12 +212,9 @@ final class Exploration {
         return List.copyOf(ends);
     }
 
-    private static OccupancyGrid map(Settings settings, List<Seen> seen, List<Ready> ready) {
-        double view = settings.view();
-        List<PosedScan> scans =
-                seen.stream().flatMap(robot -> robot.scans().stream()).toList();
-        OccupancyGrid map = ScanMapper.draw(
-                scans, ScanMapper.Settings.of(settings.resolution()).upTo(view, view));
+    private OccupancyGrid map(List<Seen> seen, List<Ready> ready) {
+        OccupancyGrid map =
+                drawing.of(sequence.of(seen.stream().map(Seen::scans).toList()));
         var trodden = new LinkedHashMap<Double, List<Point2d>>(); // by room
         for (Seen robot : seen) {
             robot.scans()

@@ -12,20 +12,26 @@ import rsal.data.Pose2d;
 /// cells and give beams a width), that a beam which hit nothing frees the cells up to [Settings#freeUpTo] only,
 /// and that no cell becomes so sure that a few later beams couldn't change it.
 ///
+/// What is drawn can be drawn on: scans that are added one after the other give the same map, to the bit, as all
+/// of them at once, whatever the map grew to in between. The borders of cells are at multiples of their side.
+///
 /// Not safe for several threads at once.
 public final class ScanMapper {
     /// 400 m × 400 m at 0.05 m.
     public static final int MOST_CELLS = 1 << 26;
 
+    private static final int MARGIN = 4; // cells around what was seen
+
     private final Settings settings;
-    private final int width;
-    private final int height;
-    private final double originX;
-    private final double originY;
-    private final float[] logOdds;
-    private final boolean[] seen;
     private final float passed;
     private final float surest;
+    private Bounds bounds = Bounds.NONE;
+    private long left; // columns from the map frame's origin to the first one
+    private long low; // likewise rows
+    private int width;
+    private int height;
+    private float[] logOdds = {};
+    private boolean[] seen = {};
 
     /// @param resolution side of a cell [m]
     /// @param maxRange hits farther than this are not drawn [m]
@@ -66,56 +72,118 @@ public final class ScanMapper {
     /// Where a scan was taken.
     public record PosedScan(Pose2d mapFromBase, LaserScan scan) {}
 
-    private ScanMapper(Settings settings, double minX, double minY, int width, int height) {
+    /// An empty one.
+    public ScanMapper(Settings settings) {
         this.settings = settings;
-        this.originX = minX;
-        this.originY = minY;
-        this.width = width;
-        this.height = height;
-        this.logOdds = new float[width * height];
-        this.seen = new boolean[width * height];
         this.passed = (float) settings.passed();
         this.surest = (float) settings.surest();
     }
 
-    /// A map just large enough for what the scans saw, free or not, with a margin of a few cells.
+    /// The map of scans, as one that was [added][#add] them draws it.
     ///
-    /// @throws IllegalArgumentException when it would have more than [#MOST_CELLS], or a pose is not finite
+    /// @throws IllegalArgumentException when there are no scans, or as `add` does
     public static OccupancyGrid draw(Iterable<PosedScan> scans, Settings settings) {
-        double minX = Double.POSITIVE_INFINITY;
-        double minY = Double.POSITIVE_INFINITY;
-        double maxX = Double.NEGATIVE_INFINITY;
-        double maxY = Double.NEGATIVE_INFINITY;
+        var mapper = new ScanMapper(settings);
+        mapper.add(scans);
+        return mapper.grid();
+    }
+
+    /// Draws scans over what is there.
+    ///
+    /// @throws IllegalArgumentException when the map would have more than [#MOST_CELLS], or a pose is not finite;
+    /// nothing is drawn then
+    public void add(Iterable<PosedScan> scans) {
+        Bounds all = bounds;
         for (PosedScan posed : scans) {
-            Pose2d mapFromLaser = mapFromLaser(posed);
-            for (int i = -1; i < posed.scan().count(); i++) {
-                double reach = i < 0 ? 0 : seen(posed.scan(), i, settings);
-                double direction = mapFromLaser.theta() + posed.scan().angle(Math.max(0, i));
-                double x = mapFromLaser.x() + reach * Math.cos(direction);
-                double y = mapFromLaser.y() + reach * Math.sin(direction);
-                minX = Math.min(minX, x);
-                minY = Math.min(minY, y);
-                maxX = Math.max(maxX, x);
-                maxY = Math.max(maxY, y);
-            }
+            all = all.with(posed, settings);
         }
-        if (!(minX <= maxX)) {
+        if (all.isEmpty()) {
+            return;
+        }
+        makeRoom(all);
+        bounds = all;
+        scans.forEach(this::draw);
+    }
+
+    /// The map as it is now: just large enough for what the scans saw, free or not, with a margin of a few cells.
+    ///
+    /// @throws IllegalArgumentException when nothing was drawn
+    public OccupancyGrid grid() {
+        if (bounds.isEmpty()) {
             throw new IllegalArgumentException("A map can't be drawn from no scans.");
         }
+        var cells = new byte[logOdds.length];
+        Arrays.fill(cells, OccupancyGrid.UNKNOWN);
+        for (int i = 0; i < cells.length; i++) {
+            if (seen[i]) {
+                cells[i] = logOdds[i] > 0 ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+            }
+        }
         double cell = settings.resolution();
-        double margin = 4 * cell;
-        double left = Math.floor((minX - margin) / cell) * cell;
-        double low = Math.floor((minY - margin) / cell) * cell;
-        double columns = Math.ceil((maxX + margin - left) / cell);
-        double rows = Math.ceil((maxY + margin - low) / cell);
+        return new OccupancyGrid(width, height, cell, left * cell, low * cell, cells);
+    }
+
+    /// What scans saw, in the map frame [m].
+    private record Bounds(double minX, double minY, double maxX, double maxY) {
+        private static final double INFINITY = Double.POSITIVE_INFINITY;
+        static final Bounds NONE = new Bounds(INFINITY, INFINITY, -INFINITY, -INFINITY);
+
+        boolean isEmpty() {
+            return !(minX <= maxX);
+        }
+
+        Bounds with(PosedScan posed, Settings settings) {
+            Pose2d mapFromLaser = mapFromLaser(posed);
+            double leastX = Math.min(minX, mapFromLaser.x());
+            double leastY = Math.min(minY, mapFromLaser.y());
+            double mostX = Math.max(maxX, mapFromLaser.x());
+            double mostY = Math.max(maxY, mapFromLaser.y());
+            for (int i = 0; i < posed.scan().count(); i++) {
+                double reach = seen(posed.scan(), i, settings);
+                double direction = mapFromLaser.theta() + posed.scan().angle(i);
+                double x = mapFromLaser.x() + reach * Math.cos(direction);
+                double y = mapFromLaser.y() + reach * Math.sin(direction);
+                leastX = Math.min(leastX, x);
+                leastY = Math.min(leastY, y);
+                mostX = Math.max(mostX, x);
+                mostY = Math.max(mostY, y);
+            }
+            return new Bounds(leastX, leastY, mostX, mostY);
+        }
+    }
+
+    /// Makes the grid as large as it must be.
+    private void makeRoom(Bounds all) {
+        double cell = settings.resolution();
+        double margin = MARGIN * cell;
+        double leftmost = Math.floor((all.minX - margin) / cell);
+        double lowest = Math.floor((all.minY - margin) / cell);
+        double columns = Math.ceil((all.maxX + margin) / cell) - leftmost;
+        double rows = Math.ceil((all.maxY + margin) / cell) - lowest;
         if (!(columns * rows <= MOST_CELLS)) {
             throw new IllegalArgumentException(
                     "The scans span %.0f m × %.0f m: more than %d cells of %s m. Use larger cells."
-                            .formatted(maxX - minX, maxY - minY, MOST_CELLS, cell));
+                            .formatted(all.maxX - all.minX, all.maxY - all.minY, MOST_CELLS, cell));
         }
-        var mapper = new ScanMapper(settings, left, low, (int) columns, (int) rows);
-        scans.forEach(mapper::add);
-        return mapper.grid();
+        if (columns == width && rows == height) {
+            return; // it only grows
+        }
+        int wide = (int) columns;
+        int high = (int) rows;
+        var moreOdds = new float[wide * high];
+        var moreSeen = new boolean[wide * high];
+        int right = (int) (left - leftmost); // so many columns
+        int up = (int) (low - lowest);
+        for (int row = 0; row < height; row++) {
+            System.arraycopy(logOdds, row * width, moreOdds, (row + up) * wide + right, width);
+            System.arraycopy(seen, row * width, moreSeen, (row + up) * wide + right, width);
+        }
+        logOdds = moreOdds;
+        seen = moreSeen;
+        left = (long) leftmost;
+        low = (long) lowest;
+        width = wide;
+        height = high;
     }
 
     private static Pose2d mapFromLaser(PosedScan posed) {
@@ -142,7 +210,7 @@ public final class ScanMapper {
         return scan.isHit(beam) && range <= settings.maxRange() ? range : 0;
     }
 
-    private void add(PosedScan posed) {
+    private void draw(PosedScan posed) {
         LaserScan scan = posed.scan();
         Pose2d mapFromLaser = mapFromLaser(posed);
         for (int i = 0; i < scan.count(); i++) {
@@ -159,58 +227,57 @@ public final class ScanMapper {
         }
     }
 
-    /// Frees the cells on a line, but for its last: J. Amanatides, A. Woo, A Fast Voxel Traversal Algorithm for Ray
-    /// Tracing (Eurographics 1987).
+    /// Frees the cells on a line, but for its last: J. Amanatides, A. Woo, A Fast Voxel Traversal Algorithm for
+    /// Ray Tracing (Eurographics 1987). Cells are counted from the map frame's origin, so that they are the
+    /// same however large the map is.
     private void free(Pose2d from, double direction, double range) {
         double dx = Math.cos(direction);
         double dy = Math.sin(direction);
-        double startX = (from.x() - originX) / settings.resolution();
-        double startY = (from.y() - originY) / settings.resolution();
-        int column = (int) Math.floor(startX);
-        int row = (int) Math.floor(startY);
+        double startX = from.x() / settings.resolution();
+        double startY = from.y() / settings.resolution();
+        double column = Math.floor(startX);
+        double row = Math.floor(startY);
         double length = range / settings.resolution();
-        int lastColumn = (int) Math.floor(startX + length * dx);
-        int lastRow = (int) Math.floor(startY + length * dy);
-        int stepColumn = dx > 0 ? 1 : -1;
-        int stepRow = dy > 0 ? 1 : -1;
+        double columns = Math.abs(Math.floor(startX + length * dx) - column);
+        double rows = Math.abs(Math.floor(startY + length * dy) - row);
         double perColumn = Math.abs(1 / dx);
         double perRow = Math.abs(1 / dy);
-        double toColumn = (dx > 0 ? column + 1 - startX : startX - column) * perColumn;
-        double toRow = (dy > 0 ? row + 1 - startY : startY - row) * perRow;
-        int cells = Math.abs(lastColumn - column) + Math.abs(lastRow - row);
+        double toColumn = toNext(startX - column, dx);
+        double toRow = toNext(startY - row, dy);
+        int stepColumn = dx > 0 ? 1 : -1;
+        int stepRow = dy > 0 ? width : -width;
+        int cell = cell(from.x(), from.y());
+        int cells = (int) (columns + rows);
         for (int i = 0; i < cells; i++) {
-            if (column >= 0 && column < width && row >= 0 && row < height) {
-                change(row * width + column, passed);
-            }
+            change(cell, passed); // within the margin, however it is rounded
             if (toColumn < toRow) {
                 toColumn += perColumn;
-                column += stepColumn;
+                cell += stepColumn;
             } else {
                 toRow += perRow;
-                row += stepRow;
+                cell += stepRow;
             }
         }
     }
 
+    /// How far a beam goes, in cells, before it leaves the first column or row.
+    ///
+    /// @param beyond how far beyond the lower border it starts
+    /// @param slope how fast it goes up
+    private static double toNext(double beyond, double slope) {
+        double left = slope > 0 ? 1 - beyond : beyond;
+        return slope == 0 ? Double.POSITIVE_INFINITY : left * Math.abs(1 / slope); // not 0 · ∞
+    }
+
+    /// Of a place that was seen.
     private int cell(double x, double y) {
-        int column = (int) ((x - originX) / settings.resolution());
-        int row = (int) ((y - originY) / settings.resolution());
-        return row * width + column; // the map was made large enough
+        int column = (int) ((long) Math.floor(x / settings.resolution()) - left);
+        int row = (int) ((long) Math.floor(y / settings.resolution()) - low);
+        return row * width + column;
     }
 
     private void change(int cell, float by) {
         seen[cell] = true;
         logOdds[cell] = Math.max(-surest, Math.min(surest, logOdds[cell] + by)); // Math.clamp takes twice as long
-    }
-
-    private OccupancyGrid grid() {
-        var cells = new byte[logOdds.length];
-        Arrays.fill(cells, OccupancyGrid.UNKNOWN);
-        for (int i = 0; i < cells.length; i++) {
-            if (seen[i]) {
-                cells[i] = logOdds[i] > 0 ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
-            }
-        }
-        return new OccupancyGrid(width, height, settings.resolution(), originX, originY, cells);
     }
 }

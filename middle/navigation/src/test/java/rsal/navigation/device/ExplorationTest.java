@@ -49,7 +49,7 @@ class ExplorationTest {
                             new Ready(SMALL, small, Optional.empty(), true),
                             new Ready(LARGE, large, Optional.empty(), true));
 
-            List<Exploration.Order> orders = Exploration.orders(SETTINGS, seen, ready, List.of());
+            List<Exploration.Order> orders = new Exploration(SETTINGS).orders(seen, ready, List.of());
 
             assertThat(orders.get(largeFirst ? 0 : 1).goal()).isEmpty();
             assertThat(orders.get(largeFirst ? 1 : 0).goal())
@@ -65,7 +65,7 @@ class ExplorationTest {
                 new Ready(SMALL, place.position(), Optional.empty(), true),
                 new Ready(SMALL, new Point2d(3.2, 2), Optional.empty(), false));
 
-        List<Exploration.Order> orders = Exploration.orders(SETTINGS, seen, ready, List.of());
+        List<Exploration.Order> orders = new Exploration(SETTINGS).orders(seen, ready, List.of());
 
         assertThat(orders.get(0).goal())
                 .hasValueSatisfying(goal -> assertThat(goal.stand().x()).isGreaterThan(5));
@@ -82,11 +82,8 @@ class ExplorationTest {
         var place = new Pose2d(20, 20, 0);
         var seen = new Seen(SMALL, List.of(new PosedScan(place, nothing)));
 
-        Exploration.Order order = Exploration.orders(
-                        SETTINGS,
-                        List.of(seen),
-                        List.of(new Ready(SMALL, place.position(), Optional.empty(), true)),
-                        List.of())
+        Exploration.Order order = new Exploration(SETTINGS)
+                .orders(List.of(seen), List.of(new Ready(SMALL, place.position(), Optional.empty(), true)), List.of())
                 .getFirst();
 
         assertThat(order.goal())

@@ -80,6 +80,23 @@ class ScanMapperTest {
     }
 
     @Test
+    void aBeamAlongTheBorderOfCellsFreesThemToItsEnd() {
+        for (int quarter = 0; quarter < 4; quarter++) {
+            var from = new Pose2d(2, 2, quarter * Math.PI / 2);
+
+            OccupancyGrid map = draw(new PosedScan(from, scan(1.55F)));
+
+            for (double along = 0.25; along < 1.5; along += 0.1) {
+                Pose2d left = from.compose(new Pose2d(along, 0.05, 0));
+                Pose2d right = from.compose(new Pose2d(along, -0.05, 0));
+                assertThat(map.isFree(left.x(), left.y()) || map.isFree(right.x(), right.y()))
+                        .as("%.2f m along %s", along, from)
+                        .isTrue();
+            }
+        }
+    }
+
+    @Test
     void refusesWhatCanNotBeDrawn() {
         assertThatThrownBy(ScanMapperTest::draw).hasMessageContaining("no scans");
         assertThatThrownBy(() -> draw(new PosedScan(new Pose2d(Double.NaN, 0, 0), scan(1))))
