@@ -3,6 +3,7 @@
 /// it runs.
 module rsal.bench {
     requires transitive rsal.devices;
+    requires rsal.agents;
     requires rsal.navigation;
     requires rsal.scenarios;
     requires jdk.management; // time of the processor, bytes allocated

@@ -41,6 +41,7 @@ public record Area(String name, List<Bench> benches) {
                         "scenarios",
                         List.of(
                                 new SpreadBench(),
+                                new AllotmentBench(),
                                 new FleetBench(),
                                 new FormationBench(),
                                 new CoverageBench(),

@@ -6,10 +6,12 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import rsal.scenario.run.Hearing;
 import rsal.scenario.run.RunResult;
+import rsal.scenario.run.TopicTraffic;
 
 /// A run's result for programs. Part of what users build on: names and order stay.
 ///
 /// @param measures null where there was nothing to measure
+/// @param topics how many messages were said and heard about each, and lost by whichever cause
 /// @param communication empty where the scenario does not limit it
 record ResultJson(
         String scenario,
@@ -20,7 +22,10 @@ record ResultJson(
         double wallSeconds,
         String eventHash,
         Map<String, @Nullable Double> measures,
+        List<Topic> topics,
         List<Hearing> communication) {
+    record Topic(String topic, long said, long heard, long lost) {}
+
     static ResultJson of(RunResult result) {
         var measures = new LinkedHashMap<String, @Nullable Double>();
         result.measures().forEach((name, value) -> measures.put(name, value.isPresent() ? value.getAsDouble() : null));
@@ -33,6 +38,12 @@ record ResultJson(
                 result.wallSeconds(),
                 result.eventHash(),
                 measures,
+                result.topics().stream().map(ResultJson::topic).toList(),
                 result.communication());
+    }
+
+    private static Topic topic(TopicTraffic all) {
+        long lost = all.lost().values().stream().mapToLong(Long::longValue).sum();
+        return new Topic(all.topic(), all.said(), all.heard(), lost);
     }
 }

@@ -330,6 +330,7 @@ class CommandLineIT {
                         "wallSeconds",
                         "eventHash",
                         "measures",
+                        "topics",
                         "communication");
         assertThat(result.get("scenario").stringValue()).isEqualTo("guard");
         assertThat(result.get("configuration").stringValue()).isEqualTo("short");

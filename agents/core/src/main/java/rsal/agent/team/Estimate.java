@@ -12,8 +12,8 @@ import java.util.stream.IntStream;
 /// @param free whether it can begin now; else the costs begin with what it still has to do
 /// @param first of each job, if it is the next; +∞ for what it can't do
 /// @param after the cost of job j right after job i is `after.get(i).get(j)`; empty when nobody asked for it
-record Estimate(boolean free, List<Double> first, List<List<Double>> after) {
-    Estimate {
+public record Estimate(boolean free, List<Double> first, List<List<Double>> after) {
+    public Estimate {
         first = List.copyOf(first);
         after = after.stream().map(List::copyOf).toList();
         boolean square = after.isEmpty() || after.size() == first.size();

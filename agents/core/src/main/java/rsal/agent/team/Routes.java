@@ -20,7 +20,7 @@ import java.util.stream.IntStream;
 /// insertion; the moves are those customary in vehicle routing (P. Toth and D. Vigo, "Vehicle Routing", 2014, ch.
 /// 4); taking out and putting back after G. Schrimpf et al., "Record breaking optimization results using the ruin
 /// and recreate principle" (2000), with neighborhoods of each job in turn instead of random ones.
-final class Routes {
+public final class Routes {
     private static final double WORTH_IT = 1e-9; // m
     private static final double AS_GOOD = 1.01; // times as long
     private static final int MOST_NEIGHBORS = 6;
@@ -42,7 +42,7 @@ final class Routes {
 
     /// @param members what they would cost, by name, for the same jobs, in routes
     /// @return numbers of jobs in order for those who get any; without jobs that nobody can do
-    static SortedMap<String, List<Integer>> divide(NavigableMap<String, Estimate> members, Objective objective) {
+    public static SortedMap<String, List<Integer>> divide(NavigableMap<String, Estimate> members, Objective objective) {
         if (members.isEmpty()) {
             return new TreeMap<>();
         }
@@ -85,7 +85,7 @@ final class Routes {
     }
 
     /// What a route costs the one that does it [m]; 0 for none.
-    static double cost(Estimate estimate, List<Integer> route) {
+    public static double cost(Estimate estimate, List<Integer> route) {
         double sum = 0;
         for (int i = 0; i < route.size(); i++) {
             sum += i == 0

@@ -228,7 +228,7 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> new Answer.Heard(stage.hearings()));
     }
 
-    /// How much was said so far, and what became of it, as [Answer.Counted].
+    /// How much was said so far, and what became of it, as [Answer.Counted]; afterwards the result tells.
     public CompletionStage<Answer> topics() {
         return ask(stage -> new Answer.Counted(stage.topics()));
     }
@@ -511,6 +511,7 @@ public final class LiveRun implements AutoCloseable {
                 journal.finish(),
                 measures,
                 outOfBounds,
+                stage == null ? List.of() : stage.topics(),
                 stage == null ? List.of() : stage.hearings());
     }
 

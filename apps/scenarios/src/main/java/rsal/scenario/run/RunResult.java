@@ -13,6 +13,7 @@ import java.util.OptionalDouble;
 /// @param eventHash SHA-256 in hexadecimal over all that happened; equal for equal runs
 /// @param measures by name, in the scenario's order; empty where there was nothing to measure
 /// @param outOfBounds names of the measures that are not within the bounds the scenario gives
+/// @param topics how much was said about each topic
 /// @param communication who heard what, by sender, listener and topic; empty where the scenario does not limit it
 public record RunResult(
         String scenario,
@@ -24,10 +25,12 @@ public record RunResult(
         String eventHash,
         Map<String, OptionalDouble> measures,
         List<String> outOfBounds,
+        List<TopicTraffic> topics,
         List<Hearing> communication) {
     public RunResult {
         measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
         outOfBounds = List.copyOf(outOfBounds);
+        topics = List.copyOf(topics);
         communication = List.copyOf(communication);
     }
 }

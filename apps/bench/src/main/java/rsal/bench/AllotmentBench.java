@@ -1,0 +1,201 @@
+package rsal.bench;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.NavigableMap;
+import java.util.SortedMap;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import rsal.agent.team.Estimate;
+import rsal.agent.team.Objective;
+import rsal.agent.team.Routes;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.RunResult;
+import rsal.scenario.run.TopicTraffic;
+
+/// How well a team's jobs are allotted by what its members bid, beside the best there is, found by trying everything:
+/// members and jobs anywhere in a square of 100 m, drawn from the seeds 1, 2, 3, ….
+///
+/// Names are `allot.<what>.ratio`, the mean of all draws, and `.worst`. What: `single`, as many members as jobs and one
+/// job each, by the sum; `routes.sum` and `routes.longest`, 8 to 10 jobs among 1 to 4 members, by the sum and by the
+/// longest route. And `allot.messages`, how many messages a team needs for a job, all told, in whole runs of `patrol`.
+final class AllotmentBench implements Bench {
+    private static final int DRAWS = 100;
+    private static final double SIDE = 100; // m
+    private static final String SINGLE = "allot.single";
+    private static final String MESSAGES = "allot.messages";
+    private static final Scenario PATROL = Scenario.load("patrol");
+
+    private static String routes(Objective objective) {
+        return objective == Objective.SUM ? "allot.routes.sum" : "allot.routes.longest";
+    }
+
+    private static List<String> ratios(String name) {
+        return List.of(name + ".ratio", name + ".worst");
+    }
+
+    @Override
+    public List<String> names() {
+        var names = new ArrayList<>(ratios(SINGLE));
+        names.addAll(ratios(routes(Objective.SUM)));
+        names.addAll(ratios(routes(Objective.LONGEST)));
+        names.add(MESSAGES);
+        return names;
+    }
+
+    @Override
+    public void measure(Assignment assignment) {
+        if (assignment.wantsAny(ratios(SINGLE))) {
+            tell(SINGLE, draws(AllotmentBench::single), assignment);
+        }
+        for (Objective objective : List.of(Objective.SUM, Objective.LONGEST)) {
+            if (assignment.wantsAny(ratios(routes(objective)))) {
+                tell(routes(objective), draws(random -> inRoutes(random, objective)), assignment);
+            }
+        }
+        if (assignment.wants(MESSAGES)) {
+            List<RunResult> runs = SeededRuns.of("allot.patrol", PATROL, RunOptions.NONE, assignment);
+            assignment.tell(Result.less(
+                    MESSAGES,
+                    "",
+                    runs.stream().mapToDouble(AllotmentBench::messagesForAJob).toArray()));
+        }
+    }
+
+    private static double[] draws(ToDoubleFunction<SplittableRandom> ratio) {
+        return IntStream.rangeClosed(1, DRAWS)
+                .mapToDouble(seed -> ratio.applyAsDouble(new SplittableRandom(seed)))
+                .toArray();
+    }
+
+    private static void tell(String name, double[] ratios, Assignment assignment) {
+        Result all = Result.less(name + ".ratio", "", ratios);
+        assignment.tell(
+                all.withValue(DoubleStream.of(ratios).average().orElseThrow()), all.at(name + ".worst", all.most()));
+    }
+
+    private static double messagesForAJob(RunResult run) {
+        return (double) said(run, "work") / said(run, "visited");
+    }
+
+    private static long said(RunResult run, String topic) {
+        return run.topics().stream()
+                .filter(one -> one.topic().equals(topic))
+                .mapToLong(TopicTraffic::said)
+                .sum();
+    }
+
+    private static double single(SplittableRandom random) {
+        int size = random.nextInt(2, 9);
+        NavigableMap<String, Estimate> members = anywhere(random, size, size);
+        var costs = new TreeMap<String, double[]>();
+        members.forEach((name, estimate) -> costs.put(
+                name, estimate.first().stream().mapToDouble(Double::doubleValue).toArray()));
+        double allotted = rsal.agent.team.Assignment.cheapest(costs).entrySet().stream()
+                .mapToDouble(pair -> requireNonNull(costs.get(pair.getKey()))[pair.getValue()])
+                .sum();
+        return allotted / cheapest(List.copyOf(costs.values()), 0, 0);
+    }
+
+    /// Gives each member each job that is left.
+    private static double cheapest(List<double[]> costs, int member, int given) {
+        if (member == costs.size()) {
+            return 0;
+        }
+        double best = Double.POSITIVE_INFINITY;
+        for (int job = 0; job < costs.size(); job++) {
+            if ((given & 1 << job) == 0) {
+                best = Math.min(best, costs.get(member)[job] + cheapest(costs, member + 1, given | 1 << job));
+            }
+        }
+        return best;
+    }
+
+    private static double inRoutes(SplittableRandom random, Objective objective) {
+        NavigableMap<String, Estimate> members = anywhere(random, random.nextInt(1, 5), random.nextInt(8, 11));
+        SortedMap<String, List<Integer>> divided = Routes.divide(members, objective);
+        DoubleStream costs = divided.entrySet().stream()
+                .mapToDouble(route -> Routes.cost(requireNonNull(members.get(route.getKey())), route.getValue()));
+        double value = objective == Objective.SUM ? costs.sum() : costs.max().orElse(0);
+        return value / best(members, objective);
+    }
+
+    /// Divides all sets of jobs in all ways among more and more members.
+    private static double best(NavigableMap<String, Estimate> members, Objective objective) {
+        double[] best = null; // for the members so far, by set of jobs
+        for (Estimate member : members.values()) {
+            double[] alone = shortest(member);
+            if (best == null) {
+                best = alone;
+                continue;
+            }
+            var together = new double[alone.length];
+            for (int all = 0; all < alone.length; all++) {
+                together[all] = best[all];
+                for (int own = all; own > 0; own = (own - 1) & all) {
+                    double others = best[all ^ own];
+                    double both = objective == Objective.SUM ? others + alone[own] : Math.max(others, alone[own]);
+                    together[all] = Math.min(together[all], both);
+                }
+            }
+            best = together;
+        }
+        if (best == null) {
+            throw new IllegalArgumentException("Nobody is there.");
+        }
+        return best[best.length - 1];
+    }
+
+    /// Shortest routes of one member by set of jobs: M. Held, R. Karp, A Dynamic Programming Approach to Sequencing
+    /// Problems (1962).
+    private static double[] shortest(Estimate member) {
+        int jobs = member.first().size();
+        var ending = new double[1 << jobs][jobs]; // by set and the last of them
+        var shortest = new double[1 << jobs];
+        for (int set = 1; set < shortest.length; set++) {
+            Arrays.fill(ending[set], Double.POSITIVE_INFINITY);
+            shortest[set] = Double.POSITIVE_INFINITY;
+            for (int last = 0; last < jobs; last++) {
+                if ((set & 1 << last) == 0) {
+                    continue;
+                }
+                int before = set ^ 1 << last;
+                if (before == 0) {
+                    ending[set][last] = member.first().get(last);
+                }
+                for (int previous = 0; previous < jobs; previous++) {
+                    if ((before & 1 << previous) != 0) {
+                        double cost = ending[before][previous]
+                                + member.after().get(previous).get(last);
+                        ending[set][last] = Math.min(ending[set][last], cost);
+                    }
+                }
+                shortest[set] = Math.min(shortest[set], ending[set][last]);
+            }
+        }
+        return shortest;
+    }
+
+    private static NavigableMap<String, Estimate> anywhere(SplittableRandom random, int members, int jobs) {
+        double[][] places = IntStream.range(0, members + jobs)
+                .mapToObj(_ -> random.doubles(2, 0, SIDE).toArray())
+                .toArray(double[][]::new);
+        List<List<Double>> ways = Arrays.stream(places)
+                .map(from -> Arrays.stream(places, members, places.length)
+                        .map(to -> Math.hypot(from[0] - to[0], from[1] - to[1]))
+                        .toList())
+                .toList();
+        var estimates = new TreeMap<String, Estimate>();
+        for (int member = 0; member < members; member++) {
+            estimates.put("m" + member, new Estimate(true, ways.get(member), ways.subList(members, ways.size())));
+        }
+        return estimates;
+    }
+}
