@@ -6,7 +6,9 @@ import java.util.Optional;
 import rsal.agent.AgentContext;
 import rsal.agent.message.Caught;
 import rsal.agent.message.PoseReport;
+import rsal.behavior.Behavior;
 import rsal.behavior.LimitTurnRate;
+import rsal.behavior.Percept;
 import rsal.behavior.Pilot;
 import rsal.behavior.SetSpeed;
 import rsal.behavior.Subsumption;
@@ -14,7 +16,8 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.robot.Robot;
 
-/// What a prey does when it believes a hunter too near: it says that it is caught, and spins on the spot.
+/// What a prey does when it believes a hunter too near: it says that it is caught, and spins on the spot as long as it
+/// has room.
 final class Surrender {
     private static final Twist2d SPIN = Twist2d.drive(0, Math.toRadians(40));
     private static final Duration SPIN_TIME = Duration.ofSeconds(15);
@@ -87,8 +90,21 @@ final class Surrender {
     private void spin() {
         pilot.engage(new Subsumption()
                 .layer("spin", new SetSpeed(SPIN))
-                .layer("limit-turn-rate", new LimitTurnRate(robot.model().footprint(), SPIN.omega())));
+                .layer("limit-turn-rate", new LimitTurnRate(robot.model().footprint(), SPIN.omega()))
+                .layer("stay", new Stay()));
         self.scheduler().after(SPIN_TIME, pilot::release);
+    }
+
+    /// Stands still for good once it had to: who tried again and again would come nearer to what is in the way, a
+    /// little each time that a sensor sees it farther away than it is.
+    private static final class Stay implements Behavior {
+        private boolean stands;
+
+        @Override
+        public Twist2d act(Percept percept, Twist2d below) {
+            stands |= below.equals(Twist2d.STOP);
+            return stands ? Twist2d.STOP : below;
+        }
     }
 
     private record Hunter(String robot, double distance) {}

@@ -68,6 +68,15 @@ class HuntAndPreyIT {
     }
 
     @Test
+    void caughtPreySpinsOnlyAsLongAsItHasRoom() {
+        Hunt hunt = hunt("advanced", 14); // one is caught in front of a wall
+        assertThat(hunt.result.outcome()).isEqualTo("success");
+        assertThat(hunt.events)
+                .filteredOn(event -> event.kind().equals("collision"))
+                .isEmpty();
+    }
+
+    @Test
     void theSameSeedIsTheSameHuntHoweverManyHelp() {
         Hunt first = hunt("virtual", 3, 1);
         Hunt second = hunt("virtual", 3, 4);
