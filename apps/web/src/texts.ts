@@ -208,7 +208,15 @@ export const texts = {
     title: 'Events',
     filter: 'Filter',
     filterHint: 'Filter events',
+    folded: 'in short',
+    foldedHint: 'What one agent says again and again within half a minute is one line',
     all: 'all',
+    times: (count: number) => `×${count}`,
+    timesHint: (count: number, since: string) => `${count} times since ${since}; the newest is shown`,
+    said: (act: string, partners: readonly string[]) => {
+      const whom = partners.length === 1 ? partners[0] : `${partners.length} agents`;
+      return act === 'cfp' ? `asks ${whom} for bids` : `${act} to ${whom}`;
+    },
     none: 'Nothing has happened yet.',
     noneMatch: 'No event matches.',
     more: (count: number) => `${count} earlier ones are not shown; filter to find them.`,

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import type { EventInfo } from '../api/messages';
-import { filterEvents } from './events';
+import { filterEvents, foldEvents, words } from './events';
 
 const events: EventInfo[] = [
   { sequence: 1, time: 0, kind: 'agent', subject: 'follow-1', text: 'hunting prey-1' },
@@ -18,4 +18,62 @@ it('all words must be there, in any case and place', () => {
   expect(sequences(null, 'PREY-1 hunt')).toEqual([3, 1]);
   expect(sequences(null, 'follow-1')).toEqual([1]);
   expect(sequences('agent', 'caught')).toEqual([]);
+});
+
+/** Folded, as they are read: newest first. */
+function folded(told: [time: number, kind: string, subject: string, text: string][], most = 100): string[] {
+  const all = told.map(([time, kind, subject, text], i) => ({ sequence: i + 1, time, kind, subject, text }));
+  return foldEvents(all, most).map((line) => `${line.event.subject} ×${line.times} ${words(line)}`);
+}
+
+it('what is seen again and again is one line with the newest', () =>
+  expect(
+    folded([
+      [1, 'message', 'escape-1', 'I see hunter-1 at (9.00, -1.57, -162°)'],
+      [1, 'message', 'escape-1', 'I see hunter-2 at (2.00, -1.5, 10°)'],
+      [1.2, 'agent', 'hunt', 'hunting prey-1'],
+      [1.5, 'message', 'escape-1', 'I see hunter-1 at (8.00, -1.57, -162°)'],
+      [1.5, 'message', 'escape-2', 'I see hunter-1 at (8.00, -1.57, -162°)'],
+    ]),
+  ).toEqual([
+    'escape-2 ×1 I see hunter-1 at (8.00, -1.57, -162°)',
+    'hunt ×1 hunting prey-1',
+    'escape-1 ×3 I see hunter-1 at (8.00, -1.57, -162°)',
+  ]));
+
+it('calls for bids to several agents are one line, and again after half a minute', () => {
+  const call = (time: number): [number, string, string, string][] => [
+    [time, 'message', 'hunt', 'follow-1, cfp: hunt prey-1'],
+    [time, 'message', 'hunt', 'follow-2, cfp: hunt prey-1'],
+    [time, 'message', 'follow-1', 'hunt, propose: 16.5'],
+    [time, 'message', 'hunt', 'follow-1, accept-proposal: hunt prey-1'],
+  ];
+  expect(folded([...call(1), ...call(5), ...call(31)])).toEqual([
+    'hunt ×1 follow-1, accept-proposal: hunt prey-1',
+    'follow-1 ×1 hunt, propose: 16.5',
+    'hunt ×2 asks 2 agents for bids: hunt prey-1',
+    'hunt ×2 accept-proposal to follow-1: hunt prey-1',
+    'follow-1 ×2 propose to hunt: 16.5',
+    'hunt ×4 asks 2 agents for bids: hunt prey-1',
+  ]);
+});
+
+it('what is no message is never folded', () =>
+  expect(
+    folded([
+      [1, 'collision', 'prey-1', 'ran into wall'],
+      [1, 'collision', 'prey-1', 'ran into wall'],
+    ]),
+  ).toHaveLength(2));
+
+it('only the newest lines are there', () => {
+  const many = Array.from({ length: 1000 }, (_, i): [number, string, string, string] => [
+    i,
+    i % 2 ? 'agent' : 'message',
+    'a',
+    'word',
+  ]);
+  const lines = folded(many, 10);
+  expect(lines).toHaveLength(10);
+  expect(lines[0]).toBe('a ×1 word');
 });
