@@ -12,9 +12,11 @@ import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import rsal.agent.team.Estimate;
 import rsal.agent.team.Objective;
 import rsal.agent.team.Routes;
+import rsal.data.Point2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.RunResult;
@@ -184,17 +186,12 @@ final class AllotmentBench implements Bench {
     }
 
     private static NavigableMap<String, Estimate> anywhere(SplittableRandom random, int members, int jobs) {
-        double[][] places = IntStream.range(0, members + jobs)
-                .mapToObj(_ -> random.doubles(2, 0, SIDE).toArray())
-                .toArray(double[][]::new);
-        List<List<Double>> ways = Arrays.stream(places)
-                .map(from -> Arrays.stream(places, members, places.length)
-                        .map(to -> Math.hypot(from[0] - to[0], from[1] - to[1]))
-                        .toList())
+        List<Point2d> places = Stream.generate(() -> new Point2d(random.nextDouble(SIDE), random.nextDouble(SIDE)))
+                .limit(members + jobs)
                 .toList();
         var estimates = new TreeMap<String, Estimate>();
         for (int member = 0; member < members; member++) {
-            estimates.put("m" + member, new Estimate(true, ways.get(member), ways.subList(members, ways.size())));
+            estimates.put("m" + member, Estimate.straight(places.get(member), places.subList(members, places.size())));
         }
         return estimates;
     }

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import rsal.data.Point2d;
 
 /// What jobs would cost a member: length of way [m], more where it is narrow, and what the work itself is worth in
 /// these.
@@ -24,6 +25,18 @@ public record Estimate(boolean free, List<Double> first, List<List<Double>> afte
             throw new IllegalArgumentException("Costs of %d jobs after %d others, or none: %s, %s."
                     .formatted(first.size(), after.size(), first, after));
         }
+    }
+
+    /// Of one who is free and goes straight to jobs that are done where they are.
+    public static Estimate straight(Point2d from, List<Point2d> places) {
+        return new Estimate(
+                true,
+                ways(from, places),
+                places.stream().map(place -> ways(place, places)).toList());
+    }
+
+    private static List<Double> ways(Point2d from, List<Point2d> places) {
+        return places.stream().map(from::distanceTo).toList();
     }
 
     /// What only these jobs would cost.

@@ -3,31 +3,26 @@ package rsal.agent.team;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.NavigableMap;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rsal.data.Point2d;
 
 class RoutesTest {
     /// Members and jobs anywhere in a square of 100 m.
     private static NavigableMap<String, Estimate> anywhere(SplittableRandom random, int members, int jobs) {
-        double[][] places = IntStream.range(0, members + jobs)
-                .mapToObj(_ -> random.doubles(2, 0, 100).toArray())
-                .toArray(double[][]::new);
-        List<List<Double>> ways = Arrays.stream(places)
-                .map(from -> Arrays.stream(places, members, places.length)
-                        .map(to -> Math.hypot(from[0] - to[0], from[1] - to[1]))
-                        .toList())
+        List<Point2d> places = Stream.generate(() -> new Point2d(random.nextDouble(100), random.nextDouble(100)))
+                .limit(members + jobs)
                 .toList();
         var estimates = new TreeMap<String, Estimate>();
         for (int member = 0; member < members; member++) {
-            estimates.put("m" + member, new Estimate(true, ways.get(member), ways.subList(members, ways.size())));
+            estimates.put("m" + member, Estimate.straight(places.get(member), places.subList(members, places.size())));
         }
         return estimates;
     }

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentSpec;
-import rsal.agent.AgentType;
 import rsal.agent.Message;
 import rsal.agent.Society;
 import rsal.agent.plain.PlainHostProvider;
@@ -37,6 +36,7 @@ import rsal.scenario.Communication;
 import rsal.scenario.Span;
 import rsal.settings.Arguments;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.fake.TestedType;
 import rsal.time.LockstepScheduler;
 
 /// Conversations over a limited radio: its range is short behind walls, messages get lost, come late, and wait for
@@ -86,28 +86,12 @@ class RadioTalkTest {
     private void start(String name, Point2d mapFromRobot, Agent agent) {
         places.put(name, mapFromRobot);
         var arguments = Arguments.defaults(List.of());
-        society.start(new AgentSpec(name, "tested", new Type(agent), arguments, Optional.empty(), name.hashCode()));
+        society.start(
+                new AgentSpec(name, "tested", new TestedType(agent), arguments, Optional.empty(), name.hashCode()));
     }
 
     private void advance(double seconds) {
         scheduler.advance(Duration.ofMillis(Math.round(1000 * seconds)));
-    }
-
-    private record Type(Agent agent) implements AgentType {
-        @Override
-        public String key() {
-            return "lambda";
-        }
-
-        @Override
-        public String description() {
-            return "Does what a test wants.";
-        }
-
-        @Override
-        public Agent create(Arguments arguments) {
-            return agent;
-        }
     }
 
     private record Visit(String name, Point2d place) implements Job {}

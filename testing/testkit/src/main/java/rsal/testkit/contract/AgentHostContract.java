@@ -11,11 +11,11 @@ import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
-import rsal.agent.AgentType;
 import rsal.agent.Society;
 import rsal.agent.Society.Status;
 import rsal.agent.Topic;
 import rsal.settings.Arguments;
+import rsal.testkit.fake.TestedType;
 import rsal.time.LockstepScheduler;
 
 /// What every agent host that follows simulated time must do: agents on it start, hear, wait and end alike.
@@ -169,7 +169,12 @@ public abstract class AgentHostContract {
 
         void start(String name, Agent agent) {
             society.start(new AgentSpec(
-                    name, "tested", new Type(agent), Arguments.defaults(List.of()), Optional.empty(), name.hashCode()));
+                    name,
+                    "tested",
+                    new TestedType(agent),
+                    Arguments.defaults(List.of()),
+                    Optional.empty(),
+                    name.hashCode()));
         }
 
         void advance(long millis) {
@@ -183,23 +188,6 @@ public abstract class AgentHostContract {
         @Override
         public void close() {
             society.close();
-        }
-    }
-
-    private record Type(Agent agent) implements AgentType {
-        @Override
-        public String key() {
-            return "tested";
-        }
-
-        @Override
-        public String description() {
-            return "Does what a test wants.";
-        }
-
-        @Override
-        public Agent create(Arguments arguments) {
-            return agent;
         }
     }
 }
