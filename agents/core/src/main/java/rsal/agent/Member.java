@@ -230,7 +230,7 @@ final class Member implements AgentContext {
     @Override
     public <M> void send(String to, Topic<M> topic, M message) {
         if (status == Society.Status.RUNNING) {
-            if (!society.member(to).filter(asker -> asker.paysFor(name())).isPresent()) {
+            if (society.member(to).filter(asker -> asker.paysFor(name())).isEmpty()) {
                 countWhatItSetsOff();
                 answers.merge(to, ANSWERS, (before, more) -> Math.min(before + more, LIMIT));
             }

@@ -3,7 +3,6 @@ package rsal.agents;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
@@ -33,6 +32,7 @@ final class Evasion {
 
     private final AgentContext self;
     private final Planner planner;
+    private final PlannedWays ways;
     private final Optional<PlaceFinder> finder;
     private List<Pose2d> mapFromRefuges = List.of();
     private boolean looking;
@@ -40,6 +40,7 @@ final class Evasion {
     Evasion(AgentContext self, Robot robot) {
         this.self = self;
         this.planner = robot.require(Planner.class);
+        this.ways = new PlannedWays(Optional.of(planner), Double.POSITIVE_INFINITY);
         this.finder = robot.find(PlaceFinder.class);
     }
 
@@ -149,10 +150,9 @@ final class Evasion {
         return meetings;
     }
 
-    /// @param told what the ways cost [m]; +∞ where that is not known
+    /// @param told on the agent's lane: what the ways cost [m]; +∞ where that is not known
     private void costs(Pose2d mapFromStart, List<Pose2d> mapFromGoals, Consumer<List<Double>> told) {
-        planner.costs(mapFromStart, mapFromGoals, Double.POSITIVE_INFINITY)
-                .exceptionally(_ -> Collections.nCopies(mapFromGoals.size(), Double.POSITIVE_INFINITY))
+        ways.costs(mapFromStart, mapFromGoals)
                 .thenAccept(costs -> self.scheduler().execute(() -> told.accept(costs)));
     }
 

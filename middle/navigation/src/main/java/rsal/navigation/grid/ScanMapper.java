@@ -242,8 +242,8 @@ public final class ScanMapper {
         double rows = Math.abs(Math.floor(startY + length * dy) - row);
         double perColumn = Math.abs(1 / dx);
         double perRow = Math.abs(1 / dy);
-        double toColumn = toNext(startX - column, dx);
-        double toRow = toNext(startY - row, dy);
+        double toColumn = toNext(startX - column, dx, perColumn);
+        double toRow = toNext(startY - row, dy, perRow);
         int stepColumn = dx > 0 ? 1 : -1;
         int stepRow = dy > 0 ? width : -width;
         int cell = cell(from.x(), from.y());
@@ -264,9 +264,10 @@ public final class ScanMapper {
     ///
     /// @param beyond how far beyond the lower border it starts
     /// @param slope how fast it goes up
-    private static double toNext(double beyond, double slope) {
+    /// @param perCell how far it goes from one border to the next, in cells
+    private static double toNext(double beyond, double slope, double perCell) {
         double left = slope > 0 ? 1 - beyond : beyond;
-        return slope == 0 ? Double.POSITIVE_INFINITY : left * Math.abs(1 / slope); // not 0 · ∞
+        return slope == 0 ? Double.POSITIVE_INFINITY : left * perCell; // not 0 · ∞
     }
 
     /// Of a place that was seen.
