@@ -19,6 +19,7 @@ module rsal.agents {
             rsal.agent.plain.PlainHostProvider;
     provides rsal.agent.AgentType with
             rsal.agents.BlackboardMaster,
+            rsal.agents.BlobAgent,
             rsal.agents.Ceiling,
             rsal.agents.Collect,
             rsal.agents.Dispatch,

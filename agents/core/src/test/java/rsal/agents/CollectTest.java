@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.agent.message.CollectGoal;
 import rsal.agent.message.Collected;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.device.Navigator;
@@ -193,5 +194,34 @@ class CollectTest {
         scene.society.stop("near");
         scene.advance(3);
         assertThat(far.body.navigator.goals).containsExactly(new Pose2d(4, 0, 0));
+    }
+
+    @Test
+    void whatSomebodyKnowsOfIsFetchedOnce() {
+        near.start();
+        master(Map.of());
+        scene.advance(3);
+        scene.start("blob", "told", Optional.empty(), Map.of("places", "4 0; 5 3"));
+        scene.advance(1);
+        assertThat(scene.state("told")).isEqualTo("0 of 2 fetched");
+        assertThat(near.body.navigator.goals).containsExactly(new Pose2d(4, 0, 0));
+
+        scene.hear("far", Collected.TOPIC, new Collected("far", green(4.2, 0), new Point2d(20, 0)));
+        scene.hear("far", Collected.TOPIC, new Collected("far", green(5, 3), new Point2d(20, 0)));
+        assertThat(scene.state("told")).isEqualTo("2 of 2 fetched");
+    }
+
+    @Test
+    void whatSomebodyKnowsOfIsAskedForUntilThereIsATeam() {
+        scene.start("blob", "told", Optional.empty(), Map.of("places", "4 0"));
+        scene.advance(10);
+        near.start();
+        master(Map.of());
+        scene.advance(5);
+        assertThat(near.body.navigator.goals).containsExactly(new Pose2d(4, 0, 0));
+    }
+
+    private static CollectGoal green(double x, double y) {
+        return new CollectGoal(FakeCamera.GREEN, new Point2d(x, y));
     }
 }

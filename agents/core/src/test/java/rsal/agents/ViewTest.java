@@ -2,19 +2,14 @@ package rsal.agents;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Society.Status;
 import rsal.data.Pose2d;
-import rsal.device.DeviceCore;
-import rsal.device.DeviceInfo;
-import rsal.device.SimulationControl;
 
 class ViewTest {
-    private final World world = new World();
+    private final FakeWorld world = new FakeWorld();
     private final Scene scene = new Scene(Optional.of(world));
 
     @Test
@@ -53,35 +48,5 @@ class ViewTest {
         reality.start("view", "view", Optional.empty(), Map.of());
         assertThat(reality.view("view").status()).isEqualTo(Status.FAILED);
         assertThat(reality.state("view")).contains("(view)").contains("simulated world");
-    }
-
-    private static final class World extends DeviceCore implements SimulationControl {
-        final Map<String, Pose2d> things = new LinkedHashMap<>();
-
-        World() {
-            super(new DeviceInfo("", "simulation", "fake"));
-        }
-
-        @Override
-        public List<String> entities() {
-            return List.copyOf(things.keySet());
-        }
-
-        @Override
-        public Optional<Pose2d> truth(String entity) {
-            return Optional.ofNullable(things.get(entity));
-        }
-
-        @Override
-        public Placement place(String entity, Pose2d mapFromEntity) {
-            return things.replace(entity, mapFromEntity) == null
-                    ? new Placement.Refused("no such thing")
-                    : new Placement.Placed();
-        }
-
-        @Override
-        public List<Contact> contacts() {
-            return List.of();
-        }
     }
 }

@@ -81,7 +81,16 @@ class FindAndCollectIT {
     }
 
     @ParameterizedTest
-    @CsvSource({"four-rooms, 1", "four-rooms, 2", "four-rooms, 3", "office, 1", "office, 2", "office, 3"})
+    @CsvSource({
+        "four-rooms, 1",
+        "four-rooms, 2",
+        "four-rooms, 3",
+        "office, 1",
+        "office, 2",
+        "office, 3",
+        "told, 1",
+        "told, 2"
+    })
     void everyCanLiesInADepotAtTheEnd(String configuration, long seed) {
         Collection all = collect(configuration, seed);
         assertTidy(all);
