@@ -24,6 +24,7 @@ final class LoopCloser {
     private static final double FARTHEST = 10; // m; a search
     private static final double MOST_TURN = 0.6; // rad
     private static final double SURE = 1; // m; nearer than this one scan does
+    private static final double KNOWN_PLACE = 0.1; // m; deviation of a match that is led by more than one wall
     private static final int MOST_RUNS = 3; // searched for each scan
     private static final int AROUND = 5; // frames to either side, searched in
     private static final int RECENT = 4; // frames, searched for
@@ -73,14 +74,20 @@ final class LoopCloser {
             double meters = Math.clamp(SIGMAS * deviations[candidate][0], 0.3, FARTHEST);
             double radians = Math.clamp(SIGMAS * deviations[candidate][1], 0.1, MOST_TURN);
             Optional<Relation> found = search(frame, candidate, poses, meters, radians);
-            if (found.isPresent() && meters <= SURE) {
-                closing.add(found.get());
+            if (meters <= SURE) {
+                found.filter(loop -> isSound(loop, poses)).ifPresent(closing::add);
             } else {
                 found.ifPresent(pending::add);
             }
         }
         closing.addAll(agreed(poses));
         return closing;
+    }
+
+    /// Not when it contradicts the graph by walls alone along which the robot may be anywhere: these look like others.
+    static boolean isSound(Relation loop, List<Pose2d> poses) {
+        return loop.covariance().positionDeviation() <= KNOWN_PLACE
+                || PoseGraph.square(loop, poses.get(loop.from()), poses.get(loop.to())) <= PoseGraph.LOOP_PHI;
     }
 
     /// Learns that a loop was right.

@@ -52,6 +52,23 @@ class LoopCloserTest {
         assertThat(found).isPositive();
     }
 
+    @Test
+    void wallsAloneDoNotContradictTheGraph() {
+        List<Pose2d> places = List.of(Pose2d.ORIGIN, new Pose2d(5, 0, 0));
+        Pose2d told = new Pose2d(5.1, 0, Math.toRadians(-3));
+        Covariance2d alongAWall = Covariance2d.ofDeviations(0.6, 0.07, 0.007);
+        Covariance2d inACorner = Covariance2d.ofDeviations(0.02, 0.02, 0.007);
+
+        assertThat(LoopCloser.isSound(loop(told, alongAWall), places)).isFalse();
+        assertThat(LoopCloser.isSound(loop(told, inACorner), places)).isTrue();
+        assertThat(LoopCloser.isSound(loop(new Pose2d(5.1, 0, 0), alongAWall), places))
+                .isTrue();
+    }
+
+    private static Relation loop(Pose2d fromFromTo, Covariance2d covariance) {
+        return new Relation(0, 1, fromFromTo, covariance, Relation.Source.LOOP);
+    }
+
     /// @param deviation of the step to there [m]
     private void see(LoopCloser closer, Pose2d place, double traveled, double deviation, SplittableRandom random) {
         LaserScan scan = corridor().scan(place, 0.01, random);
