@@ -461,7 +461,7 @@ describe.skipIf(!chromium)('the page', () => {
   it('tells what goes wrong', async () => {
     await rsal.post('restart', { configuration: 'faulty', arguments: {}, seed: SEED });
     await rsal.post('speed', { factor: '20' });
-    const fault = page.locator('li', { hasText: 'gone, but in the way' });
+    const fault = page.locator('li', { hasText: 'gone and in the way' });
     await fault.waitFor();
     expect(await fault.locator('.kind').innerText()).toBe('fault');
     const robot = (await fault.locator('.subject').innerText()).trim();

@@ -25,7 +25,16 @@ enum FaultKind {
         SENSORS,
         BASES,
         ROBOTS,
-        MESSAGES
+        MESSAGES;
+
+        /// By which settings it is told which ones.
+        List<String> keys() {
+            return switch (this) {
+                case SENSORS -> List.of("robots", "devices");
+                case BASES, ROBOTS -> List.of("robots");
+                case MESSAGES -> List.of("topics", "from", "to");
+            };
+        }
     }
 
     static final String SHARE = "share";

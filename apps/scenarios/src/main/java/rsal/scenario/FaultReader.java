@@ -133,6 +133,8 @@ final class FaultReader {
         Optional<Arguments> arguments = arguments(section, kind.get());
         Optional<Integer> pick = kind.get().of() == FaultKind.Of.MESSAGES ? Optional.empty() : pick(section);
         List<Target> targets = arguments.isEmpty() ? List.of() : targets(section, kind.get(), arguments.get());
+        kind.get().of().keys().forEach(section::has); // known, also where they were not read
+        kind.get().delay().ifPresent(_ -> section.has("delay"));
         section.done();
         return Optional.of(new PlannedFault(
                 kind.get().word(),

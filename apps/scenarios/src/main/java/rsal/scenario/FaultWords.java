@@ -37,7 +37,7 @@ final class FaultWords {
                         100 * way,
                         100 * turn,
                         Math.toDegrees(drift));
-            case Fault.Gone(boolean stays) -> stays ? "gone, but in the way" : "gone";
+            case Fault.Gone(boolean stays) -> stays ? "gone and in the way" : "gone";
         };
     }
 

@@ -87,8 +87,8 @@ record Joined(
                     "Nobody says which robots here are (%s) of scenario (%s).".formatted(role, name),
                     known.isEmpty()
                             ? "There are no robots here."
-                            : "Add (robots: {%s: ROLE}) to (with); roles here are: %s."
-                                    .formatted(role, String.join(", ", known)));
+                            : "Write in a scenario file (with: {scenario: %s, robots: {%s: ROLE}}); roles here are: %s."
+                                    .formatted(name, role, String.join(", ", known)));
         }
         return role;
     }

@@ -576,6 +576,20 @@ class ScenarioTest {
         assertThat(message.lines().filter(line -> line.contains("good.yaml:"))).hasSize(1);
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "kind: noisy, robots: prey, devices: laser, at: 20, rnage: 0.1",
+                "kind: lost, topics: pose, from: all, to: all, share: 20",
+                "kind: late, topics: pose, delay: 2, share: 20",
+                "kind: slip, robots: prey, way: far"
+            })
+    void oneMistakeInAFaultMakesNoOtherOfWhatIsRight(String fault) {
+        assertThat(mistakes(GOOD.replace("run:\n  seed", "faults: [{%s}]\nrun:\n  seed".formatted(fault))))
+                .doesNotContain("(devices) is", "(robots) is", "(topics) is", "(from) is", "(to) is", "(delay) is")
+                .containsAnyOf("(rnage)", "(20)", "(far)");
+    }
+
     @Test
     void robotSystemsThatCanNotBreakAnythingSaySo() {
         String fake = GOOD.replace("mrs: {use: sim, step: 0.05}", "mrs: {use: fake}")

@@ -101,7 +101,7 @@ class HuntAndPreyIT {
                     .as("seed %d", seed)
                     .filteredOn(event -> event.kind().equals("fault"))
                     .extracting(event -> event.time().toSeconds(), RunEvent::text)
-                    .containsExactly(tuple(0L, "lost (20 %, about pose)"), tuple(15L, "gone, but in the way"));
+                    .containsExactly(tuple(0L, "lost (20 %, about pose)"), tuple(15L, "gone and in the way"));
         }
         assertThat(caught).hasSizeGreaterThanOrEqualTo(5);
         assertThat(lost).hasSizeGreaterThan(1).isSubsetOf("hunter-1", "hunter-2", "hunter-3");
