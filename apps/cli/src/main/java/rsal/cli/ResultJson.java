@@ -13,6 +13,7 @@ import rsal.scenario.run.TopicTraffic;
 /// @param measures null where there was nothing to measure
 /// @param topics how many messages were said and heard about each, and lost by whichever cause
 /// @param communication empty where the scenario does not limit it
+/// @param failed what went wrong with agents that ended by a mistake of their own, by name
 record ResultJson(
         String scenario,
         String configuration,
@@ -23,7 +24,8 @@ record ResultJson(
         String eventHash,
         Map<String, @Nullable Double> measures,
         List<Topic> topics,
-        List<Hearing> communication) {
+        List<Hearing> communication,
+        Map<String, String> failed) {
     record Topic(String topic, long said, long heard, long lost) {}
 
     static ResultJson of(RunResult result) {
@@ -39,7 +41,8 @@ record ResultJson(
                 result.eventHash(),
                 measures,
                 result.topics().stream().map(ResultJson::topic).toList(),
-                result.communication());
+                result.communication(),
+                result.failed());
     }
 
     private static Topic topic(TopicTraffic all) {

@@ -21,6 +21,7 @@ record ResultText(RunPlan plan, RunResult result) {
                                 "%.1f s simulated in %.1f s",
                                 result.simulatedSeconds(),
                                 result.wallSeconds()));
+        result.failed().forEach((agent, why) -> table.row(agent, "failed: " + why));
         result.measures().forEach((name, value) -> table.row(name, measured(name, value)));
         if (!result.communication().isEmpty()) {
             table.row("communication", heard(result.communication()));

@@ -331,7 +331,8 @@ class CommandLineIT {
                         "eventHash",
                         "measures",
                         "topics",
-                        "communication");
+                        "communication",
+                        "failed");
         assertThat(result.get("scenario").stringValue()).isEqualTo("guard");
         assertThat(result.get("configuration").stringValue()).isEqualTo("short");
         assertThat(result.get("seed").longValue()).isEqualTo(7);

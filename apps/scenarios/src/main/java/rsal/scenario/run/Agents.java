@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
@@ -251,6 +252,14 @@ final class Agents implements AutoCloseable {
         if (!closed && !words.equals(lastWords.put(name, words))) {
             journal.event(view.status() == Society.Status.FAILED ? "fault" : "agent", name, words);
         }
+    }
+
+    /// What went wrong with those that have failed, by name.
+    Map<String, String> failed() {
+        return society.stream()
+                .flatMap(agents -> agents.views().stream())
+                .filter(view -> view.status() == Society.Status.FAILED)
+                .collect(Collectors.toMap(view -> view.agent().name(), Society.View::state));
     }
 
     List<AgentView> views() {

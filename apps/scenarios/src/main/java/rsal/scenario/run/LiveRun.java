@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -511,6 +512,7 @@ public final class LiveRun implements AutoCloseable {
                 journal.finish(),
                 measures,
                 outOfBounds,
+                stage == null ? Map.of() : stage.failedAgents(),
                 stage == null ? List.of() : stage.topics(),
                 stage == null ? List.of() : stage.hearings());
     }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.TreeMap;
 
 /// How a run ended and what came of it.
 ///
@@ -14,6 +15,7 @@ import java.util.OptionalDouble;
 /// @param measures by name, in the scenario's order; empty where there was nothing to measure
 /// @param outOfBounds names of the measures that are not within the bounds the scenario gives
 /// @param topics how much was said about each topic
+/// @param failed agents that ended by a mistake of their own, each with what went wrong, by name
 /// @param communication who heard what, by sender, listener and topic; empty where the scenario does not limit it
 public record RunResult(
         String scenario,
@@ -25,11 +27,13 @@ public record RunResult(
         String eventHash,
         Map<String, OptionalDouble> measures,
         List<String> outOfBounds,
+        Map<String, String> failed,
         List<TopicTraffic> topics,
         List<Hearing> communication) {
     public RunResult {
         measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
         outOfBounds = List.copyOf(outOfBounds);
+        failed = Collections.unmodifiableMap(new TreeMap<>(failed));
         topics = List.copyOf(topics);
         communication = List.copyOf(communication);
     }

@@ -2,6 +2,7 @@ package rsal.scenario.run;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rsal.agent.Turns;
 import rsal.robot.Robot;
@@ -184,6 +185,11 @@ final class Stage implements AutoCloseable {
         return agents.inside(agent)
                 .<Answer>map(Answer.Seen::new)
                 .orElseGet(() -> new Answer.Refused("There is no agent (%s).".formatted(agent)));
+    }
+
+    /// What went wrong with each, by name.
+    Map<String, String> failedAgents() {
+        return agents.failed();
     }
 
     List<TopicTraffic> topics() {

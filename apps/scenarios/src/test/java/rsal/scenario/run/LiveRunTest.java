@@ -252,7 +252,10 @@ class LiveRunTest {
     void anAgentThatFailsEndsAlone() {
         String text = Runs.TWO_WANDERERS.replace("chase: {type: wanderer, robot: hunter}", "chase: {type: breaker}");
         try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE))) {
-            assertThat(Runs.result(run).outcome()).isEqualTo("timeout");
+            RunResult result = Runs.result(run);
+            assertThat(result.outcome()).isEqualTo("timeout");
+            assertThat(result.failed()).containsOnlyKeys("chase");
+            assertThat(result.failed().get("chase")).contains("a screw is loose");
             assertThat(run.events(0)).anySatisfy(event -> {
                 assertThat(event.kind()).isEqualTo("fault");
                 assertThat(event.subject()).isEqualTo("chase");
