@@ -20,7 +20,8 @@ import rsal.agent.protocol.ContractNet.Call;
 import rsal.agent.protocol.ContractNet.Contract;
 import rsal.data.Pose2d;
 
-/// A member's side of a team: tells what jobs would cost it, and does one at a time. On the agent's lane.
+/// A member's side of a team: tells what jobs would cost it, and does one at a time. On the agent's lane. Its agent
+/// must be [there][rsal.agent.presence.Presence], or nobody calls it.
 public final class Worker {
     /// Begins why a job is given back that another, or the same one later, can do as well as before.
     static final String UNFIT = "Not fit for it now: ";
