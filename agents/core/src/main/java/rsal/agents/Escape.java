@@ -15,6 +15,7 @@ public final class Escape extends Kind {
             "",
             List.of(""),
             "Role of the robots that catch it, or id of the one; empty when any other robot does.");
+    /// The thesis has 1.5 m, which hunters that stop 2 m away do not come to: so the same as theirs.
     static final Parameter CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It is caught when a hunter is nearer than this.");
 

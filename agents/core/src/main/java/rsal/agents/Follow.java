@@ -14,6 +14,7 @@ public final class Follow extends Kind {
             Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of the one.");
     static final Parameter CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It stops when nearer to its prey than this.");
+    /// As the thesis's real runs had it; simulated ones had 5 s.
     static final Parameter UPDATE_INTERVAL =
             Parameter.number("updateInterval", 2.0, 0.1, 600, "s", "How often it goes for the prey's newest pose.");
     static final Parameter ASSIGNMENT = Parameter.choice(
