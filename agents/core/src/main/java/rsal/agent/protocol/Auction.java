@@ -16,7 +16,8 @@ import rsal.agent.AgentContext;
 /// What is sold may as well be a task, and prices be what its doing is worth: minus its cost.
 ///
 /// FIPA lets the auctioneer ask the winner for the payment at the end. Here all are told who has won, and what follows
-/// is a conversation of its own.
+/// is a conversation of its own. Nor is an offer rejected that comes when its price stands no more: the next price, or
+/// the end, has answered it.
 ///
 /// @param <L> lot
 public final class Auction<L> {
@@ -94,7 +95,7 @@ public final class Auction<L> {
         /// It is over; this agent may be the winner.
         default void ended(L lot, Sale sale) {}
 
-        /// The auctioneer has gone or cancelled.
+        /// The auctioneer has gone or cancelled, or one of the two does not understand the other.
         default void lost(L lot, String why) {}
     }
 
@@ -123,13 +124,16 @@ public final class Auction<L> {
                         what = lot.cast(act.content());
                     }
                 }
+                case NOT_UNDERSTOOD -> lost(Outcome.words(act));
                 default -> {} // whether its price was the first is told by the next
             }
         }
 
         @Override
         public void lost(String why) {
-            bidder.lost(lot(), why);
+            if (what != null) {
+                bidder.lost(what, why);
+            }
             super.lost(why);
         }
 

@@ -56,18 +56,22 @@ final class Grammar {
                 .participant("accepted", Performative.INFORM, Slot.RESULT, END);
     }
 
-    /// Who does not want a price says nothing, so that the next call may follow the one before.
+    /// Who does not want a price says nothing, so that the next call may follow the one before. So what both say may
+    /// cross, and an offer may be met by the next price or by the end, or be followed by the offer for that price.
     private static Grammar auction(String name) {
         var auction = new Grammar(name)
                 .initiator(BEGIN, Performative.INFORM, Slot.SUBJECT, "announced")
                 .initiator("announced", Performative.CFP, Slot.BID, "called")
                 .initiator("called", Performative.CFP, Slot.BID, "called")
                 .participant("called", Performative.PROPOSE, Slot.BID, "proposed")
+                .participant("proposed", Performative.PROPOSE, Slot.BID, "proposed")
+                .initiator("proposed", Performative.CFP, Slot.BID, "called")
                 .initiator("proposed", Performative.ACCEPT_PROPOSAL, Slot.BID, "answered")
                 .initiator("proposed", Performative.REJECT_PROPOSAL, Slot.BID, "answered")
                 .initiator("answered", Performative.CFP, Slot.BID, "called")
                 .initiator("announced", Performative.INFORM, Slot.RESULT, END)
                 .initiator("called", Performative.INFORM, Slot.RESULT, END)
+                .initiator("proposed", Performative.INFORM, Slot.RESULT, END)
                 .initiator("answered", Performative.INFORM, Slot.RESULT, END);
         auction.silenceIsAnAnswer = true;
         return auction;

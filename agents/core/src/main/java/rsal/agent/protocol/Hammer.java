@@ -118,14 +118,19 @@ final class Hammer implements Conversation {
 
         @Override
         public void heard(Act act) {
-            if (act.performative() == Performative.PROPOSE && !over) {
-                answer((Double) act.content());
+            switch (act.performative()) {
+                case PROPOSE -> offered((Double) act.content());
+                case NOT_UNDERSTOOD -> lost(Outcome.words(act));
+                default -> {} // the grammar lets nothing else through
             }
         }
 
-        private void answer(double offered) {
+        private void offered(double offered) {
+            if (over || offered != price()) {
+                return; // the next price, or the end, has answered it
+            }
             Dialogue dialogue = Objects.requireNonNull(bidders.get(name));
-            if (wanted || offered != price()) {
+            if (wanted) {
                 dialogue.say(Performative.REJECT_PROPOSAL, offered);
                 return;
             }
