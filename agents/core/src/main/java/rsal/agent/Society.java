@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import rsal.device.Listeners;
 import rsal.device.SimulationControl;
@@ -34,7 +35,7 @@ public final class Society implements AutoCloseable {
     private final Optional<SimulationControl> simulation;
     private final Map<String, Member> members = new LinkedHashMap<>();
     private final Map<String, Channel<?>> channels = new HashMap<>();
-    private final Listeners<Message<?>> traffic = listeners();
+    private final List<Consumer<? super Message<?>>> traffic = new CopyOnWriteArrayList<>(); // may change while told
     private final Listeners<View> changes = listeners();
     private final Roster roster = new Roster();
     private final Turns turns;
@@ -127,13 +128,15 @@ public final class Society implements AutoCloseable {
         }
         Channel<M> channel = channel(topic);
         var said = new Message<>(topic, sender, to, scheduler.instant(), message);
-        traffic.tell(said);
+        traffic.forEach(listener -> listener.accept(said));
         scheduler.execute(() -> channel.tell(said));
     }
 
-    /// Hears everything that is said, before those it is said to.
+    /// Hears everything that is said, before those it is said to. What it throws, the one who speaks gets, as when the
+    /// text of a message can't be made; then nobody hears that message.
     public Subscription onMessage(Consumer<? super Message<?>> listener) {
-        return traffic.add(listener);
+        traffic.add(listener);
+        return () -> traffic.remove(listener);
     }
 
     /// Hears how an agent is now whenever its status or state has changed, its start included.

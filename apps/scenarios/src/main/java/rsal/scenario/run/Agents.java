@@ -51,7 +51,7 @@ final class Agents implements AutoCloseable {
     private final Traffic traffic;
     private final Turns turns;
     private final Map<String, String> robots = new HashMap<>(); // by agents that have one
-    private final Map<String, Deque<Message<?>>> lastMessages = new HashMap<>();
+    private final Map<String, Deque<String>> lastMessages = new HashMap<>(); // in words
     private final Map<String, String> lastWords = new HashMap<>();
     private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
     private final Conversations conversations = new Conversations();
@@ -151,13 +151,13 @@ final class Agents implements AutoCloseable {
         if (closed || faults.isSilent(message.sender())) {
             return;
         }
+        String words = Words.of(message); // if it can't be made, the one who says it is told, and nothing was said
         traffic.said(message);
         var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
-        last.addLast(message);
+        last.addLast(message.topic().name() + ": " + words);
         if (last.size() > LAST_MESSAGES) {
             last.removeFirst();
         }
-        String words = Words.of(message);
         switch (message.content()) {
             case Hello hello
             when hello.kind() == Hello.Kind.PING || hello.kind() == Hello.Kind.PONG ->
@@ -265,13 +265,8 @@ final class Agents implements AutoCloseable {
     List<AgentView> views() {
         return society.stream()
                 .flatMap(agents -> agents.views().stream())
-                .map(view -> new AgentView(view, lastMessages(view.agent().name())))
-                .toList();
-    }
-
-    private List<String> lastMessages(String agent) {
-        return lastMessages.getOrDefault(agent, new ArrayDeque<>()).stream()
-                .map(message -> message.topic().name() + ": " + Words.of(message))
+                .map(view -> new AgentView(
+                        view, List.copyOf(lastMessages.getOrDefault(view.agent().name(), new ArrayDeque<>()))))
                 .toList();
     }
 

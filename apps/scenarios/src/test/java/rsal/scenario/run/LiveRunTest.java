@@ -265,6 +265,24 @@ class LiveRunTest {
     }
 
     @Test
+    void anAgentWhoseWordsCantBeMadeEndsAloneAndTheRestIsToldOf() {
+        String text = Runs.TWO_WANDERERS.replace(
+                "chase: {type: wanderer, robot: hunter}", "chase: {type: mumbler}\n  chat: {type: chatter}");
+        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE))) {
+            assertThat(Runs.result(run).outcome()).isEqualTo("timeout");
+            assertThat(run.events(0))
+                    .extracting(event -> event.kind() + " " + event.subject() + ": " + event.text())
+                    .contains("fault chase: has failed: There are no words for it.", "message chat: no. 190");
+            assertThat(run.snapshot().agents())
+                    .filteredOn(agent -> agent.view().agent().name().equals("chat"))
+                    .singleElement()
+                    .satisfies(chat -> assertThat(chat.lastMessages())
+                            .hasSize(5)
+                            .allMatch(said -> said.startsWith("text: no. 19")));
+        }
+    }
+
+    @Test
     void aDeviceThatFailsBreaksTheRunAndIsNamed() {
         assertThatThrownBy(() -> Runs.result(broken("{}")))
                 .isInstanceOf(RunBroken.class)
