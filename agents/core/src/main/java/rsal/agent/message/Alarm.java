@@ -8,4 +8,9 @@ import rsal.data.Point2d;
 /// @param robot id of the one that sees
 public record Alarm(String robot, Point2d mapFromIntruder) {
     public static final Topic<Alarm> TOPIC = new Topic<>("alarm", Alarm.class);
+
+    public Alarm {
+        Check.given("robot", robot);
+        Check.somewhere("intruder", mapFromIntruder);
+    }
 }

@@ -9,4 +9,12 @@ import rsal.agent.Topic;
 /// @param distance between the two, as the prey believes [m]
 public record Caught(String prey, String hunter, double distance) {
     public static final Topic<Caught> TOPIC = new Topic<>("caught", Caught.class);
+
+    public Caught {
+        Check.given("prey", prey);
+        Check.given("hunter", hunter);
+        if (!(distance >= 0)) {
+            throw new IllegalArgumentException("A hunter must be at some distance, not (%s).".formatted(distance));
+        }
+    }
 }

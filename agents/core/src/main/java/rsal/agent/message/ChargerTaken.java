@@ -9,4 +9,9 @@ import rsal.data.Point2d;
 /// @param robot its id
 public record ChargerTaken(String robot, Point2d mapFromCharger) {
     public static final Topic<ChargerTaken> TOPIC = new Topic<>("charger-taken", ChargerTaken.class);
+
+    public ChargerTaken {
+        Check.given("robot", robot);
+        Check.somewhere("charger", mapFromCharger);
+    }
 }

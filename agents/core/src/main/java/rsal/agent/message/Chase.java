@@ -8,4 +8,9 @@ import rsal.agent.Topic;
 /// @param prey id of its robot
 public record Chase(String hunter, String prey) {
     public static final Topic<Chase> TOPIC = new Topic<>("chase", Chase.class);
+
+    public Chase {
+        Check.given("hunter", hunter);
+        Check.given("prey", prey);
+    }
 }

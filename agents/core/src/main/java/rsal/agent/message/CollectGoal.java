@@ -15,9 +15,8 @@ public record CollectGoal(Rgb color, Point2d mapFromThing) {
     private static final double APART = 0.6; // m; what is nearer to each other is taken for one thing
 
     public CollectGoal {
-        if (!Double.isFinite(mapFromThing.x()) || !Double.isFinite(mapFromThing.y())) {
-            throw new IllegalArgumentException("A thing must be somewhere, not at (%s).".formatted(mapFromThing));
-        }
+        Check.given("color", color);
+        Check.somewhere("thing", mapFromThing);
     }
 
     /// Whether both are of the same thing: of one color, and not farther apart than robots mistake themselves.

@@ -6,4 +6,10 @@ import rsal.data.Point2d;
 /// A robot has brought something to a depot and let go of it there.
 public record Collected(String robot, CollectGoal goal, Point2d mapFromDepot) {
     public static final Topic<Collected> TOPIC = new Topic<>("collected", Collected.class);
+
+    public Collected {
+        Check.given("robot", robot);
+        Check.given("goal", goal);
+        Check.somewhere("depot", mapFromDepot);
+    }
 }

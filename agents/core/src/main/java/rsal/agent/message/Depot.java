@@ -9,6 +9,14 @@ import rsal.data.Point2d;
 public record Depot(String robot, Point2d mapFromDepot, double radius) {
     public static final Topic<Depot> TOPIC = new Topic<>("depot", Depot.class);
 
+    public Depot {
+        Check.given("robot", robot);
+        Check.somewhere("depot", mapFromDepot);
+        if (!(radius >= 0)) {
+            throw new IllegalArgumentException("A depot must have a radius, not (%s).".formatted(radius));
+        }
+    }
+
     public boolean holds(Point2d mapFromThing) {
         return mapFromDepot.distanceTo(mapFromThing) <= radius;
     }

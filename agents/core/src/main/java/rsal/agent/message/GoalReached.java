@@ -10,6 +10,13 @@ import rsal.data.Pose2d;
 public record GoalReached(String robot, Pose2d mapFromGoal, String ending, String why) {
     public static final Topic<GoalReached> TOPIC = new Topic<>("goal-reached", GoalReached.class);
 
+    public GoalReached {
+        Check.given("robot", robot);
+        Check.somewhere("goal", mapFromGoal);
+        Check.given("ending", ending);
+        Check.given("why", why);
+    }
+
     public boolean reached() {
         return ending.equals("reached");
     }

@@ -10,6 +10,12 @@ import rsal.agent.Topic;
 public record Hello(String robot, Kind kind, String to) {
     public static final Topic<Hello> TOPIC = new Topic<>("hello", Hello.class);
 
+    public Hello {
+        Check.given("robot", robot);
+        Check.given("kind", kind);
+        Check.given("to", to);
+    }
+
     public enum Kind {
         /// I am here: at the start.
         HELLO,

@@ -6,4 +6,9 @@ import rsal.data.Point2d;
 /// A robot goes to look around somewhere, or has done so: the others may look elsewhere.
 public record Lookout(String robot, Point2d mapFromPlace, boolean done) {
     public static final Topic<Lookout> TOPIC = new Topic<>("lookout", Lookout.class);
+
+    public Lookout {
+        Check.given("robot", robot);
+        Check.somewhere("place", mapFromPlace);
+    }
 }

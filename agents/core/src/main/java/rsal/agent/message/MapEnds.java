@@ -15,6 +15,7 @@ public record MapEnds(String robot, List<End> ends) {
     public static final int MOST = 50;
 
     public MapEnds {
+        Check.given("robot", robot);
         ends = List.copyOf(ends);
         if (ends.size() > MOST) {
             throw new IllegalArgumentException(
@@ -27,9 +28,9 @@ public record MapEnds(String robot, List<End> ends) {
     /// @param length of that [m]
     public record End(Point2d mapFromMiddle, double length) {
         public End {
-            if (!Double.isFinite(mapFromMiddle.x()) || !Double.isFinite(mapFromMiddle.y()) || !(length >= 0)) {
-                throw new IllegalArgumentException(
-                        "A map ends somewhere, not at (%s) for (%s) m.".formatted(mapFromMiddle, length));
+            Check.somewhere("middle", mapFromMiddle);
+            if (!(length >= 0)) {
+                throw new IllegalArgumentException("The end of a map must be long, not (%s) m.".formatted(length));
             }
         }
     }

@@ -12,9 +12,8 @@ public record NewGoal(String robot, Pose2d mapFromGoal) {
     public static final String ALL = "all";
 
     public NewGoal {
-        if (!mapFromGoal.isFinite()) {
-            throw new IllegalArgumentException("A goal must be a place, not (%s).".formatted(mapFromGoal));
-        }
+        Check.given("robot", robot);
+        Check.somewhere("goal", mapFromGoal);
     }
 
     public boolean isFor(String id) {

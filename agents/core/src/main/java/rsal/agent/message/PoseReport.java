@@ -15,9 +15,9 @@ public record PoseReport(String robot, String role, Pose2d mapFromBase) {
     public static final Topic<PoseReport> TOPIC = new Topic<>("pose", PoseReport.class);
 
     public PoseReport {
-        if (!mapFromBase.isFinite()) {
-            throw new IllegalArgumentException("A robot must be somewhere, not at (%s).".formatted(mapFromBase));
-        }
+        Check.given("robot", robot);
+        Check.given("role", role);
+        Check.somewhere("robot", mapFromBase);
     }
 
     /// @param roleOrId of a robot

@@ -8,6 +8,10 @@ import rsal.agent.Topic;
 public record PoseRequest(String robot) {
     public static final Topic<PoseRequest> TOPIC = new Topic<>("pose-request", PoseRequest.class);
 
+    public PoseRequest {
+        Check.given("robot", robot);
+    }
+
     public boolean isFor(String id) {
         return robot.equals(id) || robot.equals(NewGoal.ALL);
     }

@@ -19,11 +19,13 @@ public record Ranks(String shape, boolean formed, Duration ahead, NavigableMap<S
     public static final Topic<Ranks> TOPIC = new Topic<>("ranks", Ranks.class);
 
     public Ranks {
+        Check.given("shape", shape);
         if (!ahead.isPositive()) {
             throw new IllegalArgumentException(
                     "Robots aim at where they should be later, not after %s.".formatted(ahead));
         }
         slots = Collections.unmodifiableNavigableMap(new TreeMap<>(slots));
+        slots.forEach((_, slot) -> Check.given("slot", slot));
     }
 
     /// The place of one robot.
@@ -32,10 +34,8 @@ public record Ranks(String shape, boolean formed, Duration ahead, NavigableMap<S
     /// @param mapFromAim where it should be later
     public record Slot(Pose2d mapFromSlot, Pose2d mapFromAim) {
         public Slot {
-            if (!mapFromSlot.isFinite() || !mapFromAim.isFinite()) {
-                throw new IllegalArgumentException(
-                        "A slot must be a place, not (%s) or (%s).".formatted(mapFromSlot, mapFromAim));
-            }
+            Check.somewhere("slot", mapFromSlot);
+            Check.somewhere("aim", mapFromAim);
         }
     }
 

@@ -11,6 +11,12 @@ import rsal.data.Pose2d;
 public record Sighting(String robot, String role, Pose2d mapFromBase) {
     public static final Topic<Sighting> TOPIC = new Topic<>("sighting", Sighting.class);
 
+    public Sighting {
+        Check.given("robot", robot);
+        Check.given("role", role);
+        Check.somewhere("robot", mapFromBase);
+    }
+
     /// @param roleOrId of a robot
     public boolean isOf(String roleOrId) {
         return role.equals(roleOrId) || robot.equals(roleOrId);

@@ -5,4 +5,8 @@ import rsal.agent.Topic;
 /// Free words, for people and for agents that know how to read them.
 public record Text(String words) {
     public static final Topic<Text> TOPIC = new Topic<>("text", Text.class);
+
+    public Text {
+        Check.given("words", words);
+    }
 }

@@ -14,9 +14,8 @@ public record VictimFound(String robot, int victim, Point2d mapFromVictim) {
     public static final Topic<VictimFound> TOPIC = new Topic<>("victim-found", VictimFound.class);
 
     public VictimFound {
-        if (!Double.isFinite(mapFromVictim.x()) || !Double.isFinite(mapFromVictim.y())) {
-            throw new IllegalArgumentException("A victim must be somewhere, not at (%s).".formatted(mapFromVictim));
-        }
+        Check.given("robot", robot);
+        Check.somewhere("victim", mapFromVictim);
     }
 
     /// `victim 3 is at (3.2, -1.0)`

@@ -8,4 +8,9 @@ import rsal.data.Point2d;
 /// @param robot its id
 public record Visited(String robot, Point2d mapFromPlace) {
     public static final Topic<Visited> TOPIC = new Topic<>("visited", Visited.class);
+
+    public Visited {
+        Check.given("robot", robot);
+        Check.somewhere("place", mapFromPlace);
+    }
 }

@@ -10,8 +10,6 @@ public record Watch(List<Point2d> mapFromPlaces) {
 
     public Watch {
         mapFromPlaces = List.copyOf(mapFromPlaces);
-        if (!mapFromPlaces.stream().allMatch(place -> Double.isFinite(place.x()) && Double.isFinite(place.y()))) {
-            throw new IllegalArgumentException("Places to watch are somewhere, not at %s.".formatted(mapFromPlaces));
-        }
+        mapFromPlaces.forEach(place -> Check.somewhere("place", place));
     }
 }
