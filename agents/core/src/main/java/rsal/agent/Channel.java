@@ -11,19 +11,26 @@ import rsal.device.Subscription;
 /// without asking the others, so that a conversation costs the same in a team of a thousand.
 final class Channel<M> {
     private final Topic<M> topic;
+    private final String firstUser;
     private final Supplier<Listeners<Message<M>>> none;
     private final Listeners<Message<M>> all;
     private final Map<String, Listeners<Message<M>>> byAgent = new HashMap<>();
 
     /// @param none makes a set of listeners without any
-    Channel(Topic<M> topic, Supplier<Listeners<Message<M>>> none) {
+    Channel(Topic<M> topic, String firstUser, Supplier<Listeners<Message<M>>> none) {
         this.topic = topic;
+        this.firstUser = firstUser;
         this.none = none;
         this.all = none.get();
     }
 
     Topic<M> topic() {
         return topic;
+    }
+
+    /// Who wanted it first.
+    String firstUser() {
+        return firstUser;
     }
 
     Subscription add(String agent, Consumer<? super Message<M>> listener) {

@@ -242,7 +242,7 @@ final class Member implements AgentContext {
     @Override
     public <M> Subscription subscribe(Topic<M> topic, Interest<M> interest, Consumer<? super Message<M>> listener) {
         return new MessageEar<>(interest, listener)
-                .listenTo(ear -> society.channel(topic).add(name(), ear));
+                .listenTo(ear -> society.channel(topic, name()).add(name(), ear));
     }
 
     /// The same for all of this agent's listeners.

@@ -4,6 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -103,6 +104,13 @@ public final class Society implements AutoCloseable {
         delivery.heard(message, listener);
     }
 
+    /// From now on the names of these topics are theirs alone, also when somebody else uses one of them first.
+    ///
+    /// @throws IllegalArgumentException when somebody has already, for another type
+    public void reserve(Collection<Topic<?>> topics) {
+        topics.forEach(topic -> channel(topic, "platform"));
+    }
+
     /// Says something in a person's name.
     ///
     /// @throws IllegalArgumentException when the message is not of the topic's type, or the topic's name is taken
@@ -126,7 +134,7 @@ public final class Society implements AutoCloseable {
             throw new IllegalArgumentException("Topic (%s) carries %s, not (%s)."
                     .formatted(topic.name(), topic.type().getSimpleName(), message));
         }
-        Channel<M> channel = channel(topic);
+        Channel<M> channel = channel(topic, sender);
         var said = new Message<>(topic, sender, to, scheduler.instant(), message);
         traffic.forEach(listener -> listener.accept(said));
         scheduler.execute(() -> channel.tell(said));
@@ -187,14 +195,18 @@ public final class Society implements AutoCloseable {
         return simulation;
     }
 
-    <M> Channel<M> channel(Topic<M> topic) {
-        Channel<?> channel = channels.computeIfAbsent(topic.name(), _ -> new Channel<>(topic, Society::listeners));
+    /// @param user who wants it, to name when somebody else wants it for another type
+    <M> Channel<M> channel(Topic<M> topic, String user) {
+        Channel<?> channel =
+                channels.computeIfAbsent(topic.name(), _ -> new Channel<>(topic, user, Society::listeners));
         if (!channel.topic().equals(topic)) {
-            throw new IllegalArgumentException("Topic (%s) carries %s, not %s. Maybe give yours another name."
-                    .formatted(
-                            topic.name(),
-                            channel.topic().type().getName(),
-                            topic.type().getName()));
+            throw new IllegalArgumentException(
+                    "Topic (%s) carries %s since (%s) used it first, not %s. Maybe give yours another name."
+                            .formatted(
+                                    topic.name(),
+                                    channel.topic().type().getName(),
+                                    channel.firstUser(),
+                                    topic.type().getName()));
         }
         @SuppressWarnings("unchecked") // made for an equal topic
         var same = (Channel<M>) channel;

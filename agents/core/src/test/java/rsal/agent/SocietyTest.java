@@ -463,7 +463,7 @@ class SocietyTest {
         run.advance(1);
         assertThat(run.view("amy").state()).contains("(words)", "String", "(42)");
         assertThat(run.view("bob").status()).isEqualTo(Status.FAILED);
-        assertThat(run.view("bob").state()).contains("(words)", "Integer", "String");
+        assertThat(run.view("bob").state()).contains("(words)", "Integer", "String", "since (eve)");
         assertThat(log).isEmpty();
     }
 

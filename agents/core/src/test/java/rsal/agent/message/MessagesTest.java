@@ -17,6 +17,7 @@ import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rsal.agent.Run;
@@ -125,6 +126,18 @@ class MessagesTest {
             }
         }
         return types;
+    }
+
+    @Test
+    void allTopicsAreReserved() throws ReflectiveOperationException, URISyntaxException {
+        var topics = new ArrayList<Topic<?>>();
+        for (Class<? extends Record> type : types()) {
+            if (!type.isMemberClass()) { // else it is part of a message
+                topics.add(
+                        (Topic<?>) Objects.requireNonNull(type.getField("TOPIC").get(null)));
+            }
+        }
+        assertThat(Topics.ALL).containsExactlyInAnyOrderElementsOf(topics);
     }
 
     @ParameterizedTest

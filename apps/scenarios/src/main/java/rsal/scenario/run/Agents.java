@@ -24,6 +24,7 @@ import rsal.agent.message.NewGoal;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.PoseRequest;
 import rsal.agent.message.Ranks;
+import rsal.agent.message.Topics;
 import rsal.agent.message.VictimFound;
 import rsal.agent.message.Visited;
 import rsal.agent.message.Watch;
@@ -87,6 +88,7 @@ final class Agents implements AutoCloseable {
                 () -> provider.create(plan.mas().settings(), scheduler));
         var agents = new Society(scheduler, host, simulation, turns);
         society = Optional.of(agents);
+        agents.reserve(Topics.ALL);
         agents.onMessage(message -> heard(message, simulation));
         agents.onChange(this::changed);
         agents.deliverBy(new Post(plan.communication().map(limits -> radio(limits, simulation)), faults, traffic));

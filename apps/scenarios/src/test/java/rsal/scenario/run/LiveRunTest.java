@@ -17,6 +17,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -279,6 +281,22 @@ class LiveRunTest {
                     .satisfies(chat -> assertThat(chat.lastMessages())
                             .hasSize(5)
                             .allMatch(said -> said.startsWith("text: no. 19")));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void anAgentThatTakesATopicsNameForAnotherTypeEndsAlone(boolean comesFirst) {
+        List<String> agents = List.of("squat: {type: squatter}", "chat: {type: chatter}");
+        String text = Runs.TWO_WANDERERS.replace(
+                "chase: {type: wanderer, robot: hunter}", String.join("\n  ", comesFirst ? agents : agents.reversed()));
+        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE))) {
+            assertThat(Runs.result(run).outcome()).isEqualTo("timeout");
+            assertThat(run.events(0))
+                    .filteredOn(event -> event.kind().equals("fault"))
+                    .extracting(event -> event.subject() + " " + event.text())
+                    .containsExactly("squat has failed: Topic (text) carries rsal.agent.message.Text since"
+                            + " (platform) used it first, not java.lang.String. Maybe give yours another name.");
         }
     }
 
