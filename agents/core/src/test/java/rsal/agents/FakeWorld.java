@@ -1,22 +1,40 @@
 package rsal.agents;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.Prism;
+import rsal.data.Rgb;
+import rsal.data.Shape;
+import rsal.data.Solid;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.SimulationControl;
 
-/// A world that holds names and poses, within 100 m of its origin.
+/// A world that holds names and poses, within 100 m of its origin, and discs to look at.
 final class FakeWorld extends DeviceCore implements SimulationControl {
     private static final double EDGE = 100; // m
 
     final Map<String, Pose2d> things = new LinkedHashMap<>();
+    private final List<Standing> discs = new ArrayList<>();
 
     FakeWorld() {
         super(new DeviceInfo("", "simulation", "fake"));
+    }
+
+    /// @param height of its underside above the floor [m]
+    void addDisc(String name, Rgb color, double x, double y, double height) {
+        var disc = Prism.standing(new Shape.Disc(new Point2d(0, 0), 0.1), 0.1).in(color);
+        discs.add(new Standing(discs.size() + 1, name, new Solid(List.of(disc)), new Pose2d(x, y, 0), height));
+    }
+
+    @Override
+    public List<Standing> things() {
+        return List.copyOf(discs);
     }
 
     @Override
