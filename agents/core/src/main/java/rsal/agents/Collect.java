@@ -2,6 +2,7 @@ package rsal.agents;
 
 import java.util.List;
 import rsal.agent.AgentContext;
+import rsal.agent.Capability;
 import rsal.behavior.Pilot;
 import rsal.device.BlobFinder;
 import rsal.device.Gripper;
@@ -11,6 +12,7 @@ import rsal.settings.Arguments;
 
 /// Collects things that others have found.
 public final class Collect extends Kind {
+    private static final Capability GRIPPER = Capability.of("gripper");
 
     public Collect() {
         super(
@@ -30,6 +32,7 @@ public final class Collect extends Kind {
     @Override
     void begin(AgentContext self, Arguments arguments) {
         Robot robot = Body.of(self);
+        self.offer(GRIPPER);
         var reporter = new Reporter(self, robot, arguments, _ -> {});
         reporter.begin();
         new Collecting(self, robot, reporter, arguments).begin();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import rsal.agent.Directory;
 import rsal.agent.message.CollectGoal;
 import rsal.agent.message.Collected;
 import rsal.data.Point2d;
@@ -219,6 +220,15 @@ class CollectTest {
         master(Map.of());
         scene.advance(5);
         assertThat(near.body.navigator.goals).containsExactly(new Pose2d(4, 0, 0));
+    }
+
+    @Test
+    void tellsThatItHasAGripper() {
+        near.start();
+        explore(Map.of());
+        assertThat(scene.society.directory().offering("gripper"))
+                .extracting(Directory.Entry::name)
+                .containsExactly("near");
     }
 
     private static CollectGoal green(double x, double y) {
