@@ -468,6 +468,15 @@ class SocietyTest {
     }
 
     @Test
+    void whoSpeaksOnATopicWithoutANameOrATypeEnds() {
+        run.start("amy", self -> self.publish(new Topic<>(null, String.class), "hi"));
+        run.start("bob", self -> self.subscribe(new Topic<>("words", null), _ -> {}));
+        run.advance(1);
+        assertThat(run.view("amy").state()).isEqualTo("A topic must have a name.");
+        assertThat(run.view("bob").status()).isEqualTo(Status.FAILED);
+    }
+
+    @Test
     void peopleSeeAllThatIsSaidAndEveryChange() {
         run.society.onMessage(m -> log.add(m.sender() + ": " + m.content()));
         run.society.onChange(view -> log.add(view.agent().name() + " " + view.status() + " " + view.state()));
