@@ -118,4 +118,23 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await look(page, 'spread');
     await eventually(async () => Promise.resolve(asked.includes('/api/agent')), 'it asks');
   });
+
+  it('shows the arguments of an agent, and which are not the default', async () => {
+    const page = await open(1400, 900, 'light');
+    await look(page, 'evade');
+    const inside = agent(page, 'evade');
+    const hunter = inside.locator('[data-argument="hunter"]');
+    await inside.getByText(/^Arguments \(\d+\)$/).waitFor();
+    expect(await hunter.isVisible()).toBe(false); // closed until somebody wants to know
+    await inside.getByText(/^Arguments/).click();
+    expect(await hunter.innerText()).toMatch(/hunter\s+courier\s+default: nothing/);
+    const fear = await inside.locator('[data-argument="fear"]').innerText();
+    expect(fear).toMatch(/fear\s+6 m\s+It runs from hunters nearer than this\./);
+    expect(fear).not.toContain('default');
+    await page.waitForTimeout(1000); // it is asked for again meanwhile
+    expect(await hunter.isVisible()).toBe(true);
+    await inside.getByText(/^Arguments/).scrollIntoViewIfNeeded();
+    await picture(page, 'arguments-light');
+    await isAccessible(page);
+  });
 });

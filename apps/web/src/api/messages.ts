@@ -35,6 +35,7 @@ export interface AgentDetails {
 
 export interface AgentInside {
   agent: string;
+  arguments: SettingInfo[];
   mind: MindInfo | null;
   talks: TalkInfo[];
   hearings: HearingInfo[];
@@ -299,6 +300,14 @@ export interface ServerMessage {
   things: Things | null;
   details: Details | null;
   events: Events | null;
+}
+
+export interface SettingInfo {
+  name: string;
+  value: string;
+  fallback: string | null;
+  unit: string;
+  description: string;
 }
 
 export interface Speed {

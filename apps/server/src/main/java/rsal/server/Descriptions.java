@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -15,6 +16,7 @@ import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.device.Health;
 import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.DeviceView;
@@ -46,6 +48,7 @@ import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.MindInfo;
 import rsal.server.Messages.RobotDetails;
 import rsal.server.Messages.RunInfo;
+import rsal.server.Messages.SettingInfo;
 import rsal.server.Messages.TalkInfo;
 import rsal.server.Messages.TopicInfo;
 import rsal.server.Messages.Topics;
@@ -146,7 +149,8 @@ final class Descriptions {
 
     static AgentInside inside(Inside agent) {
         return new AgentInside(
-                agent.agent(),
+                agent.agent().name(),
+                settings(agent.agent()),
                 agent.mind().map(Descriptions::mind),
                 agent.talks().stream()
                         .map(said -> new TalkInfo(
@@ -160,6 +164,24 @@ final class Descriptions {
                                 said.times()))
                         .toList(),
                 hearings(agent.hearings()));
+    }
+
+    private static List<SettingInfo> settings(PlannedAgent agent) {
+        Map<String, Object> values = agent.arguments().asMap();
+        return agent.type().parameters().stream()
+                .map(parameter -> new SettingInfo(
+                        parameter.name(),
+                        typed(Objects.requireNonNull(values.get(parameter.name()))),
+                        parameter.fallback().map(Descriptions::typed),
+                        parameter.unit(),
+                        parameter.description()))
+                .toList();
+    }
+
+    /// @param value Double, Long, String or Boolean
+    private static String typed(Object value) {
+        String words = clip(String.valueOf(value));
+        return value instanceof Double ? words.replaceFirst("\\.0$", "") : words;
     }
 
     private static MindInfo mind(Mind.View mind) {

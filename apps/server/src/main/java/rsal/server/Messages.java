@@ -313,10 +313,22 @@ final class Messages {
 
     /// An agent, looked into.
     ///
+    /// @param arguments all that its type takes, in the order in which that declares them
     /// @param mind what it believes and wants, when it has a mind and runs
     /// @param talks what it and its partners said in conversations lately, oldest first; at most 100
     /// @param hearings what it heard of others and others of it, where that is recorded; at most 60
-    record AgentInside(String agent, Optional<MindInfo> mind, List<TalkInfo> talks, List<HearingInfo> hearings) {}
+    record AgentInside(
+            String agent,
+            List<SettingInfo> arguments,
+            Optional<MindInfo> mind,
+            List<TalkInfo> talks,
+            List<HearingInfo> hearings) {}
+
+    /// An argument that an agent was started with.
+    ///
+    /// @param value as one would type it
+    /// @param fallback the same, when none is given; absent where one must be
+    record SettingInfo(String name, String value, Optional<String> fallback, String unit, String description) {}
 
     /// @param left how many beliefs and goals there are besides
     record MindInfo(List<BeliefInfo> beliefs, List<GoalInfo> goals, int left) {}

@@ -114,6 +114,31 @@ class CommunicationApiTest {
     }
 
     @Test
+    void tellsWhichArgumentsAnAgentHas() throws Exception {
+        advanceTo(1);
+        List<JsonNode> arguments = each(get("/api/agent?name=evade").get("arguments"));
+        assertThat(arguments)
+                .extracting(argument -> argument.get("name").asString())
+                .startsWith("hunter", "catchDistance")
+                .contains("fear");
+        JsonNode hunter = arguments.getFirst();
+        assertThat(hunter.get("value").asString()).isEqualTo("courier");
+        assertThat(hunter.get("fallback").asString()).isEmpty();
+        assertThat(arguments)
+                .filteredOn(argument -> argument.get("name").asString().equals("fear"))
+                .singleElement()
+                .satisfies(fear -> {
+                    assertThat(fear.get("value").asString()).isEqualTo("6");
+                    assertThat(fear.get("fallback").asString()).isEqualTo("6");
+                    assertThat(fear.get("unit").asString()).isEqualTo("m");
+                    assertThat(fear.get("description").asString()).isEqualTo("It runs from hunters nearer than this.");
+                });
+        assertThat(each(get("/api/agent?name=nav-1").get("arguments")))
+                .extracting(argument -> argument.get("name").asString())
+                .doesNotContain("hunter");
+    }
+
+    @Test
     void tellsWhatAnAgentBelievesAndWants() throws Exception {
         advanceTo(10);
         JsonNode mind = get("/api/agent?name=evade").get("mind");

@@ -51,7 +51,7 @@ final class Agents implements AutoCloseable {
     private final Team team;
     private final Traffic traffic;
     private final Turns turns;
-    private final Map<String, String> robots = new HashMap<>(); // by agents that have one
+    private final Map<String, PlannedAgent> started = new HashMap<>(); // by name
     private final Map<String, Deque<String>> lastMessages = new HashMap<>(); // in words
     private final Map<String, String> lastWords = new HashMap<>();
     private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
@@ -98,8 +98,15 @@ final class Agents implements AutoCloseable {
         return new Radio(
                 limits,
                 plan.map(),
-                agent -> robots.getOrDefault(agent, ""),
+                this::robotOf,
                 robot -> mapFromRobot(robot, simulation).map(pose -> new Point2d(pose.x(), pose.y())));
+    }
+
+    /// Empty when it has none.
+    private String robotOf(String agent) {
+        return Optional.ofNullable(started.get(agent))
+                .flatMap(PlannedAgent::robot)
+                .orElse("");
     }
 
     /// Where a robot really is, or where it believes to be where nobody knows the truth.
@@ -117,7 +124,7 @@ final class Agents implements AutoCloseable {
     }
 
     void start(PlannedAgent agent) {
-        agent.robot().ifPresent(robot -> robots.put(agent.name(), robot));
+        started.put(agent.name(), agent);
         society.orElseThrow()
                 .start(new AgentSpec(
                         agent.name(),
@@ -217,14 +224,16 @@ final class Agents implements AutoCloseable {
         return isNew;
     }
 
-    /// What an agent believes, wants and says now; empty when there never was one of that name.
+    /// How an agent was started, and what it believes, wants and says now; empty when there never was one of that name.
     ///
     /// @throws IllegalArgumentException when it can't tell
     Optional<Inside> inside(String name) {
-        return society.filter(agents -> agents.views().stream()
-                        .anyMatch(view -> view.agent().name().equals(name)))
-                .map(agents ->
-                        new Inside(name, agents.look(name, Mind.View.class), talks.of(name), traffic.hearings(name)));
+        return Optional.ofNullable(started.get(name))
+                .map(agent -> new Inside(
+                        agent,
+                        society.orElseThrow().look(name, Mind.View.class),
+                        talks.of(name),
+                        traffic.hearings(name)));
     }
 
     /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled has given way
