@@ -32,6 +32,7 @@ final class Pack {
     private final SortedMap<String, Instant> seen = new TreeMap<>(); // when last
     private final Set<String> lost = new HashSet<>(); // neither seen lately nor caught
     private final Set<String> caught = new HashSet<>();
+    private Instant allottedAnew = Instant.EPOCH; // when last, because a hunter did not go on
 
     Pack(AgentContext self, Arguments arguments) {
         this.self = self;
@@ -40,7 +41,7 @@ final class Pack {
                 .withObjective(Objective.LONGEST)
                 .withTries(0)
                 .reconsideredEvery(arguments.seconds(HuntMaster.INTERVAL.name()));
-        this.team = new Team(self, rules, _ -> tell());
+        this.team = new Team(self, rules, this::changed);
     }
 
     void begin() {
@@ -57,6 +58,17 @@ final class Pack {
         self.scheduler().every(LOOK, this::forget);
         team.begin();
         self.state("looking for prey");
+    }
+
+    /// A prey that its hunter leaves can't wait until another is free: it would escape. Not more than once a second,
+    /// for one that fails at whatever it gets.
+    private void changed(Team.Event event) {
+        Instant now = self.scheduler().instant();
+        if (event instanceof Team.Event.Returned && !now.isBefore(allottedAnew.plus(LOOK))) {
+            allottedAnew = now;
+            team.reallot();
+        }
+        tell();
     }
 
     private void see(String robot) {

@@ -577,8 +577,8 @@ class CommandLineIT {
         JsonNode json = JsonMapper.shared()
                 .readTree(rsal.run("show", "hunt-and-prey:faulty", "--json").out());
         assertThat(text.out())
-                .contains("What goes wrong", "gone and in the way", "lost (20 %, about pose)")
-                .containsPattern("1 of hunter-1, hunter-2, hunter-3 +at 15.0 s for good");
+                .contains("What goes wrong", "gone and in the way", "lost (20 %)")
+                .containsPattern("1 of hunter-1, hunter-2, hunter-3, hunter-4 +at 13.0 s for good");
         assertThat(json.get("faults").get(0).get("pick").intValue()).isEqualTo(1);
         assertThat(json.get("faults").get(1).get("targets").get(0).stringValue())
                 .isEqualTo("messages");
