@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rsal.data.Point2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 
@@ -46,6 +47,54 @@ class SwarmIT {
             assertThat(measure(result, "localizationError")).as("seed %d", seed).isLessThan(0.35);
             assertThat(measure(result, "collisions")).as("seed %d", seed).isZero();
             assertThat(measure(result, "heardMessages")).isEqualTo(9 * measure(result, "messages"));
+        }
+    }
+
+    @Test
+    void tenAreFartherFromEachOtherThanTheyWereAtFirst() {
+        for (long seed = 1; seed <= 3; seed++) {
+            assertThat(apart(seed, 40)).as("seed %d", seed).isGreaterThan(apart(seed, 0.1));
+        }
+    }
+
+    /// Mean distance of ten to the nearest other [m].
+    private static double apart(long seed, double seconds) {
+        var options = RunOptions.NONE
+                .withSeed(seed)
+                .withSpeed(Double.POSITIVE_INFINITY)
+                .withConfiguration("ten")
+                .withLimit(Duration.ofMillis(Math.round(seconds * 1000)));
+        try (var run = LiveRun.start(SWARM.plan(options))) {
+            Runs.result(run);
+            List<Point2d> places = run.snapshot().robots().stream()
+                    .map(robot -> robot.truth().orElseThrow().position())
+                    .toList();
+            assertThat(places).hasSize(10);
+            return places.stream()
+                    .mapToDouble(place -> places.stream()
+                            .filter(other -> !other.equals(place))
+                            .mapToDouble(place::distanceTo)
+                            .min()
+                            .orElseThrow())
+                    .average()
+                    .orElseThrow();
+        }
+    }
+
+    @Test
+    void eightMapTheOfficeFloorTogether() {
+        var options = RunOptions.NONE
+                .withConfiguration("coverage")
+                .withArguments(Map.of("robots", "8"))
+                .withSeed(1)
+                .withSpeed(Double.POSITIVE_INFINITY);
+        try (var run = LiveRun.start(SWARM.plan(options))) {
+            RunResult result = run.result()
+                    .toCompletableFuture()
+                    .orTimeout(250, TimeUnit.SECONDS)
+                    .join();
+            assertThat(result.outcome()).isEqualTo("success");
+            assertThat(measure(result, "time99")).isLessThan(600);
         }
     }
 
@@ -115,7 +164,7 @@ class SwarmIT {
     }
 
     @ParameterizedTest
-    @CsvSource({"line, 1", "wedge, 2", "circle, 3"})
+    @CsvSource({"line, 1", "wedge, 2", "circle, 3", "grid, 4"})
     void aFormationIsHeldAcrossTheCaveAndGoesInAColumnWhereThatIsNarrow(String shape, long seed) {
         Marched marched = march("formation", seed, shape);
         assertThat(marched.result.outcome()).isEqualTo("success");
