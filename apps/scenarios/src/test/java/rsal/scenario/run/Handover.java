@@ -9,8 +9,26 @@ import java.util.Optional;
 /// @param job what it was at
 /// @param taken how long after the fault another was at it; empty when none was
 record Handover(String job, Optional<Duration> taken) {
-    /// How long a team may take: 5 s until one counts as silent, and 3 s to give what it had to another.
-    static final Duration MOST = Duration.ofSeconds(8);
+    private static final Duration SILENCE = Duration.ofSeconds(5); // after that one counts as silent
+    private static final Duration TO_ALLOT = Duration.ofSeconds(3);
+
+    /// How long a team may take in which others can leave what they are at, or are free.
+    static final Duration MOST = SILENCE.plus(TO_ALLOT);
+
+    /// How long a team may take in which whoever has a job finishes that.
+    ///
+    /// @param agent of the robot that is gone
+    /// @param idle what agents without a job say that they do; another does so after the fault
+    static Duration most(List<RunEvent> events, RunEvent fault, String agent, String idle) {
+        Duration free = events.stream()
+                .filter(event -> event.kind().equals("agent") && event.text().equals(idle))
+                .filter(event -> !event.subject().equals(agent))
+                .map(event -> event.time().minus(fault.time()))
+                .filter(Duration::isPositive)
+                .findFirst()
+                .orElseThrow();
+        return (free.compareTo(SILENCE) > 0 ? free : SILENCE).plus(TO_ALLOT);
+    }
 
     /// @param agent of the robot that is gone
     static Handover of(List<RunEvent> events, RunEvent fault, String agent) {
@@ -23,7 +41,8 @@ record Handover(String job, Optional<Duration> taken) {
         return new Handover(
                 job,
                 events.stream()
-                        .filter(event -> event.kind().equals("agent") && event.text().equals(job))
+                        .filter(event ->
+                                event.kind().equals("agent") && event.text().equals(job))
                         .filter(event -> !event.subject().equals(agent))
                         .map(RunEvent::time)
                         .filter(time -> time.compareTo(fault.time()) >= 0)

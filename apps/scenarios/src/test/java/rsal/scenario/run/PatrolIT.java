@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.InstanceOfAssertFactories.DURATION;
 
 import java.time.Duration;
 import java.util.List;
@@ -80,6 +81,17 @@ class PatrolIT {
             assertThat(watch.guards(0)).as("seed %d", seed).hasSize(4);
             assertThat(watch.guards(220)).as("seed %d", seed).hasSize(3);
             assertThat(watch.measure("worstIdleTime")).as("seed %d", seed).isLessThan(600);
+            RunEvent gone = watch.events.stream()
+                    .filter(event -> event.text().startsWith("gone"))
+                    .findFirst()
+                    .orElseThrow();
+            String worker = gone.subject().replace("guard", "worker");
+            Handover place = Handover.of(watch.events, gone, worker);
+            assertThat(place.job()).as("seed %d", seed).startsWith("visit ");
+            assertThat(place.taken())
+                    .as("seed %d", seed)
+                    .get(DURATION)
+                    .isLessThanOrEqualTo(Handover.most(watch.events, gone, worker, "waiting for a job"));
         }
     }
 
