@@ -119,6 +119,16 @@ class FindAndCollectIT {
         Collection all = collect("faulty", seed);
         assertTidy(all);
         assertThat(all.measure("gone")).isOne();
+        RunEvent gone = all.events.stream()
+                .filter(event -> event.text().startsWith("gone"))
+                .findFirst()
+                .orElseThrow();
+        String silent = gone.subject().replace("collector", "collect");
+        assertThat(all.events)
+                .filteredOn(event -> event.time().minus(gone.time()).compareTo(Handover.MOST) > 0)
+                .extracting(RunEvent::text)
+                .anyMatch(text -> text.matches("collect-\\d, accept-proposal: .*"))
+                .noneMatch(text -> text.startsWith(silent + ", accept-proposal: "));
         assertThat(all.measure("collisions")).isZero();
     }
 
