@@ -402,7 +402,7 @@ describe.skipIf(!chromium)('the page', () => {
     await dialog.getByRole('alert').waitFor();
     for (const [name, mistake] of [
       ['Seed', '(seed) must be a whole number, not (seven).'],
-      ['prey', '(prey) must be a whole number from 1 to 8, not (99).'],
+      ['prey', '(prey) must be a whole number from 1 to 20, not (99).'],
       ['catchDistance[m]', '(catchDistance) must be a number from 0.8 to 3 [m], not (far).'],
     ] as const) {
       expect(await field(name).getAttribute('aria-invalid'), name).toBe('true');
