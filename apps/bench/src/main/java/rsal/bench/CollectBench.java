@@ -13,9 +13,9 @@ import rsal.scenario.run.RunResult;
 /// cans at once: how fast robots bring them in is a matter of driving and of who gets which. A run that does not end
 /// well counts with the time that it took.
 ///
-/// Names are `collect.<collectors>.rate`, cans collected per minute until all are, the median; `collect.4.bid.sooner`,
-/// how much sooner than by asking whoever is free four robots are done when they bid ([Saving]); and
-/// `collect.4.contacts`, touches in a run.
+/// Names are `collect.<collectors>.rate`, cans collected per minute until all are, the mean of all runs
+/// ([Confidence]); `collect.4.bid.sooner`, how much sooner than by asking whoever is free four robots are done when
+/// they bid ([Saving]); and `collect.4.contacts`, touches in a run.
 final class CollectBench implements Bench {
     private static final Scenario SCENARIO = Scenario.load("find-and-collect");
     private static final List<Integer> TEAMS = List.of(1, 2, 4, 8);
@@ -36,7 +36,7 @@ final class CollectBench implements Bench {
     @Override
     public List<String> names() {
         var names = new ArrayList<String>();
-        TEAMS.forEach(collectors -> names.add(rate(collectors)));
+        TEAMS.forEach(collectors -> names.addAll(Confidence.names(rate(collectors))));
         names.addAll(compared());
         return names;
     }
@@ -46,14 +46,14 @@ final class CollectBench implements Bench {
         var points = new ArrayList<Point>();
         for (int collectors : TEAMS) {
             boolean compared = collectors == COMPARED && assignment.wantsAny(compared());
-            if (assignment.wants(rate(collectors)) || compared) {
+            if (assignment.wantsAny(Confidence.names(rate(collectors))) || compared) {
                 List<RunResult> bidding = runs(collectors, "bids", assignment);
                 double[] minutes = minutes(bidding);
                 double[] cans = SeededRuns.values(bidding, "collected", _ -> 0);
                 Arrays.setAll(cans, i -> cans[i] / minutes[i]);
-                var rate = Result.more(rate(collectors), "1/min", cans);
+                List<Result> rate = Confidence.more(rate(collectors), "1/min", cans);
                 assignment.tell(rate);
-                points.add(new Point("bids", collectors, rate.value()));
+                points.add(new Point("bids", collectors, rate.getFirst().value()));
                 if (compared) {
                     assignment.tell(Result.less(CONTACTS, "", SeededRuns.values(bidding, "collisions", _ -> 0)));
                     assignment.tell(Saving.of(SOONER, "min", minutes, minutes(runs(collectors, "first", assignment))));
