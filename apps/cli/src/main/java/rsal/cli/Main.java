@@ -134,7 +134,8 @@ public final class Main implements Runnable {
 
     private static void tellInternal(Exception failure, CommandLine command, List<String> typed) throws IOException {
         PrintWriter err = command.getErr();
-        if (failure instanceof RunBroken broken && broken.getCause() == null) { // it says all, and is no mistake of ours
+        if (failure instanceof RunBroken broken
+                && broken.getCause() == null) { // it says all, and is no mistake of ours
             err.println("rsal: The run broke: " + broken.getMessage());
             return;
         }
