@@ -5,10 +5,12 @@ import static java.util.Objects.requireNonNull;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.NavigableMap;
 import java.util.SortedMap;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
+import java.util.function.DoubleBinaryOperator;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -17,6 +19,11 @@ import rsal.agent.team.Estimate;
 import rsal.agent.team.Objective;
 import rsal.agent.team.Routes;
 import rsal.data.Point2d;
+import rsal.navigation.grid.DistanceField;
+import rsal.navigation.spread.Ground;
+import rsal.navigation.spread.Spreader;
+import rsal.navigation.wavefront.CostMap;
+import rsal.navigation.wavefront.Wavefront;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.RunResult;
@@ -27,11 +34,19 @@ import rsal.scenario.run.TopicTraffic;
 ///
 /// Names are `allot.<what>.ratio`, the mean of all draws, and `.worst`. What: `single`, as many members as jobs and one
 /// job each, by the sum; `routes.sum` and `routes.longest`, 8 to 10 jobs among 1 to 4 members, by the sum and by the
-/// longest route. And `allot.messages`, how many messages a team needs for a job, all told, in whole runs of `patrol`.
+/// longest route; `places.sum` and `places.longest`, 2 to 8 robots anywhere on the office floor and as many places
+/// spread
+/// over it, allotted as the scenario `distribution` does ([rsal.agent.team.Assignment#even]), by the sum of the ways
+/// and by
+/// the longest. And `allot.messages`, how many messages a team needs for a job, all told, in whole runs of `patrol`.
 final class AllotmentBench implements Bench {
     private static final int DRAWS = 100;
     private static final double SIDE = 100; // m
     private static final String SINGLE = "allot.single";
+    private static final String PLACES_SUM = "allot.places.sum";
+    private static final String PLACES_LONGEST = "allot.places.longest";
+    private static final double CLEARANCE = 0.4; // m
+    private static final double SLACK = 0.5; // m
     private static final String MESSAGES = "allot.messages";
     private static final Scenario PATROL = Scenario.load("patrol");
 
@@ -48,6 +63,8 @@ final class AllotmentBench implements Bench {
         var names = new ArrayList<>(ratios(SINGLE));
         names.addAll(ratios(routes(Objective.SUM)));
         names.addAll(ratios(routes(Objective.LONGEST)));
+        names.addAll(ratios(PLACES_SUM));
+        names.addAll(ratios(PLACES_LONGEST));
         names.add(MESSAGES);
         return names;
     }
@@ -62,6 +79,8 @@ final class AllotmentBench implements Bench {
                 tell(routes(objective), draws(random -> inRoutes(random, objective)), assignment);
             }
         }
+        places(PLACES_SUM, Double::sum, assignment);
+        places(PLACES_LONGEST, Math::max, assignment);
         if (assignment.wants(MESSAGES)) {
             List<RunResult> runs = SeededRuns.of("allot.patrol", PATROL, RunOptions.NONE, assignment);
             assignment.tell(Result.less(
@@ -100,21 +119,56 @@ final class AllotmentBench implements Bench {
         var costs = new TreeMap<String, double[]>();
         members.forEach((name, estimate) -> costs.put(
                 name, estimate.first().stream().mapToDouble(Double::doubleValue).toArray()));
-        double allotted = rsal.agent.team.Assignment.cheapest(costs).entrySet().stream()
+        return ratio(costs, rsal.agent.team.Assignment.cheapest(costs), Double::sum);
+    }
+
+    private static void places(String name, DoubleBinaryOperator joined, Assignment assignment) {
+        if (assignment.wantsAny(ratios(name))) {
+            var ground = Ground.largest(Office.MAP, CLEARANCE);
+            var ways = new Wavefront(CostMap.of(
+                    Office.MAP,
+                    DistanceField.toNotFree(Office.MAP),
+                    new CostMap.Clearance(CLEARANCE, 2 * CLEARANCE, 3)));
+            tell(name, draws(random -> onTheFloor(random, ground, ways, joined)), assignment);
+        }
+    }
+
+    private static double onTheFloor(
+            SplittableRandom random, Ground ground, Wavefront ways, DoubleBinaryOperator joined) {
+        int size = random.nextInt(2, 9);
+        List<Point2d> places =
+                new Spreader(ground, size).spread(random, _ -> {}).places();
+        var costs = new TreeMap<String, double[]>();
+        for (int robot = 0; robot < size; robot++) {
+            Point2d start = Office.place(random, ground::contains).position();
+            costs.put(
+                    "r" + robot,
+                    ways.costs(start, places, SLACK).stream()
+                            .mapToDouble(Double::doubleValue)
+                            .toArray());
+        }
+        return ratio(costs, rsal.agent.team.Assignment.even(costs), joined);
+    }
+
+    /// What is allotted by the best that could be.
+    private static double ratio(
+            NavigableMap<String, double[]> costs, Map<String, Integer> allotted, DoubleBinaryOperator joined) {
+        double cost = allotted.entrySet().stream()
                 .mapToDouble(pair -> requireNonNull(costs.get(pair.getKey()))[pair.getValue()])
-                .sum();
-        return allotted / cheapest(List.copyOf(costs.values()), 0, 0);
+                .reduce(0, joined);
+        return cost / best(List.copyOf(costs.values()), joined, 0, 0);
     }
 
     /// Gives each member each job that is left.
-    private static double cheapest(List<double[]> costs, int member, int given) {
+    private static double best(List<double[]> costs, DoubleBinaryOperator joined, int member, int given) {
         if (member == costs.size()) {
             return 0;
         }
         double best = Double.POSITIVE_INFINITY;
         for (int job = 0; job < costs.size(); job++) {
             if ((given & 1 << job) == 0) {
-                best = Math.min(best, costs.get(member)[job] + cheapest(costs, member + 1, given | 1 << job));
+                double others = best(costs, joined, member + 1, given | 1 << job);
+                best = Math.min(best, joined.applyAsDouble(costs.get(member)[job], others));
             }
         }
         return best;
