@@ -1,6 +1,5 @@
 package rsal.agents;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import rsal.agent.AgentContext;
@@ -47,12 +46,9 @@ public final class BlobAgent extends Kind {
         if (arguments.flag(PUTS.name())) {
             self.simulation().ifPresent(world -> put(world, self.name(), places, color));
         }
-        new Known(
-                        self,
-                        places.stream()
-                                .map(place -> new CollectGoal(color, place))
-                                .toList())
-                .begin();
+        List<CollectGoal> things =
+                places.stream().map(place -> new CollectGoal(color, place)).toList();
+        new Known(self, things).begin();
     }
 
     private static void put(SimulationControl world, String owner, List<Point2d> places, Rgb color) {
@@ -69,8 +65,6 @@ public final class BlobAgent extends Kind {
 
     /// What it knows of, until each has been collected, by whomever.
     private static final class Known {
-        private static final Duration AGAIN = Duration.ofSeconds(4); // as often as is said what is to be fetched
-
         private final AgentContext self;
         private final Request<CollectGoal, String> orders;
         private final List<CollectGoal> open;
@@ -93,10 +87,9 @@ public final class BlobAgent extends Kind {
             if (!open.contains(thing)) {
                 return;
             }
-            self.directory().offering(Orders.CAPABILITY.name()).stream()
-                    .findFirst()
+            Orders.master(self)
                     .ifPresentOrElse(
-                            master -> orders.ask(master.name(), thing, ending -> {
+                            master -> orders.ask(master, thing, ending -> {
                                 if (ending instanceof Ending.Informed) {
                                     forget(thing);
                                 } else { // others have asked for it, or nobody could
@@ -107,7 +100,7 @@ public final class BlobAgent extends Kind {
         }
 
         private void later(CollectGoal thing) {
-            self.scheduler().after(AGAIN, () -> ask(thing));
+            self.scheduler().after(Orders.REPEAT, () -> ask(thing));
         }
 
         private void forget(CollectGoal thing) {

@@ -48,10 +48,10 @@ final class Finds {
 
     /// Has it fetched, as soon as there is somebody to ask.
     private void ask(CollectGoal found) {
-        self.directory().offering(Orders.CAPABILITY.name()).stream().findFirst().ifPresent(master -> {
+        Orders.master(self).ifPresent(master -> {
             asked.add(found);
             tell();
-            orders.ask(master.name(), found, ending -> {
+            orders.ask(master, found, ending -> {
                 asked.remove(found); // when it still lies there, it will be seen again
                 if (ending instanceof Ending.Refused) {
                     note(found);

@@ -4,8 +4,10 @@ import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import rsal.agent.AgentContext;
 import rsal.agent.Capability;
+import rsal.agent.Directory;
 import rsal.agent.message.CollectGoal;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
@@ -18,10 +20,9 @@ import rsal.settings.Arguments;
 /// nobody asks for it again.
 final class Orders {
     private static final String SERVICE = "fetch";
-    /// Of those who can be asked.
-    static final Capability CAPABILITY = Capability.of(SERVICE);
+    /// How often it says what is to be fetched: two of these may get lost within [Finds#MEMORY].
+    static final Duration REPEAT = Duration.ofSeconds(4);
 
-    private static final Duration REPEAT = Duration.ofSeconds(4); // two of them may get lost within Finds.MEMORY
     private static final int TRIES = 3;
 
     private final AgentContext self;
@@ -40,9 +41,16 @@ final class Orders {
         return new Request<>(self, SERVICE, CollectGoal.class, String.class);
     }
 
+    /// Whom one asks; empty while nobody is there.
+    static Optional<String> master(AgentContext self) {
+        return self.directory().offering(SERVICE).stream()
+                .map(Directory.Entry::name)
+                .findFirst();
+    }
+
     void begin() {
         service(self).answer(this::asked);
-        self.offer(CAPABILITY);
+        self.offer(Capability.of(SERVICE));
         self.scheduler()
                 .every(REPEAT, () -> open.values().forEach(asked -> self.publish(CollectGoal.TOPIC, asked.what())));
         team.begin();
