@@ -125,6 +125,11 @@ public final class Main implements Runnable {
                 err.println("rsal: " + unreachable.getMessage());
                 yield Exit.UNREACHABLE;
             }
+            case RunBroken broken
+            when broken.getCause() == null -> { // it says all, and is no mistake of ours
+                err.println("rsal: The run broke: " + broken.getMessage());
+                yield Exit.INTERNAL;
+            }
             default -> {
                 tellInternal(failure, command, typed.originalArgs());
                 yield Exit.INTERNAL;
@@ -134,11 +139,6 @@ public final class Main implements Runnable {
 
     private static void tellInternal(Exception failure, CommandLine command, List<String> typed) throws IOException {
         PrintWriter err = command.getErr();
-        if (failure instanceof RunBroken broken
-                && broken.getCause() == null) { // it says all, and is no mistake of ours
-            err.println("rsal: The run broke: " + broken.getMessage());
-            return;
-        }
         String what = failure instanceof RunBroken broken ? String.valueOf(broken.getMessage()) : failure.toString();
         err.println("rsal: Something went wrong: " + what);
         if (typed.contains("--debug")) {
