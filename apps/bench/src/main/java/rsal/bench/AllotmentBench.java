@@ -14,6 +14,7 @@ import java.util.function.DoubleBinaryOperator;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import rsal.agent.team.Estimate;
 import rsal.agent.team.Objective;
@@ -35,10 +36,9 @@ import rsal.scenario.run.TopicTraffic;
 /// Names are `allot.<what>.ratio`, the mean of all draws, and `.worst`. What: `single`, as many members as jobs and one
 /// job each, by the sum; `routes.sum` and `routes.longest`, 8 to 10 jobs among 1 to 4 members, by the sum and by the
 /// longest route; `places.sum` and `places.longest`, 2 to 8 robots anywhere on the office floor and as many places
-/// spread
-/// over it, allotted as the scenario `distribution` does ([rsal.agent.team.Assignment#even]), by the sum of the ways
-/// and by
-/// the longest. And `allot.messages`, how many messages a team needs for a job, all told, in whole runs of `patrol`.
+/// spread over it, allotted as the scenario `distribution` does, by the sum of the ways and by the longest
+/// ([rsal.agent.team.Assignment#even]). And `allot.messages`, how many messages a team needs for a job, all told, in
+/// whole runs of `patrol`.
 final class AllotmentBench implements Bench {
     private static final int DRAWS = 100;
     private static final double SIDE = 100; // m
@@ -79,8 +79,11 @@ final class AllotmentBench implements Bench {
                 tell(routes(objective), draws(random -> inRoutes(random, objective)), assignment);
             }
         }
-        places(PLACES_SUM, Double::sum, assignment);
-        places(PLACES_LONGEST, Math::max, assignment);
+        if (assignment.wantsAny(ratios(PLACES_SUM)) || assignment.wantsAny(ratios(PLACES_LONGEST))) {
+            List<NavigableMap<String, double[]>> floors = floors();
+            tell(PLACES_SUM, even(floors, Double::sum), assignment);
+            tell(PLACES_LONGEST, even(floors, Math::max), assignment);
+        }
         if (assignment.wants(MESSAGES)) {
             List<RunResult> runs = SeededRuns.of("allot.patrol", PATROL, RunOptions.NONE, assignment);
             assignment.tell(Result.less(
@@ -122,19 +125,17 @@ final class AllotmentBench implements Bench {
         return ratio(costs, rsal.agent.team.Assignment.cheapest(costs), Double::sum);
     }
 
-    private static void places(String name, DoubleBinaryOperator joined, Assignment assignment) {
-        if (assignment.wantsAny(ratios(name))) {
-            var ground = Ground.largest(Office.MAP, CLEARANCE);
-            var ways = new Wavefront(CostMap.of(
-                    Office.MAP,
-                    DistanceField.toNotFree(Office.MAP),
-                    new CostMap.Clearance(CLEARANCE, 2 * CLEARANCE, 3)));
-            tell(name, draws(random -> onTheFloor(random, ground, ways, joined)), assignment);
-        }
+    /// What ways to places spread over the office floor cost robots anywhere on it, by draw.
+    private static List<NavigableMap<String, double[]>> floors() {
+        var ground = Ground.largest(Office.MAP, CLEARANCE);
+        var ways = new Wavefront(CostMap.of(
+                Office.MAP, DistanceField.toNotFree(Office.MAP), new CostMap.Clearance(CLEARANCE, 2 * CLEARANCE, 3)));
+        return LongStream.rangeClosed(1, DRAWS)
+                .mapToObj(seed -> floor(new SplittableRandom(seed), ground, ways))
+                .toList();
     }
 
-    private static double onTheFloor(
-            SplittableRandom random, Ground ground, Wavefront ways, DoubleBinaryOperator joined) {
+    private static NavigableMap<String, double[]> floor(SplittableRandom random, Ground ground, Wavefront ways) {
         int size = random.nextInt(2, 9);
         List<Point2d> places =
                 new Spreader(ground, size).spread(random, _ -> {}).places();
@@ -147,7 +148,13 @@ final class AllotmentBench implements Bench {
                             .mapToDouble(Double::doubleValue)
                             .toArray());
         }
-        return ratio(costs, rsal.agent.team.Assignment.even(costs), joined);
+        return costs;
+    }
+
+    private static double[] even(List<NavigableMap<String, double[]>> floors, DoubleBinaryOperator joined) {
+        return floors.stream()
+                .mapToDouble(costs -> ratio(costs, rsal.agent.team.Assignment.even(costs), joined))
+                .toArray();
     }
 
     /// What is allotted by the best that could be.

@@ -14,8 +14,8 @@ import java.util.TreeMap;
 /// @param eventHash SHA-256 in hexadecimal over all that happened; equal for equal runs
 /// @param measures by name, in the scenario's order; empty where there was nothing to measure
 /// @param outOfBounds names of the measures that are not within the bounds the scenario gives
-/// @param topics how much was said about each topic
 /// @param failed agents that ended by a mistake of their own, each with what went wrong, by name
+/// @param topics how much was said about each topic
 /// @param communication who heard what, by sender, listener and topic; empty where the scenario does not limit it
 public record RunResult(
         String scenario,
