@@ -1,25 +1,52 @@
 package rsal.agents;
 
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import rsal.agent.AgentContext;
 import rsal.device.Mapper;
 import rsal.robot.Robot;
 
 /// What a robot does by itself when nobody wants it elsewhere: mapping, if it has a device for that which was at it
 /// when its agent came.
 final class Exploring {
+    private final AgentContext self;
     private final Optional<Mapper> mapper;
+    private String said = "";
 
-    private Exploring(Optional<Mapper> mapper) {
+    private Exploring(AgentContext self, Optional<Mapper> mapper) {
+        this.self = self;
         this.mapper = mapper;
     }
 
-    static Exploring of(Robot robot) {
-        return new Exploring(robot.find(Mapper.class).filter(device -> !device.paused()));
+    static Exploring of(AgentContext self, Robot robot) {
+        return new Exploring(self, robot.find(Mapper.class).filter(device -> !device.paused()));
     }
 
-    /// Whether there is anything that it does by itself.
-    boolean isAtIt() {
-        return mapper.isPresent();
+    /// Says what it does from now on.
+    ///
+    /// @param free whether nobody wants the robot elsewhere
+    void begin(BooleanSupplier free) {
+        say();
+        mapper.ifPresent(device -> self.subscribe(device, _ -> {
+            if (free.getAsBoolean() && !said.equals(words())) {
+                say();
+            }
+        }));
+    }
+
+    void say() {
+        said = words();
+        self.state(said);
+    }
+
+    private String words() {
+        return mapper.map(device -> device.isComplete() ? "all is mapped" : "exploring")
+                .orElse("waiting for a victim");
+    }
+
+    /// Whether there is nothing left that it would do, as far as is known now.
+    boolean isDone() {
+        return mapper.map(Mapper::isComplete).orElse(true);
     }
 
     /// Lets others drive the robot.
@@ -29,11 +56,5 @@ final class Exploring {
 
     void goOn() {
         mapper.ifPresent(Mapper::resume);
-    }
-
-    /// For people.
-    String words() {
-        return mapper.map(device -> device.isComplete() ? "all is mapped" : "exploring")
-                .orElse("waiting for a victim");
     }
 }

@@ -1,6 +1,7 @@
 package rsal.agents;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
@@ -11,6 +12,7 @@ import rsal.device.Navigator.Tolerance;
 /// Takes a robot back to where its agent first knew to be, when nobody has wanted it for a few seconds, so that it
 /// waits in nobody's way.
 final class Homing {
+    private static final Duration LOOK = Duration.ofSeconds(1);
     private static final Duration PATIENCE = Duration.ofSeconds(5);
     private static final Tolerance THERE = Tolerance.position(0.5);
 
@@ -19,6 +21,7 @@ final class Homing {
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final BooleanSupplier idle;
     private Optional<Pose2d> mapFromHome = Optional.empty();
+    private Instant since = Instant.MIN; // it was wanted, or on its way
 
     /// @param idle whether nobody wants the robot
     Homing(AgentContext self, Driver driver, Supplier<Optional<Pose2d>> mapFromBase, BooleanSupplier idle) {
@@ -29,14 +32,17 @@ final class Homing {
     }
 
     void begin() {
-        self.scheduler().every(PATIENCE, this::look);
+        self.scheduler().every(LOOK, this::look);
     }
 
     private void look() {
+        Instant now = self.scheduler().instant();
         Optional<Pose2d> here = mapFromBase.get();
         mapFromHome = mapFromHome.or(() -> here);
         boolean away = here.isPresent() && here.get().distanceTo(mapFromHome.orElseThrow()) > 2 * THERE.distance();
-        if (away && idle.getAsBoolean() && driver.mapFromGoal().isEmpty()) {
+        if (!idle.getAsBoolean() || driver.mapFromGoal().isPresent()) {
+            since = now;
+        } else if (away && !since.plus(PATIENCE).isAfter(now)) {
             driver.goTo(mapFromHome.orElseThrow(), THERE, _ -> {}); // if it does not get there, it tries again
         }
     }

@@ -2,6 +2,7 @@ package rsal.agents;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import rsal.agent.AgentContext;
 import rsal.agent.team.Worker;
@@ -15,11 +16,17 @@ import rsal.settings.Parameter;
 
 /// Tells of victims that its robot sees while that explores or waits. Driving where it is told comes first.
 public abstract class Rescuer extends Kind {
+    static final Parameter RETURNS = Parameter.flag(
+            "returns",
+            true,
+            "Whether a robot drives back to where it began when nobody needs it and nothing is left to map, not to"
+                    + " wait in anybody's way.");
+
     Rescuer(String key, String description, List<Parameter> own) {
         super(
                 key,
                 description,
-                Stream.concat(own.stream(), Stream.of(Reporter.PERIOD)).toList(),
+                Stream.concat(own.stream(), Stream.of(RETURNS, Reporter.PERIOD)).toList(),
                 List.of(Navigator.class, Localizer.class, FiducialFinder.class));
     }
 
@@ -32,15 +39,25 @@ public abstract class Rescuer extends Kind {
                 new Driver(self, robot.require(Navigator.class)),
                 new Reporter(self, robot, arguments, _ -> {}),
                 new Scouting(self, robot),
-                Exploring.of(robot));
-        work(parts, arguments);
+                Exploring.of(self, robot));
+        BooleanSupplier free = work(parts, arguments);
         parts.reporter.begin();
         parts.scouting.begin();
-        self.state(parts.exploring.words());
+        parts.exploring.begin(free);
+        if (arguments.flag(RETURNS.name())) {
+            new Homing(
+                            self,
+                            parts.driver,
+                            parts.reporter::mapFromBase,
+                            () -> free.getAsBoolean() && parts.exploring.isDone())
+                    .begin();
+        }
     }
 
     /// Begins what else it does.
-    abstract void work(Parts parts, Arguments arguments);
+    ///
+    /// @return whether nobody wants the robot
+    abstract BooleanSupplier work(Parts parts, Arguments arguments);
 
     /// What all of them have.
     record Parts(
@@ -53,9 +70,11 @@ public abstract class Rescuer extends Kind {
         }
 
         @Override
-        void work(Parts parts, Arguments arguments) {
-            new Errands(parts.self, parts.robot.id(), parts.driver, parts.exploring::pause, parts.exploring::goOn)
-                    .begin();
+        BooleanSupplier work(Parts parts, Arguments arguments) {
+            var errands = new Errands(
+                    parts.self, parts.robot.id(), parts.driver, parts.exploring::pause, parts.exploring::goOn);
+            errands.begin();
+            return () -> !errands.busy();
         }
     }
 
@@ -65,21 +84,16 @@ public abstract class Rescuer extends Kind {
                 "reach", 1.2, 0.3, 10, "m", "How near to a victim's middle the robot's must be to help it.");
         static final Parameter STAY =
                 Parameter.number("stay", 10, 0, 600, "s", "How long a robot stays with a victim to help it.");
-        static final Parameter RETURNS = Parameter.flag(
-                "returns",
-                true,
-                "Whether a robot that does not explore drives back to where it began when nobody needs it, not to wait"
-                        + " in anybody's way.");
 
         public Helper() {
             super(
                     "helper",
                     "Bids for victims that need help, goes to those it gets, and tells of those that it sees.",
-                    List.of(REACH, STAY, RETURNS));
+                    List.of(REACH, STAY));
         }
 
         @Override
-        void work(Parts parts, Arguments arguments) {
+        BooleanSupplier work(Parts parts, Arguments arguments) {
             AgentContext self = parts.self;
             Driver driver = parts.driver;
             Exploring exploring = parts.exploring;
@@ -88,7 +102,7 @@ public abstract class Rescuer extends Kind {
             var ways = new PlannedWays(parts.robot.find(Planner.class), Helping.near(reach));
             var worker = new Worker(self, ways, parts.reporter::mapFromBase, now -> {
                 if (now.job().isEmpty()) {
-                    self.state(exploring.words());
+                    exploring.say();
                 }
             });
             worker.learn(Help.class, new Helping(parts, reach, stay));
@@ -106,14 +120,7 @@ public abstract class Rescuer extends Kind {
                     });
             errands.begin();
             worker.begin();
-            if (arguments.flag(RETURNS.name()) && !exploring.isAtIt()) {
-                new Homing(
-                                self,
-                                driver,
-                                parts.reporter::mapFromBase,
-                                () -> worker.job().isEmpty() && !errands.busy())
-                        .begin();
-            }
+            return () -> worker.job().isEmpty() && !errands.busy();
         }
     }
 }

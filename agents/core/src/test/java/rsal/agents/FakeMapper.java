@@ -12,6 +12,7 @@ import rsal.device.SensorCore;
 /// Maps what a test tells it, and notes whether it would drive.
 final class FakeMapper extends SensorCore<OccupancyGrid> implements Mapper {
     private boolean paused;
+    private boolean complete;
     final List<End> leftAlone = new ArrayList<>();
     private List<End> ends = List.of();
 
@@ -22,7 +23,7 @@ final class FakeMapper extends SensorCore<OccupancyGrid> implements Mapper {
 
     @Override
     public boolean isComplete() {
-        return false;
+        return complete;
     }
 
     @Override
@@ -38,6 +39,16 @@ final class FakeMapper extends SensorCore<OccupancyGrid> implements Mapper {
     /// Has drawn a map that ends there.
     void draws(List<End> newest, Instant now) {
         ends = newest;
+        tell(now);
+    }
+
+    /// Has looked whether anything is left to map.
+    void isComplete(boolean value, Instant now) {
+        complete = value;
+        tell(now);
+    }
+
+    private void tell(Instant now) {
         var map = new OccupancyGrid(1, 1, 1, 0, 0, new byte[1]);
         deliver(new Stamped<>(now, "map", map));
     }

@@ -171,6 +171,38 @@ class RescueTest {
     }
 
     @Test
+    void explorersDriveBackWhenAllIsMappedAndGoOnWhenThereIsMore() {
+        scout(5);
+        scene.advance(2);
+        stands("scout", 30);
+        scene.advance(20);
+        assertThat(driving("scout")).as("while there is something to map").isFalse();
+        mappers.get("scout").isComplete(true, scene.scheduler.instant());
+        scene.advance(7);
+        assertThat(scene.state("scout")).isEqualTo("all is mapped");
+        assertThat(goal("scout").x()).isEqualTo(5);
+        assertThat(mappers.get("scout").paused())
+                .as("it goes on as soon as there is more")
+                .isFalse();
+        mappers.get("scout").isComplete(false, scene.scheduler.instant());
+        scene.advance(0);
+        assertThat(scene.state("scout")).isEqualTo("exploring");
+        robots.get("scout").navigator.reach(); // as when the mapper takes the robot over
+        scene.advance(20);
+        assertThat(driving("scout")).isFalse();
+    }
+
+    @Test
+    void explorersStayWhereTheyAreIfToldTo() {
+        robot("scout", "stays", 5, false, Map.of("returns", false));
+        scene.advance(2);
+        stands("stays", 30);
+        mappers.get("stays").isComplete(true, scene.scheduler.instant());
+        scene.advance(20);
+        assertThat(driving("stays")).isFalse();
+    }
+
+    @Test
     void peopleComeFirst() {
         scout(5);
         helper("near", 0);
