@@ -115,7 +115,7 @@ class FindAndCollectIT {
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
-    void theOthersCollectAllWhenOneStopsAndMessagesAreLost(long seed) {
+    void theOthersCollectAllAlsoWhatOneWasOnItsWayToThatStops(long seed) {
         Collection all = collect("faulty", seed);
         assertTidy(all);
         assertThat(all.measure("gone")).isOne();
@@ -124,6 +124,9 @@ class FindAndCollectIT {
                 .findFirst()
                 .orElseThrow();
         String silent = gone.subject().replace("collector", "collect");
+        Handover can = Handover.of(all.events, gone, silent);
+        assertThat(can.job()).as("seed %d", seed).startsWith("driving to ");
+        assertThat(can.taken()).as("%s, seed %d", can.job(), seed).isPresent();
         assertThat(all.events)
                 .filteredOn(event -> event.time().minus(gone.time()).compareTo(Handover.MOST) > 0)
                 .extracting(RunEvent::text)
