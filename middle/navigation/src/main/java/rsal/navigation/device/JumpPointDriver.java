@@ -1,13 +1,12 @@
 package rsal.navigation.device;
 
 import java.util.List;
-import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.Planner;
-import rsal.device.Planner.Result;
 import rsal.navigation.jumppoint.JumpPoints;
+import rsal.navigation.wavefront.Plan;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -33,31 +32,34 @@ public final class JumpPointDriver implements DeviceDriver {
 
     @Override
     public List<Parameter> parameters() {
-        return List.of(Ways.WALL_DISTANCE);
+        return List.of(Ways.WALL_DISTANCE, WavefrontDriver.GOAL_DISTANCE);
     }
 
     @Override
     public Device create(Context context, Arguments arguments) {
         JumpPoints jumps = ways.shortest(context.map(), context.robot().model().footprint(), arguments);
-        var search = new Jumps(jumps);
+        var search = new Jumps(jumps, arguments.number(WavefrontDriver.GOAL_DISTANCE.name()));
         return new MapPlanner(
                 new DeviceInfo(context.robot().id(), context.name(), key()), () -> search, context.scheduler());
     }
 
-    private record Jumps(JumpPoints jumps) implements MapPlanner.Search {
+    /// @param goalDistance how far from the goal a way may end [m]
+    private record Jumps(JumpPoints jumps, double goalDistance) implements MapPlanner.Search {
         @Override
-        public Result plan(Point2d start, Point2d goal) {
-            return jumps.plan(start, goal)
-                    .<Result>map(path -> new Result.Found(path, path.length(), 0))
-                    .orElseGet(() -> new Result.NoPath(
-                            "Nothing this robot fits through leads from %s to %s.".formatted(start, goal)));
+        public Plan plan(Point2d start, Point2d goal) {
+            return jumps.plan(start, goal, goalDistance);
         }
 
         @Override
         public List<Double> costs(Point2d start, List<Point2d> goals, double near) {
+            double slack = Math.min(near, goalDistance);
             return goals.stream()
-                    .map(goal -> jumps.plan(start, goal).map(Path2d::length).orElse(Double.POSITIVE_INFINITY))
+                    .map(goal -> cost(jumps.plan(start, goal, slack)))
                     .toList();
+        }
+
+        private static double cost(Plan plan) {
+            return plan instanceof Plan.Found found ? found.cost() : Double.POSITIVE_INFINITY;
         }
     }
 }

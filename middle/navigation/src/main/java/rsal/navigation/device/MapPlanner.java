@@ -8,6 +8,7 @@ import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.Planner;
+import rsal.navigation.wavefront.Plan;
 import rsal.time.Scheduler;
 
 /// A planner that searches a map, on the scheduler's threads for what takes long.
@@ -17,7 +18,7 @@ final class MapPlanner extends DeviceCore implements Planner {
 
     /// How ways are found on a map. May be asked on any thread and always finds the same.
     interface Search {
-        Result plan(Point2d start, Point2d goal);
+        Plan plan(Point2d start, Point2d goal);
 
         /// What ways from a start to goals cost, as [Planner#costs] has it.
         List<Double> costs(Point2d start, List<Point2d> goals, double near);
@@ -33,7 +34,10 @@ final class MapPlanner extends DeviceCore implements Planner {
     @Override
     public CompletionStage<Result> plan(Pose2d mapFromStart, Pose2d mapFromGoal) {
         Search now = search.get();
-        return scheduler.compute(() -> now.plan(mapFromStart.position(), mapFromGoal.position()));
+        return scheduler.compute(() -> switch (now.plan(mapFromStart.position(), mapFromGoal.position())) {
+            case Plan.Found(var path, var cost, var offGoal) -> new Result.Found(path, cost, offGoal);
+            case Plan.None(var why) -> new Result.NoPath(why);
+        });
     }
 
     @Override

@@ -17,7 +17,9 @@ import rsal.device.Localizer;
 import rsal.device.SensorCore;
 
 /// A localizer that takes odometry at its word: the robot is where it started, moved as its wheels say. Its
-/// uncertainty is that of its start and does not grow. Silent until it is told where the robot starts. It does not
+/// uncertainty is that of its start and does not grow. Silent until it is told where the robot starts, and while
+/// odometry
+/// is no number. It does not
 /// notice when somebody resets odometry on the way.
 final class OdometryLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
@@ -32,7 +34,10 @@ final class OdometryLocalizer extends SensorCore<PoseEstimate> implements Locali
     }
 
     void follow(DriveBase base) {
-        newest = base.latest().map(Stamped::value).orElse(null);
+        newest = base.latest()
+                .map(Stamped::value)
+                .filter(OdometryLocalizer::isNumber)
+                .orElse(null);
         begin();
         base.subscribe(this::onOdometry);
         base.onHealth(this::health);
@@ -58,7 +63,14 @@ final class OdometryLocalizer extends SensorCore<PoseEstimate> implements Locali
         }
     }
 
+    private static boolean isNumber(Odometry odometry) {
+        return odometry.odomFromBase().isFinite();
+    }
+
     private void onOdometry(Stamped<Odometry> odometry) {
+        if (!isNumber(odometry.value())) {
+            return;
+        }
         newest = odometry.value();
         begin();
         if (mapFromOdom == null) {

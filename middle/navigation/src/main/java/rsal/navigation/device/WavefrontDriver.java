@@ -6,7 +6,6 @@ import rsal.data.Point2d;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.Planner;
-import rsal.device.Planner.Result;
 import rsal.navigation.wavefront.Plan;
 import rsal.navigation.wavefront.Wavefront;
 import rsal.robot.DeviceDriver;
@@ -53,11 +52,8 @@ public final class WavefrontDriver implements DeviceDriver {
     /// @param goalDistance how far from the goal a way may end [m]
     record Waves(Wavefront ways, double goalDistance) implements MapPlanner.Search {
         @Override
-        public Result plan(Point2d start, Point2d goal) {
-            return switch (ways.plan(start, goal, goalDistance)) {
-                case Plan.Found(var path, var cost, var offGoal) -> new Result.Found(path, cost, offGoal);
-                case Plan.None(var why) -> new Result.NoPath(why);
-            };
+        public Plan plan(Point2d start, Point2d goal) {
+            return ways.plan(start, goal, goalDistance);
         }
 
         @Override

@@ -4,12 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 import java.util.PriorityQueue;
 import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.navigation.wavefront.CostMap;
+import rsal.navigation.wavefront.Ends;
+import rsal.navigation.wavefront.Plan;
 
 /// Finds shortest ways for single questions, without a wave over the whole map: jump point search (D. Harabor,
 /// A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps, AAAI 2011), which of all equally long ways over
@@ -58,15 +59,20 @@ public final class JumpPoints {
         Arrays.fill(reached, UNREACHED);
     }
 
-    /// A shortest way; empty when there is none, or the robot can't be at the start or the goal.
-    public synchronized Optional<Path2d> plan(Point2d start, Point2d goal) {
-        if (!map.isPassable(start) || !map.isPassable(goal)) {
-            return Optional.empty();
+    /// Plans a shortest way. A start too near to obstacles is left for the nearest place where the robot can be. A
+    /// goal where it can't be is replaced by the nearest place where it can, when that is no farther than `slack`
+    /// away [m].
+    public synchronized Plan plan(Point2d start, Point2d goal, double slack) {
+        var ends = Ends.of(map, start, goal, slack);
+        if (ends instanceof Ends.None(var why)) {
+            return why;
         }
-        int startCell = grid.cell(start);
-        int goalCell = grid.cell(goal);
-        boolean found = search(startCell, goalCell) >= 0;
-        return found ? Optional.of(straight(points(startCell, goalCell), start, goal)) : Optional.empty();
+        var cells = (Ends.Cells) ends;
+        if (search(cells.start(), cells.goal()) < 0) {
+            return Ends.apart(goal);
+        }
+        Path2d path = straight(points(cells.start(), cells.goal()), start, goal);
+        return new Plan.Found(path, path.length(), path.points().getLast().distanceTo(goal));
     }
 
     /// @return length of the shortest way over the eight neighbors, where a side counts [#SIDE]; −1 when there is none
@@ -191,10 +197,13 @@ public final class JumpPoints {
     /// Leaves out the points that the robot can pass by straight, again until there is none.
     private Path2d straight(List<Point2d> turns, Point2d start, Point2d goal) {
         var points = new ArrayList<>(turns);
-        points.set(0, start);
-        points.set(points.size() - 1, goal);
-        if (points.size() == 1) {
-            points.add(goal);
+        if (grid.cell(goal) == grid.cell(points.getLast())) {
+            points.set(points.size() - 1, goal);
+        }
+        if (points.size() > 1 && grid.cell(start) == grid.cell(points.getFirst())) {
+            points.set(0, start);
+        } else {
+            points.addFirst(start);
         }
         boolean shorter = true;
         while (shorter) {

@@ -3,9 +3,7 @@ package rsal.navigation.wavefront;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.function.IntPredicate;
 import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
@@ -22,10 +20,8 @@ import rsal.navigation.wavefront.Wave.Guide;
 ///
 /// May be asked on any thread, by several at once.
 public final class Wavefront {
-    private static final double ESCAPE = 1.0; // m; so far a robot may have got where it may not be
     private static final double NO_DEARER = 1.02;
     private static final int STRIDE = 4; // cells; how closely corners are looked for
-    private static final double LOOK_AROUND = 5; // m; for a place to name instead of a goal
 
     private final CostMap map;
     private final OccupancyGrid grid;
@@ -47,18 +43,18 @@ public final class Wavefront {
     /// which nothing leads, is replaced by the nearest place to which something does, when that is no farther than
     /// `slack` [m] away.
     public Plan plan(Point2d start, Point2d goal, double slack) {
-        var ends = ends(start, goal, slack, map::isOpen);
+        var ends = Ends.of(map, start, goal, slack);
         if (ends instanceof Ends.None(var why)) {
             return why;
         }
         var cells = (Ends.Cells) ends;
-        return waves.from(cells.goal, wave -> toGoal(wave, cells, start, goal))
+        return waves.from(cells.goal(), wave -> toGoal(wave, cells, start, goal))
                 .orElseGet(() -> waves.borrow(wave -> {
-                    wave.start(cells.goal, straightTo(cells.start));
+                    wave.start(cells.goal(), straightTo(cells.start()));
                     return toGoal(wave, cells, start, goal);
                 }))
-                .orElseGet(
-                        () -> waves.borrow(wave -> fromStart(wave, cells, straightTo(cells.goal), start, goal, slack)));
+                .orElseGet(() ->
+                        waves.borrow(wave -> fromStart(wave, cells, straightTo(cells.goal()), start, goal, slack)));
     }
 
     /// Plans a way that keeps the robot's radius off obstacles that are not on the map [m].
@@ -68,17 +64,17 @@ public final class Wavefront {
         }
         return waves.borrow(wave -> {
             obstacles.forEach(obstacle -> map.around(obstacle, wave::block));
-            var ends = ends(start, goal, slack, wave::isOpen);
+            var ends = Ends.of(map, start, goal, slack, wave::isOpen);
             if (ends instanceof Ends.None(var why)) {
                 return why;
             }
             var cells = (Ends.Cells) ends;
-            return waves.from(cells.goal, kept -> {
-                        kept.spread(cells.start);
+            return waves.from(cells.goal(), kept -> {
+                        kept.spread(cells.start());
                         int known = kept.known();
                         return fromStart(wave, cells, cell -> Math.min(kept.at(cell), known), start, goal, slack);
                     })
-                    .orElseGet(() -> fromStart(wave, cells, straightTo(cells.goal), start, goal, slack));
+                    .orElseGet(() -> fromStart(wave, cells, straightTo(cells.goal()), start, goal, slack));
         });
     }
 
@@ -89,18 +85,18 @@ public final class Wavefront {
             var costs = new ArrayList<Double>();
             boolean started = false;
             for (Point2d goal : goals) {
-                if (!(ends(start, goal, slack, map::isOpen) instanceof Ends.Cells cells)) {
+                if (!(Ends.of(map, start, goal, slack) instanceof Ends.Cells cells)) {
                     costs.add(Double.POSITIVE_INFINITY);
                     continue;
                 }
                 if (!started) {
-                    wave.start(cells.start, goals.size() == 1 ? straightTo(cells.goal) : null);
+                    wave.start(cells.start(), goals.size() == 1 ? straightTo(cells.goal()) : null);
                     started = true;
                 }
-                int end = wave.spread(cells.goal)
-                        ? cells.goal
-                        : nearest(goal, slack, cell -> wave.isOpen(cell) && wave.at(cell) != Wave.UNREACHED);
-                costs.add(end < 0 ? Double.POSITIVE_INFINITY : cost(wave.at(end), start, cells.start));
+                int end = wave.spread(cells.goal())
+                        ? cells.goal()
+                        : Ends.nearest(grid, goal, slack, cell -> wave.isOpen(cell) && wave.at(cell) != Wave.UNREACHED);
+                costs.add(end < 0 ? Double.POSITIVE_INFINITY : cost(wave.at(end), start, cells.start()));
             }
             return List.copyOf(costs);
         });
@@ -122,8 +118,9 @@ public final class Wavefront {
         var wave = new Wave(map);
         boolean started = false;
         for (Point2d goal : goals) {
-            int cell =
-                    grid.contains(grid.column(goal.x()), grid.row(goal.y())) ? nearest(goal, slack, map::isOpen) : -1;
+            int cell = grid.contains(grid.column(goal.x()), grid.row(goal.y()))
+                    ? Ends.nearest(grid, goal, slack, map::isOpen)
+                    : -1;
             if (cell >= 0) {
                 wave.start(cell);
                 started = true;
@@ -138,19 +135,19 @@ public final class Wavefront {
 
     /// @param wave from the goal
     private Optional<Plan> toGoal(Wave wave, Ends.Cells ends, Point2d start, Point2d goal) {
-        return wave.spread(ends.start)
-                ? Optional.of(way(wave, downhill(wave, ends.start), wave.at(ends.start), start, goal))
+        return wave.spread(ends.start())
+                ? Optional.of(way(wave, downhill(wave, ends.start()), wave.at(ends.start()), start, goal))
                 : Optional.empty();
     }
 
     /// @param wave that has not started
     private Plan fromStart(Wave wave, Ends.Cells ends, Guide guide, Point2d start, Point2d goal, double slack) {
-        wave.start(ends.start, guide);
-        int end = wave.spread(ends.goal)
-                ? ends.goal
-                : nearest(goal, slack, cell -> wave.isOpen(cell) && wave.at(cell) != Wave.UNREACHED);
+        wave.start(ends.start(), guide);
+        int end = wave.spread(ends.goal())
+                ? ends.goal()
+                : Ends.nearest(grid, goal, slack, cell -> wave.isOpen(cell) && wave.at(cell) != Wave.UNREACHED);
         if (end < 0) {
-            return none("Nothing this robot fits through leads to the goal %s.", goal);
+            return Ends.apart(goal);
         }
         int[] cells = downhill(wave, end);
         for (int i = 0, j = cells.length - 1; i < j; i++, j--) {
@@ -159,65 +156,6 @@ public final class Wavefront {
             cells[j] = swapped;
         }
         return way(wave, cells, wave.at(end), start, goal);
-    }
-
-    /// From which cell to which.
-    private sealed interface Ends {
-        record Cells(int start, int goal) implements Ends {}
-
-        record None(Plan.None why) implements Ends {}
-    }
-
-    private Ends ends(Point2d start, Point2d goal, double slack, IntPredicate isOpen) {
-        if (!grid.contains(grid.column(goal.x()), grid.row(goal.y()))) {
-            return new Ends.None(none("The goal %s is outside the map.", goal));
-        }
-        if (!grid.contains(grid.column(start.x()), grid.row(start.y()))) {
-            return new Ends.None(none("The start %s is outside the map.", start));
-        }
-        int goalCell = nearest(goal, slack, isOpen);
-        if (goalCell < 0) {
-            return new Ends.None(none("The goal %s is " + whyNot(goal, isOpen), goal));
-        }
-        int startCell = nearest(start, ESCAPE, isOpen);
-        if (startCell < 0) {
-            return new Ends.None(none("The robot at %s is shut in between obstacles.", start));
-        }
-        return new Ends.Cells(startCell, goalCell);
-    }
-
-    /// The cell of a place, or the nearest one where the robot can be; −1 when none is so near.
-    private int nearest(Point2d place, double within, IntPredicate isOpen) {
-        int column = grid.column(place.x());
-        int row = grid.row(place.y());
-        if (isOpen.test(row * width + column)) {
-            return row * width + column;
-        }
-        int reach = (int) Math.ceil(within / grid.resolution());
-        int nearest = -1;
-        double best = Double.POSITIVE_INFINITY;
-        for (int r = Math.max(0, row - reach); r <= Math.min(grid.height() - 1, row + reach); r++) {
-            for (int c = Math.max(0, column - reach); c <= Math.min(width - 1, column + reach); c++) {
-                double distance = Math.hypot(grid.x(c) - place.x(), grid.y(r) - place.y());
-                if (distance <= within && distance < best && isOpen.test(r * width + c)) {
-                    best = distance;
-                    nearest = r * width + c;
-                }
-            }
-        }
-        return nearest;
-    }
-
-    private String whyNot(Point2d goal, IntPredicate isOpen) {
-        String why = switch (grid.at(grid.column(goal.x()), grid.row(goal.y()))) {
-            case OccupancyGrid.OCCUPIED -> "in a wall";
-            case OccupancyGrid.UNKNOWN -> "where the map knows nothing";
-            default -> "too near to an obstacle for this robot";
-        };
-        int instead = nearest(goal, LOOK_AROUND, isOpen);
-        return instead < 0
-                ? why + "."
-                : "%s; the nearest place for it is %s.".formatted(why, text(grid.middle(instead)));
     }
 
     /// The octile distance, as if nothing were in the way.
@@ -284,13 +222,5 @@ public final class Wavefront {
     private boolean isStraight(Wave wave, int from, int to) {
         double along = Math.abs(wave.at(from) - wave.at(to)) * grid.resolution() / CostMap.SIDE;
         return map.straightCost(grid.middle(from), grid.middle(to), wave::isOpen) <= along * NO_DEARER;
-    }
-
-    private static Plan.None none(String why, Point2d place) {
-        return new Plan.None(why.formatted(text(place)));
-    }
-
-    private static String text(Point2d place) {
-        return String.format(Locale.ROOT, "(%.2f, %.2f)", place.x(), place.y());
     }
 }

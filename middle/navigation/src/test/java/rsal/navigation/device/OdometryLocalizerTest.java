@@ -2,10 +2,12 @@ package rsal.navigation.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
 import rsal.data.Twist2d;
 import rsal.device.DriveBase;
 import rsal.robot.DeviceDriver;
@@ -45,5 +47,24 @@ class OdometryLocalizerTest extends LocalizerContract {
         drive(Twist2d.drive(0.2, 0), 1);
         assertThat(device().latest().orElseThrow().value().mapFromBase().isNear(truth(), 0.03, 1e-9))
                 .isTrue();
+    }
+
+    @Test
+    void isSilentWhileOdometryIsNoNumber() {
+        advance(0.1);
+        drive(Twist2d.drive(0.4, 0), 1);
+        drive(Twist2d.STOP, 1);
+        var told = new ArrayList<PoseEstimate>();
+        device().subscribe(estimate -> told.add(estimate.value()));
+        var base = robot().require(DriveBase.class);
+        Pose2d odomFromBase = base.latest().orElseThrow().value().odomFromBase();
+        base.resetOdometry(new Pose2d(Double.NaN, 0, 0));
+        advance(1);
+        assertThat(told).isEmpty();
+        base.resetOdometry(odomFromBase);
+        advance(1);
+        assertThat(told)
+                .isNotEmpty()
+                .allMatch(estimate -> estimate.mapFromBase().isNear(truth(), 1e-9, 1e-9));
     }
 }

@@ -15,6 +15,7 @@ import rsal.navigation.grid.DistanceField;
 import rsal.navigation.grid.RandomMaps;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
+import rsal.navigation.wavefront.Plan;
 import rsal.testkit.DrawnMap;
 
 class JumpPointsTest {
@@ -72,15 +73,15 @@ class JumpPointsTest {
                 continue;
             }
             int length = jumps.search(from, to);
-            var path = jumps.plan(map.grid().middle(from), map.grid().middle(to));
-            assertThat(path.isPresent()).isEqualTo(length >= 0);
-            if (path.isPresent()) {
+            Plan plan = jumps.plan(map.grid().middle(from), map.grid().middle(to), 0);
+            assertThat(plan instanceof Plan.Found).isEqualTo(length >= 0);
+            if (plan instanceof Plan.Found(Path2d path, double cost, double offGoal)) {
                 found++;
-                assertThat(path.get().length()).isLessThanOrEqualTo(1.02 * length * 0.05 / 10 + 1e-9);
-                for (int leg = 1; leg < path.get().points().size(); leg++) {
+                assertThat(cost).isEqualTo(path.length()).isLessThanOrEqualTo(1.02 * length * 0.05 / 10 + 1e-9);
+                assertThat(offGoal).isZero();
+                for (int leg = 1; leg < path.points().size(); leg++) {
                     assertThat(map.straightCost(
-                                    path.get().points().get(leg - 1),
-                                    path.get().points().get(leg)))
+                                    path.points().get(leg - 1), path.points().get(leg)))
                             .isFinite();
                 }
             }
@@ -90,22 +91,42 @@ class JumpPointsTest {
 
     @Test
     void goesThroughTheDoorAtAnyAngle() {
-        Path2d path = new JumpPoints(costs(ROOMS.grid(), 0))
-                .plan(ROOMS.place('a'), ROOMS.place('b'))
-                .orElseThrow();
+        Path2d path = way(ROOMS.place('a'), ROOMS.place('b'), 0).path();
         assertThat(path.points().getFirst()).isEqualTo(ROOMS.place('a'));
         assertThat(path.points().getLast()).isEqualTo(ROOMS.place('b'));
         assertThat(path.length()).isCloseTo(ROOMS.place('a').distanceTo(ROOMS.place('b')), within(0.1));
     }
 
     @Test
-    void findsNoWayWhereThereIsNone() {
-        var jumps = new JumpPoints(costs(ROOMS.grid(), 0));
-        assertThat(jumps.plan(ROOMS.place('a'), ROOMS.place('x'))).isEmpty();
-        assertThat(jumps.plan(ROOMS.place('a'), new Point2d(0.05, 0.05))).isEmpty();
-        assertThat(jumps.plan(new Point2d(-3, 0), ROOMS.place('a'))).isEmpty();
-        assertThat(jumps.plan(ROOMS.place('a'), ROOMS.place('a')).orElseThrow().length())
-                .isZero();
+    void saysWhyItFindsNoWay() {
+        assertThat(whyNot(ROOMS.place('a'), ROOMS.place('x'))).contains("Nothing this robot fits through");
+        assertThat(whyNot(ROOMS.place('a'), new Point2d(0.05, 0.05))).contains("(0.05, 0.05) is in a wall");
+        assertThat(whyNot(new Point2d(-3, 0), ROOMS.place('a'))).contains("The start (-3.00, 0.00) is outside");
+        assertThat(whyNot(ROOMS.place('a'), new Point2d(-3, 0))).contains("The goal (-3.00, 0.00) is outside");
+    }
+
+    @Test
+    void goesNowhereForAGoalThatIsHere() {
+        assertThat(way(ROOMS.place('a'), ROOMS.place('a'), 0).path().length()).isZero();
+    }
+
+    @Test
+    void leavesAWallAndEndsBesideOne() {
+        var inWall = new Point2d(ROOMS.place('a').x(), 0.95);
+        var start = new Point2d(0.05, ROOMS.place('a').y());
+        Plan.Found way = way(start, inWall, 0.2);
+        assertThat(way.path().points().getFirst()).isEqualTo(start);
+        assertThat(way.path().points().getLast()).isEqualTo(ROOMS.place('a'));
+        assertThat(way.offGoal()).isCloseTo(0.1, within(1e-9));
+        assertThat(way.cost()).isEqualTo(way.path().length());
+    }
+
+    private static Plan.Found way(Point2d start, Point2d goal, double slack) {
+        return (Plan.Found) new JumpPoints(costs(ROOMS.grid(), 0)).plan(start, goal, slack);
+    }
+
+    private static String whyNot(Point2d start, Point2d goal) {
+        return ((Plan.None) new JumpPoints(costs(ROOMS.grid(), 0)).plan(start, goal, 0)).why();
     }
 
     private static CostMap costs(OccupancyGrid map, double radius) {
