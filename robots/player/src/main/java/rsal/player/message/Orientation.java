@@ -1,0 +1,4 @@
+package rsal.player.message;
+
+/// How something is turned in space [rad].
+public record Orientation(double roll, double pitch, double yaw) {}

@@ -1,0 +1,4 @@
+package rsal.player.message;
+
+/// A place on a plane [m].
+public record Point(double x, double y) {}

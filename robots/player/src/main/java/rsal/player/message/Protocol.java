@@ -1,0 +1,194 @@
+package rsal.player.message;
+
+import static rsal.player.wire.Kind.COMMAND;
+import static rsal.player.wire.Kind.DATA;
+import static rsal.player.wire.Kind.REQUEST;
+import static rsal.player.wire.Kind.SYNCH;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import rsal.player.wire.Header;
+import rsal.player.wire.Kind;
+import rsal.player.wire.MalformedException;
+import rsal.player.wire.Packet;
+
+/// Which message has which body, in a version of Player. Immutable.
+public final class Protocol {
+    /// Of Player 3.1 and later.
+    public static final Protocol V3_1 = new Protocol();
+
+    /// Of Player 2 and 3.0: covariances have three numbers, tiles of maps no range, ways no length.
+    public static final Protocol V3_0 = V3_1.older();
+
+    private static final Pattern OLD = Pattern.compile("Player v\\.([012]|3\\.0)\\..*");
+
+    private final Map<Key, Class<? extends Record>> bodies = new HashMap<>();
+
+    private record Key(int interf, Kind kind, int subtype) {}
+
+    private Protocol() {
+        of(Interface.PLAYER, REQUEST)
+                .has(Session.DEVICES, Session.Devices.class)
+                .has(Session.DRIVER, Session.Driver.class)
+                .has(Session.DEVICE, Session.Subscription.class)
+                .has(Session.MODE, Session.Mode.class)
+                .has(Session.AUTHENTICATION, Session.Authentication.class)
+                .has(Session.NAME_SERVICE, Session.NamedService.class)
+                .has(Session.REPLACE_RULE, Session.ReplaceRule.class);
+        of(Interface.PLAYER, SYNCH).has(Session.OVERFLOW, Session.Lost.class);
+        of(Interface.POWER, DATA).has(Power.STATE, Power.State.class);
+        of(Interface.POWER, REQUEST).has(Power.CHARGING, Power.Charging.class);
+        of(Interface.GRIPPER, DATA).has(Gripper.STATE, Gripper.State.class);
+        of(Interface.GRIPPER, REQUEST).has(Gripper.GEOMETRY, Gripper.Geometry.class);
+        of(Interface.POSITION2D, DATA)
+                .has(Position2d.STATE, Position2d.State.class)
+                .has(Position2d.GEOMETRY_DATA, Position2d.Geometry.class);
+        of(Interface.POSITION2D, COMMAND)
+                .has(Position2d.VELOCITY, Position2d.Velocity.class)
+                .has(Position2d.GOAL, Position2d.Goal.class)
+                .has(Position2d.CAR, Position2d.Car.class)
+                .has(Position2d.VELOCITY_HEADING, Position2d.VelocityHeading.class);
+        of(Interface.POSITION2D, REQUEST)
+                .has(Position2d.GEOMETRY, Position2d.Geometry.class)
+                .has(Position2d.MOTORS, Position2d.Motors.class)
+                .has(Position2d.VELOCITY_MODE, Position2d.VelocityMode.class)
+                .has(Position2d.POSITION_MODE, Position2d.PositionMode.class)
+                .has(Position2d.SET_ODOMETRY, Position2d.Odometry.class)
+                .has(Position2d.SPEED_GAINS, Position2d.Gains.class)
+                .has(Position2d.POSITION_GAINS, Position2d.Gains.class)
+                .has(Position2d.SPEED_PROFILE, Position2d.SpeedProfile.class);
+        of(Interface.SONAR, DATA).has(Sonar.RANGES, Sonar.Ranges.class).has(Sonar.GEOMETRY_DATA, Sonar.Geometry.class);
+        of(Interface.SONAR, REQUEST).has(Sonar.GEOMETRY, Sonar.Geometry.class).has(Sonar.POWER, Sonar.Power.class);
+        of(Interface.LASER, DATA)
+                .has(Laser.SCAN, Laser.Scan.class)
+                .has(Laser.SCAN_POSE, Laser.ScanPose.class)
+                .has(Laser.SCAN_ANGLES, Laser.ScanAngles.class);
+        of(Interface.LASER, REQUEST)
+                .has(Laser.GEOMETRY, Laser.Geometry.class)
+                .has(Laser.SET_CONFIGURATION, Laser.Configuration.class)
+                .has(Laser.CONFIGURATION, Laser.Configuration.class)
+                .has(Laser.POWER, Laser.Power.class)
+                .has(Laser.IDENTITY, Laser.Identity.class)
+                .has(Laser.FILTER, Laser.Filter.class);
+        of(Interface.BLOBFINDER, DATA).has(Blobfinder.BLOBS, Blobfinder.Blobs.class);
+        of(Interface.BLOBFINDER, REQUEST)
+                .has(Blobfinder.SET_COLOR, Blobfinder.ColorRange.class)
+                .has(Blobfinder.SET_IMAGER, Blobfinder.Imager.class)
+                .has(Blobfinder.COLOR, Blobfinder.ColorRange.class);
+        of(Interface.FIDUCIAL, DATA).has(Fiducial.SCAN, Fiducial.Markers.class);
+        of(Interface.FIDUCIAL, REQUEST)
+                .has(Fiducial.GEOMETRY, Fiducial.Geometry.class)
+                .has(Fiducial.VIEW, Fiducial.View.class)
+                .has(Fiducial.SET_VIEW, Fiducial.View.class)
+                .has(Fiducial.IDENTITY, Fiducial.Identity.class)
+                .has(Fiducial.SET_IDENTITY, Fiducial.Identity.class);
+        of(Interface.SPEECH, COMMAND).has(Speech.SAY, Speech.Say.class);
+        of(Interface.BUMPER, DATA)
+                .has(Bumper.STATE, Bumper.State.class)
+                .has(Bumper.GEOMETRY_DATA, Bumper.Geometry.class);
+        of(Interface.BUMPER, REQUEST).has(Bumper.GEOMETRY, Bumper.Geometry.class);
+        of(Interface.DIO, DATA).has(Dio.VALUES, Dio.Values.class);
+        of(Interface.DIO, COMMAND).has(Dio.VALUES, Dio.Values.class);
+        of(Interface.LOCALIZE, DATA).has(Localize.HYPOTHESES, Localize.Hypotheses.class);
+        of(Interface.LOCALIZE, REQUEST)
+                .has(Localize.SET_POSE, Localize.SetPose.class)
+                .has(Localize.PARTICLES, Localize.Particles.class);
+        of(Interface.SIMULATION, REQUEST)
+                .has(Simulation.POSE, Simulation.Placed.class)
+                .has(Simulation.SET_POSE, Simulation.Placed.class)
+                .has(Simulation.POSE3, Simulation.Placed3.class)
+                .has(Simulation.SET_POSE3, Simulation.Placed3.class)
+                .has(Simulation.PROPERTY, Simulation.Property.class)
+                .has(Simulation.SET_PROPERTY, Simulation.Property.class);
+        of(Interface.MAP, DATA).has(Maps.INFO_DATA, Maps.Extent.class);
+        of(Interface.MAP, REQUEST)
+                .has(Maps.INFO, Maps.Extent.class)
+                .has(Maps.TILE, Maps.Tile.class)
+                .has(Maps.LINES, Maps.Lines.class);
+        of(Interface.PLANNER, DATA).has(Planner.STATE, Planner.State.class);
+        of(Interface.PLANNER, COMMAND).has(Planner.GOAL, Planner.Place.class).has(Planner.START, Planner.Place.class);
+        of(Interface.PLANNER, REQUEST)
+                .has(Planner.WAYPOINTS, Planner.Waypoints.class)
+                .has(Planner.ENABLE, Planner.Enable.class);
+        of(Interface.OPAQUE, DATA).has(Opaque.DATA, Opaque.Bytes.class);
+        of(Interface.OPAQUE, COMMAND).has(Opaque.DATA, Opaque.Bytes.class);
+        of(Interface.OPAQUE, REQUEST).has(Opaque.DATA, Opaque.Bytes.class);
+        of(Interface.ACTARRAY, DATA).has(Actarray.STATE, Actarray.State.class);
+        of(Interface.ACTARRAY, COMMAND)
+                .has(Actarray.POSITION, Actarray.Position.class)
+                .has(Actarray.POSITIONS, Actarray.Positions.class)
+                .has(Actarray.SPEED, Actarray.Speed.class)
+                .has(Actarray.SPEEDS, Actarray.Speeds.class)
+                .has(Actarray.HOME, Actarray.Home.class)
+                .has(Actarray.CURRENT, Actarray.Current.class)
+                .has(Actarray.CURRENTS, Actarray.Currents.class);
+        of(Interface.ACTARRAY, REQUEST)
+                .has(Actarray.POWER, Actarray.Power.class)
+                .has(Actarray.BRAKES, Actarray.Brakes.class)
+                .has(Actarray.GEOMETRY, Actarray.Geometry.class)
+                .has(Actarray.SET_SPEED, Actarray.Speed.class)
+                .has(Actarray.SET_ACCELERATION, Actarray.Acceleration.class);
+        of(Interface.GRAPHICS2D, COMMAND)
+                .has(Graphics2d.POINTS, Graphics2d.Points.class)
+                .has(Graphics2d.POLYLINE, Graphics2d.Points.class)
+                .has(Graphics2d.POLYGON, Graphics2d.Polygon.class)
+                .has(Graphics2d.LINES, Graphics2d.Points.class);
+        of(Interface.RANGER, DATA)
+                .has(Ranger.RANGES, Ranger.Ranges.class)
+                .has(Ranger.RANGES_STAMPED, Ranger.RangesStamped.class)
+                .has(Ranger.INTENSITIES, Ranger.Intensities.class)
+                .has(Ranger.INTENSITIES_STAMPED, Ranger.IntensitiesStamped.class)
+                .has(Ranger.GEOMETRY_DATA, Ranger.Geometry.class);
+        of(Interface.RANGER, REQUEST)
+                .has(Ranger.GEOMETRY, Ranger.Geometry.class)
+                .has(Ranger.POWER, Ranger.Power.class)
+                .has(Ranger.WITH_INTENSITIES, Ranger.WithIntensities.class)
+                .has(Ranger.SET_CONFIGURATION, Ranger.Configuration.class)
+                .has(Ranger.CONFIGURATION, Ranger.Configuration.class);
+    }
+
+    private interface Row {
+        Row has(int subtype, Class<? extends Record> body);
+    }
+
+    private Row of(Interface interf, Kind kind) {
+        return new Row() {
+            @Override
+            public Row has(int subtype, Class<? extends Record> body) {
+                bodies.put(new Key(interf.code(), kind, subtype), body);
+                return this;
+            }
+        };
+    }
+
+    private Protocol older() {
+        var older = new Protocol();
+        older.of(Interface.LOCALIZE, DATA).has(Localize.HYPOTHESES, Version30.Hypotheses.class);
+        older.of(Interface.LOCALIZE, REQUEST).has(Localize.SET_POSE, Version30.SetPose.class);
+        older.of(Interface.MAP, REQUEST).has(Maps.TILE, Version30.Tile.class);
+        older.of(Interface.PLANNER, REQUEST).has(Planner.WAYPOINTS, Version30.Waypoints.class);
+        return older;
+    }
+
+    /// That of a server, by how it introduces itself; of one that says nothing known the newest.
+    public static Protocol of(String ident) {
+        return OLD.matcher(ident).matches() ? V3_0 : V3_1;
+    }
+
+    /// The record that the body of a message is; empty when it has none that is known. Answers have that of their
+    /// requests.
+    public Optional<Class<? extends Record>> body(Header header) {
+        Kind kind = header.kind() == Kind.ACK || header.kind() == Kind.NACK ? REQUEST : header.kind();
+        return Optional.ofNullable(bodies.get(new Key(header.address().interf(), kind, header.subtype())));
+    }
+
+    /// What a message says; empty when it has no body, or none that is known.
+    ///
+    /// @throws MalformedException when its body is not what it should be
+    public Optional<Record> read(Packet packet) throws MalformedException {
+        Optional<Class<? extends Record>> body = body(packet.header());
+        return packet.body().length == 0 || body.isEmpty() ? Optional.empty() : Optional.of(packet.body(body.get()));
+    }
+}

@@ -1,0 +1,253 @@
+package rsal.player.message;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.lang.reflect.RecordComponent;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.player.Recorded;
+import rsal.player.wire.Address;
+import rsal.player.wire.CountOf;
+import rsal.player.wire.Header;
+import rsal.player.wire.Kind;
+import rsal.player.wire.Layout;
+import rsal.player.wire.MalformedException;
+import rsal.player.wire.Packet;
+import tools.jackson.databind.JsonNode;
+
+class ProtocolTest {
+    static Stream<Recorded.Vector> vectors() {
+        return Recorded.vectors().stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("vectors")
+    void whatPlayerEncodedIsReadAndWrittenAsItWas(Recorded.Vector vector) throws IOException {
+        Packet packet = packet(vector);
+        Record body = Protocol.V3_1.read(packet).orElseThrow();
+        assertThat(numbers(body)).isEqualTo(numbers(vector.value()));
+        assertThat(write(packet.header(), body).bytes()).isEqualTo(packet.bytes());
+    }
+
+    /// The same with a header, as the vectors have bodies only.
+    private static Packet packet(Recorded.Vector vector) throws IOException {
+        var bytes = ByteBuffer.allocate(Header.BYTES + vector.bytes().length);
+        bytes.putInt(0)
+                .putInt(0)
+                .putInt(vector.interf())
+                .putInt(0)
+                .putInt(vector.type())
+                .putInt(vector.subtype());
+        bytes.putDouble(0).putInt(0).putInt(vector.bytes().length).put(vector.bytes());
+        return Packet.read(new ByteArrayInputStream(bytes.array())).orElseThrow();
+    }
+
+    private static Packet write(Header header, Record body) {
+        return Packet.of(header.address(), header.kind(), header.subtype(), header.time(), body)
+                .withSequence(header.sequence());
+    }
+
+    /// All numbers in their order, but not counts of arrays.
+    private static List<Double> numbers(JsonNode value) {
+        var numbers = new ArrayList<Double>();
+        if (value.isNumber()) {
+            numbers.add(value.asDouble());
+        } else if (value.isString()) {
+            for (byte each : HexFormat.of().parseHex(value.asString())) {
+                numbers.add((double) each);
+            }
+        } else if (value.isArray()) {
+            value.forEach(each -> numbers.addAll(numbers(each)));
+        } else {
+            value.properties().forEach(property -> {
+                String counted = property.getKey().replaceAll("_count$", "");
+                if (counted.equals(property.getKey()) || !value.has(counted)) {
+                    numbers.addAll(numbers(property.getValue()));
+                }
+            });
+        }
+        return numbers;
+    }
+
+    private static List<Double> numbers(Object value) {
+        var numbers = new ArrayList<Double>();
+        switch (value) {
+            case Integer number -> numbers.add((double) number);
+            case Long number -> numbers.add((double) number);
+            case Float number -> numbers.add((double) number);
+            case Double number -> numbers.add(number);
+            case byte[] bytes -> {
+                for (byte each : bytes) {
+                    numbers.add((double) each);
+                }
+            }
+            case float[] floats -> {
+                for (float each : floats) {
+                    numbers.add((double) each);
+                }
+            }
+            case double[] doubles -> {
+                for (double each : doubles) {
+                    numbers.add(each);
+                }
+            }
+            case Collection<?> all -> all.forEach(each -> numbers.addAll(numbers(each)));
+            case Record some -> {
+                for (RecordComponent component : some.getClass().getRecordComponents()) {
+                    if (component.getAnnotation(CountOf.class) == null) {
+                        numbers.addAll(numbers(get(component, some)));
+                    }
+                }
+            }
+            default -> throw new AssertionError(value.getClass());
+        }
+        return numbers;
+    }
+
+    private static Object get(RecordComponent component, Record of) {
+        try {
+            return component.getAccessor().invoke(of);
+        } catch (ReflectiveOperationException e) {
+            throw new LinkageError(e.getMessage(), e);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"simple", "semantics"})
+    void sessionsWithAServerAreReadAndWrittenAsTheyWere(String name) throws IOException {
+        int bodies = 0;
+        for (Recorded.Message message : Recorded.session(name)) {
+            Packet packet =
+                    Packet.read(new ByteArrayInputStream(message.bytes())).orElseThrow();
+            assertThat(packet.header().kind()).isNotEqualTo(Kind.UNKNOWN);
+            assertThat(packet.bytes()).isEqualTo(message.bytes());
+            Record body = Protocol.V3_1.read(packet).orElse(null);
+            if (body != null) {
+                bodies++;
+                assertThat(write(packet.header(), body).bytes()).as("%s", body).isEqualTo(message.bytes());
+            } else {
+                assertThat(packet.body()).as("%s", packet.header()).isEmpty();
+            }
+        }
+        assertThat(bodies).isGreaterThan(100);
+    }
+
+    @Test
+    void aSessionSaysWhatItWas() throws IOException {
+        List<Recorded.Message> session = Recorded.session("simple");
+        Packet devices =
+                Packet.read(new ByteArrayInputStream(session.get(1).bytes())).orElseThrow();
+        assertThat(devices.body(Session.Devices.class).devices())
+                .extracting(Address::interf)
+                .containsExactly(
+                        Interface.SIMULATION.code(),
+                        Interface.POSITION2D.code(),
+                        Interface.RANGER.code(),
+                        Interface.RANGER.code(),
+                        Interface.LASER.code());
+        assertThat(devices.header().address().robot()).isEqualTo(6665);
+        Packet driver =
+                Packet.read(new ByteArrayInputStream(session.get(3).bytes())).orElseThrow();
+        assertThat(Chars.text(driver.body(Session.Driver.class).name())).isEqualTo("stage");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "Player v.3.1.1-dev, true",
+        "Player v.3.1.0, true",
+        "Player v.3.0.2, false",
+        "Player v.2.1.3, false",
+        "Player v.4.0.0, true",
+        "something else, true"
+    })
+    void aServerIsUnderstoodByItsVersion(String ident, boolean newest) {
+        assertThat(Protocol.of(ident)).isSameAs(newest ? Protocol.V3_1 : Protocol.V3_0);
+    }
+
+    @Test
+    void whatChangedSincePlayer30IsReadAsItWasThen() throws IOException {
+        var hypothesis = new Version30.Hypothesis(new Pose(1, 2, 3), new double[] {4, 5, 6}, 0.5);
+        Packet packet = Packet.of(
+                Address.of(Interface.LOCALIZE.code(), 0),
+                Kind.DATA,
+                Localize.HYPOTHESES,
+                0,
+                new Version30.Hypotheses(0, 0, List.of(hypothesis, hypothesis)));
+        assertThat(packet.body()).hasSize(4 + 8 + 4 + 4 + 2 * 56);
+        Record read = Protocol.V3_0.read(packet).orElseThrow();
+        assertThat(numbers(read))
+                .containsExactly(0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 0.5);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void noiseIsReadOrRefused(long seed) throws IOException {
+        var random = new SplittableRandom(seed);
+        List<Recorded.Vector> vectors = Recorded.vectors();
+        int read = 0;
+        for (int i = 0; i < 50_000; i++) {
+            Packet packet = packet(vectors.get(random.nextInt(vectors.size())));
+            byte[] body = packet.body().clone();
+            switch (random.nextInt(4)) {
+                case 0 -> random.nextBytes(body);
+                case 1 -> body = Arrays.copyOf(body, random.nextInt(2 * body.length + 1));
+                case 2 -> body[random.nextInt(body.length)] ^= (byte) (1 << random.nextInt(8));
+                default -> // a huge count, or none, where there is one
+                    ByteBuffer.wrap(body).putInt(4 * random.nextInt(body.length / 4), random.nextInt());
+            }
+            Class<? extends Record> type = Protocol.V3_1.body(packet.header()).orElseThrow();
+            try {
+                rewrites(type, body);
+                read++;
+            } catch (MalformedException e) {
+                assertThat(e).hasMessageMatching("\\w.*");
+            }
+        }
+        assertThat(read).isGreaterThan(1000);
+    }
+
+    private static <T extends Record> void rewrites(Class<T> type, byte[] body) throws MalformedException {
+        Layout<T> layout = Layout.of(type);
+        assertThat(layout.bytes(layout.read(body))).hasSameSizeAs(body);
+    }
+
+    @Test
+    void headersThatCanNotBeAreRefused() {
+        var bytes = ByteBuffer.allocate(Header.BYTES).putInt(36, Header.MOST + 1);
+        assertThatExceptionOfType(MalformedException.class)
+                .isThrownBy(() -> Packet.read(new ByteArrayInputStream(bytes.array())))
+                .withMessageContaining("(33554433) bytes");
+        bytes.putInt(36, -1);
+        assertThatExceptionOfType(MalformedException.class)
+                .isThrownBy(() -> Packet.read(new ByteArrayInputStream(bytes.array())))
+                .withMessageContaining("(4294967295) bytes");
+    }
+
+    @Test
+    void theWorkedExampleOfASubscription() {
+        Packet packet = Packet.of(
+                        Address.of(Interface.PLAYER.code(), 0),
+                        Kind.REQUEST,
+                        Session.DEVICE,
+                        0,
+                        new Session.Subscription(Address.of(Interface.POSITION2D.code(), 0), Session.OPEN, new byte[0]))
+                .withSequence(1);
+        assertThat(HexFormat.of().formatHex(packet.bytes()))
+                .isEqualTo("0000000000000000000000010000000000000003000000030000000000000000000000010000001c"
+                        + "00000000000000000000000400000000000000010000000000000000");
+    }
+}
