@@ -1,0 +1,254 @@
+package rsal.player.client;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.BufferedInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import rsal.player.message.Chars;
+import rsal.player.message.Interface;
+import rsal.player.message.Protocol;
+import rsal.player.message.Session;
+import rsal.player.wire.Address;
+import rsal.player.wire.Kind;
+import rsal.player.wire.MalformedException;
+import rsal.player.wire.Packet;
+
+/// A connection to a Player server, which has its data sent in rounds, the newest of each kind only: so a slow reader
+/// is never behind. One thread reads and one writes; nobody else waits for the network. May be used on any thread.
+public final class Connection implements AutoCloseable {
+    private static final int IDENT = 32; // bytes by which a server introduces itself
+    private static final Address SERVER = Address.of(Interface.PLAYER.code(), 0);
+
+    private final Socket socket;
+    private final String ident;
+    private final Protocol protocol;
+    private final Consumer<? super Packet> onData;
+    private final Outbox outbox = new Outbox();
+    private final CompletableFuture<String> lost = new CompletableFuture<>();
+    private final Map<Signature, Queue<CompletableFuture<Packet>>> asked = new HashMap<>(); // guarded by itself
+
+    private Connection(Socket socket, String ident, Consumer<? super Packet> onData) {
+        this.socket = socket;
+        this.ident = ident;
+        this.protocol = Protocol.of(ident);
+        this.onData = onData;
+    }
+
+    /// Connects; waits for the server.
+    ///
+    /// @param patience until there must be an answer
+    /// @param onData told of all data, on the thread that reads
+    /// @throws IOException when there is no server, or none of Player's
+    public static Connection open(InetSocketAddress server, Duration patience, Consumer<? super Packet> onData)
+            throws IOException {
+        var socket = new Socket();
+        try {
+            int millis = Math.toIntExact(patience.toMillis());
+            socket.setTcpNoDelay(true);
+            socket.connect(server, millis);
+            socket.setSoTimeout(millis);
+            var in = new BufferedInputStream(socket.getInputStream());
+            byte[] introduction = in.readNBytes(IDENT);
+            String ident = Chars.text(introduction);
+            if (introduction.length < IDENT || !ident.startsWith("Player")) {
+                throw new MalformedException(
+                        "(%s) is no Player server; it begins with (%s).".formatted(server, printable(introduction)));
+            }
+            socket.setSoTimeout(0);
+            var connection = new Connection(socket, ident, onData);
+            connection.start(in, socket.getOutputStream());
+            return connection;
+        } catch (IOException | RuntimeException e) {
+            socket.close();
+            throw e;
+        }
+    }
+
+    private static String printable(byte[] bytes) {
+        return new String(bytes, UTF_8).replaceAll("[^\\x20-\\x7e]", "?");
+    }
+
+    private void start(InputStream in, OutputStream out) {
+        ask(Session.MODE, new Session.Mode(Session.PULL));
+        ask(Session.REPLACE_RULE, new Session.ReplaceRule(Session.ANY, Session.ANY, 1, Session.ANY, Session.REPLACE));
+        nextRound();
+        Thread.ofVirtual().name("player read").start(() -> read(in));
+        Thread.ofVirtual().name("player write").start(() -> write(out));
+    }
+
+    /// How the server introduced itself.
+    public String ident() {
+        return ident;
+    }
+
+    public Protocol protocol() {
+        return protocol;
+    }
+
+    /// Why the connection has ended, once it has; told on the thread that noticed.
+    public CompletionStage<String> lost() {
+        return lost.minimalCompletionStage();
+    }
+
+    /// All devices of the server's port.
+    public CompletionStage<List<Address>> devices() {
+        return ask(Packet.of(SERVER, Kind.REQUEST, Session.DEVICES, 0))
+                .thenCompose(answer -> body(answer, Session.Devices.class))
+                .thenApply(Session.Devices::devices);
+    }
+
+    /// What drives a device.
+    public CompletionStage<String> driver(Address device) {
+        return ask(Session.DRIVER, new Session.Driver(device, new byte[0]))
+                .thenCompose(answer -> body(answer, Session.Driver.class))
+                .thenApply(driver -> Chars.text(driver.name()));
+    }
+
+    /// Has a device's data sent, and starts it if nobody else uses it, which may take seconds.
+    ///
+    /// @return what drives it
+    public CompletionStage<String> subscribe(Address device) {
+        var request = new Session.Subscription(device, Session.OPEN, new byte[0]);
+        return ask(Session.DEVICE, request)
+                .thenCompose(answer -> body(answer, Session.Subscription.class))
+                .thenCompose(granted -> granted.access() == Session.OPEN
+                        ? CompletableFuture.completedStage(Chars.text(granted.driver()))
+                        : CompletableFuture.failedStage(
+                                new RefusedException("The driver of (%s) did not start.".formatted(words(device)))));
+    }
+
+    /// Asks something of a device, or of the server.
+    ///
+    /// @return the answer, on the thread that reads; a [RefusedException] when the server refuses, an [IOException]
+    /// when the connection is lost before. There is none when the server has no such device.
+    public CompletionStage<Packet> ask(Packet request) {
+        var answer = new CompletableFuture<Packet>();
+        Signature signature = Signature.of(request.header());
+        synchronized (asked) {
+            boolean sent = !lost.isDone() && outbox.request(request);
+            if (sent) {
+                asked.computeIfAbsent(signature, _ -> new ArrayDeque<>()).add(answer);
+            } else {
+                answer.completeExceptionally(new IOException(lost.isDone() ? lost.join() : "Too many requests."));
+            }
+        }
+        return answer.minimalCompletionStage();
+    }
+
+    private CompletionStage<Packet> ask(int subtype, Record body) {
+        return ask(Packet.of(SERVER, Kind.REQUEST, subtype, 0, body));
+    }
+
+    private static <T extends Record> CompletionStage<T> body(Packet answer, Class<T> type) {
+        try {
+            return CompletableFuture.completedStage(answer.body(type));
+        } catch (MalformedException e) {
+            return CompletableFuture.failedStage(e);
+        }
+    }
+
+    /// Sends a command, in place of one of its kind that was not sent yet.
+    public void command(Packet command) {
+        outbox.command(command);
+    }
+
+    private void nextRound() {
+        outbox.request(Packet.of(SERVER, Kind.REQUEST, Session.DATA, 0));
+    }
+
+    private void read(InputStream in) {
+        try {
+            while (true) {
+                take(Packet.read(in).orElseThrow(() -> new EOFException("The server has closed the connection.")));
+            }
+        } catch (IOException | RuntimeException e) {
+            end(reason(e));
+        }
+    }
+
+    private void take(Packet packet) {
+        switch (packet.header().kind()) {
+            case DATA -> onData.accept(packet);
+            case ACK, NACK -> answered(packet);
+            case SYNCH -> nextRound();
+            case COMMAND, REQUEST, UNKNOWN -> {} // not for a client
+        }
+    }
+
+    private void answered(Packet packet) {
+        CompletableFuture<Packet> answer;
+        synchronized (asked) {
+            Queue<CompletableFuture<Packet>> waiting = asked.get(Signature.of(packet.header()));
+            answer = waiting == null ? null : waiting.poll();
+        }
+        if (answer == null) {
+            return; // to a request for data, or to nobody
+        }
+        if (packet.header().kind() == Kind.ACK) {
+            answer.complete(packet);
+        } else {
+            answer.completeExceptionally(new RefusedException("The server refuses request %d of (%s)."
+                    .formatted(packet.header().subtype(), words(packet.header().address()))));
+        }
+    }
+
+    private void write(OutputStream out) {
+        try {
+            while (!lost.isDone()) {
+                out.write(outbox.take().bytes());
+            }
+        } catch (IOException e) {
+            end(reason(e));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            end("The writer was interrupted.");
+        }
+    }
+
+    private static String reason(Exception e) {
+        String message = e.getMessage();
+        return message == null ? e.getClass().getSimpleName() : message;
+    }
+
+    @Override
+    public void close() {
+        end("The connection was closed.");
+    }
+
+    private void end(String reason) {
+        List<CompletableFuture<Packet>> unanswered;
+        synchronized (asked) {
+            if (!lost.complete(reason)) {
+                return;
+            }
+            unanswered = asked.values().stream().flatMap(Queue::stream).toList();
+            asked.clear();
+        }
+        try {
+            socket.close();
+        } catch (IOException e) {
+            // it is of no more use either way
+        }
+        nextRound(); // wakes the writer, which sees that it is over
+        unanswered.forEach(answer -> answer.completeExceptionally(new IOException(reason)));
+    }
+
+    private static String words(Address device) {
+        String interf = Interface.of(device.interf()).map(Interface::word).orElse("interface " + device.interf());
+        return interf + ":" + device.index();
+    }
+}

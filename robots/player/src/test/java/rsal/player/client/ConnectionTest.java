@@ -1,0 +1,268 @@
+package rsal.player.client;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIOException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.time.Duration;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.player.message.Chars;
+import rsal.player.message.Interface;
+import rsal.player.message.Pose;
+import rsal.player.message.Position2d;
+import rsal.player.message.Protocol;
+import rsal.player.message.Session;
+import rsal.player.wire.Address;
+import rsal.player.wire.Header;
+import rsal.player.wire.Kind;
+import rsal.player.wire.Packet;
+
+@Timeout(60)
+class ConnectionTest {
+    private static final Duration PATIENCE = Duration.ofSeconds(5);
+    private static final String IDENT = "Player v.3.1.1-dev";
+    private static final Address PLAYER = Address.of(Interface.PLAYER.code(), 0);
+    private static final Address BASE = Address.of(Interface.POSITION2D.code(), 0);
+
+    private final BlockingQueue<Packet> data = new LinkedBlockingQueue<>();
+    private ScriptedServer server;
+    private ScriptedServer.Client client;
+    private Connection connection;
+
+    @BeforeEach
+    void connect() throws IOException {
+        server = new ScriptedServer();
+        var opening = opening();
+        client = server.accept(IDENT);
+        connection = opening.join();
+    }
+
+    private CompletableFuture<Connection> opening() {
+        var opening = new CompletableFuture<Connection>();
+        Thread.ofVirtual().start(() -> {
+            try {
+                opening.complete(Connection.open(server.address(), PATIENCE, data::add));
+            } catch (IOException e) {
+                opening.completeExceptionally(e);
+            }
+        });
+        return opening;
+    }
+
+    @AfterEach
+    void disconnect() throws IOException {
+        connection.close();
+        client.close();
+        server.close();
+    }
+
+    private static <T> T result(CompletionStage<T> stage) {
+        return stage.toCompletableFuture().orTimeout(10, TimeUnit.SECONDS).join();
+    }
+
+    private static Packet state(double x) {
+        var state = new Position2d.State(new Pose(x, 0, 0), new Pose(0, 0, 0), 0);
+        return Packet.of(BASE, Kind.DATA, Position2d.STATE, 0, state);
+    }
+
+    private static Packet synch() {
+        return Packet.of(PLAYER, Kind.SYNCH, Session.COMPLETE, 0);
+    }
+
+    @Test
+    void asksForTheNewestOfEachKindInRounds() throws Exception {
+        assertThat(connection.ident()).isEqualTo(IDENT);
+        assertThat(connection.protocol()).isSameAs(Protocol.V3_1);
+        Packet mode = client.next();
+        assertThat(mode.header().subtype()).isEqualTo(Session.MODE);
+        assertThat(mode.body(Session.Mode.class)).isEqualTo(new Session.Mode(Session.PULL));
+        client.acknowledge(mode);
+        Packet rule = client.next();
+        assertThat(rule.body(Session.ReplaceRule.class))
+                .isEqualTo(new Session.ReplaceRule(-1, -1, 1, -1, Session.REPLACE));
+        client.acknowledge(rule);
+        for (int round = 0; round < 3; round++) {
+            Packet wanted = client.next();
+            assertThat(wanted.header().subtype()).isEqualTo(Session.DATA);
+            client.acknowledge(wanted);
+            client.send(state(round));
+            client.send(synch());
+        }
+        for (int round = 0; round < 3; round++) {
+            Packet told = data.poll(10, TimeUnit.SECONDS);
+            assertThat(told.body(Position2d.State.class).odomFromBase().x()).isEqualTo(round);
+        }
+    }
+
+    @Test
+    void tellsWhichDevicesThereAreAndWhatDrivesThem() throws IOException {
+        CompletionStage<List<Address>> devices = connection.devices();
+        client.acknowledge(client.next(PLAYER, Session.DEVICES), new Session.Devices(List.of(BASE)));
+        assertThat(result(devices)).containsExactly(BASE);
+        CompletionStage<String> driver = connection.driver(BASE);
+        Packet request = client.next(PLAYER, Session.DRIVER);
+        assertThat(request.body(Session.Driver.class).device()).isEqualTo(BASE);
+        client.acknowledge(request, new Session.Driver(BASE, Chars.of("stage")));
+        assertThat(result(driver)).isEqualTo("stage");
+    }
+
+    @Test
+    void subscribesToADeviceUnlessItsDriverFails() throws IOException {
+        CompletionStage<String> good = connection.subscribe(BASE);
+        Packet request = client.next(PLAYER, Session.DEVICE);
+        assertThat(request.body(Session.Subscription.class).access()).isEqualTo(Session.OPEN);
+        client.acknowledge(request, new Session.Subscription(BASE, Session.OPEN, Chars.of("stage")));
+        assertThat(result(good)).isEqualTo("stage");
+        CompletionStage<String> bad = connection.subscribe(BASE);
+        request = client.next(PLAYER, Session.DEVICE);
+        client.acknowledge(request, new Session.Subscription(BASE, Session.ERROR, Chars.of("stage")));
+        assertThatThrownBy(() -> result(bad))
+                .hasRootCauseInstanceOf(RefusedException.class)
+                .rootCause()
+                .hasMessage("The driver of (position2d:0) did not start.");
+    }
+
+    @Test
+    void givesEachAnswerToTheOneWhoAsked() throws IOException {
+        Address other = Address.of(Interface.POSITION2D.code(), 1);
+        CompletionStage<Packet> first = connection.ask(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0));
+        CompletionStage<Packet> second = connection.ask(Packet.of(other, Kind.REQUEST, Position2d.GEOMETRY, 0));
+        Packet one = client.next(BASE, Position2d.GEOMETRY);
+        Packet two = client.next(other, Position2d.GEOMETRY);
+        client.refuse(two);
+        client.acknowledge(one);
+        assertThat(result(first).header().address()).isEqualTo(BASE);
+        assertThatThrownBy(() -> result(second))
+                .rootCause()
+                .isInstanceOf(RefusedException.class)
+                .hasMessage("The server refuses request 1 of (position2d:1).");
+    }
+
+    @Test
+    void commandsArriveAndNeedNoAnswer() throws IOException {
+        var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
+        connection.command(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity));
+        Packet command = client.next(BASE, Position2d.VELOCITY);
+        assertThat(command.header().kind()).isEqualTo(Kind.COMMAND);
+        assertThat(command.body(Position2d.Velocity.class)).isEqualTo(velocity);
+    }
+
+    @Test
+    void aServerThatEndsIsLostAndWhoeverWaitsIsTold() throws IOException {
+        CompletionStage<Packet> waiting = connection.ask(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0));
+        client.next(BASE, Position2d.GEOMETRY);
+        client.close();
+        assertThat(result(connection.lost())).isEqualTo("The server has closed the connection.");
+        assertThatThrownBy(() -> result(waiting)).hasRootCauseInstanceOf(IOException.class);
+        assertThatThrownBy(() -> result(connection.devices())).rootCause().hasMessageContaining("closed");
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void noiseEndsTheConnectionWithAReason(long seed) throws IOException {
+        var noise = new byte[4096];
+        new SplittableRandom(seed).nextBytes(noise);
+        client.send(noise);
+        client.socket().shutdownOutput(); // else it may wait for the rest of a message
+        assertThat(result(connection.lost())).isNotBlank();
+    }
+
+    @Test
+    void messagesInSinglesBytesAreRead() throws Exception {
+        for (byte each : state(7).bytes()) {
+            client.send(new byte[] {each});
+        }
+        assertThat(data.poll(10, TimeUnit.SECONDS).body(Position2d.State.class).odomFromBase())
+                .isEqualTo(new Pose(7, 0, 0));
+    }
+
+    @Test
+    void whatIsNotForAClientIsLeftOut() throws Exception {
+        client.send(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0));
+        client.send(Packet.of(BASE, Kind.ACK, Position2d.GEOMETRY, 0)); // nobody asked
+        byte[] unknown = state(1).bytes();
+        unknown[19] = 77;
+        client.send(unknown);
+        client.send(state(2));
+        assertThat(data.poll(10, TimeUnit.SECONDS)
+                        .body(Position2d.State.class)
+                        .odomFromBase()
+                        .x())
+                .isEqualTo(2);
+    }
+
+    @Test
+    void closingTellsWhoeverWaits() {
+        CompletionStage<Packet> waiting = connection.ask(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0));
+        connection.close();
+        connection.close();
+        assertThat(result(connection.lost())).isEqualTo("The connection was closed.");
+        assertThatThrownBy(() -> result(waiting)).rootCause().hasMessage("The connection was closed.");
+    }
+
+    @Test
+    void aServerOfSomethingElseIsNamedAtOnce() throws IOException {
+        var opening = opening();
+        try (ScriptedServer.Client web = server.accept("HTTP/1.1 400 Bad Request\r\nServer: x")) {
+            assertThatThrownBy(() -> result(opening))
+                    .rootCause()
+                    .hasMessageContaining("is no Player server; it begins with (HTTP/1.1 400 Bad Request??");
+            assertThat(web.in().read()).as("it is let go").isEqualTo(-1);
+        }
+    }
+
+    @Test
+    void nobodyThereIsTold() throws IOException {
+        InetSocketAddress nobody;
+        try (var closed = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            nobody = (InetSocketAddress) closed.getLocalSocketAddress();
+        }
+        assertThatIOException().isThrownBy(() -> Connection.open(nobody, PATIENCE, data::add));
+    }
+
+    @Test
+    void ofCommandsThatWereNotSentTheNewestOfAKindCounts() throws InterruptedException {
+        var outbox = new Outbox();
+        for (int i = 0; i < 1000; i++) {
+            var velocity = new Position2d.Velocity(new Pose(i, 0, 0), 1);
+            outbox.command(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity));
+            outbox.command(Packet.of(
+                    Address.of(Interface.POSITION2D.code(), 1), Kind.COMMAND, Position2d.VELOCITY, 0, velocity));
+        }
+        assertThat(outbox.request(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0)))
+                .isTrue();
+        assertThat(outbox.take().header().kind()).as("requests first").isEqualTo(Kind.REQUEST);
+        for (int index = 0; index < 2; index++) {
+            Packet sent = outbox.take();
+            assertThat(sent.header().address().index()).isEqualTo(index);
+            assertThat(sent.body())
+                    .hasSize(28)
+                    .satisfies(_ -> assertThat(sent.body(Position2d.Velocity.class)
+                                    .velocity()
+                                    .x())
+                            .isEqualTo(999));
+        }
+        int accepted = 0;
+        while (outbox.request(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0))) {
+            accepted++;
+        }
+        assertThat(accepted).as("it does not grow for ever").isEqualTo(1024);
+        assertThat(Header.BYTES).isEqualTo(40);
+    }
+}
