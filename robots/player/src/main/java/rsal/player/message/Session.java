@@ -65,6 +65,9 @@ public final class Session {
     /// What becomes of messages of a kind that were not sent yet; the first rule that holds counts.
     public record ReplaceRule(int interf, int index, int type, int subtype, int replace) {}
 
+    /// Whether a device knows messages of a kind; asked of the device itself.
+    public record Capability(int type, int subtype) {}
+
     /// @param messages that were left out since the last round
     public record Lost(int messages) {}
 }

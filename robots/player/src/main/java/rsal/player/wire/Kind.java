@@ -22,7 +22,7 @@ public enum Kind {
         this.code = code;
     }
 
-    static Kind of(int code) {
+    public static Kind of(int code) {
         for (Kind kind : KINDS) {
             if (kind.code == code) {
                 return kind;
@@ -31,7 +31,7 @@ public enum Kind {
         return UNKNOWN;
     }
 
-    int code() {
+    public int code() {
         return code;
     }
 }

@@ -1,5 +1,6 @@
 package rsal.player.wire;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -31,14 +32,23 @@ public record Packet(Header header, byte[] body) {
     /// The next of a stream; empty at its end.
     ///
     /// @throws MalformedException when what comes is none; the stream is of no more use then
-    /// @throws java.io.EOFException when it ends within one
+    /// @throws EOFException when it ends within one
     public static Optional<Packet> read(InputStream from) throws IOException {
+        return read(from, Header.MOST);
+    }
+
+    /// The same where no body has more bytes than that.
+    public static Optional<Packet> read(InputStream from, int most) throws IOException {
         byte[] head = from.readNBytes(Header.BYTES);
         if (head.length == 0) {
             return Optional.empty();
         }
         checkLength(head, Header.BYTES);
         Header header = Header.read(ByteBuffer.wrap(head));
+        if (header.size() > most) {
+            throw new MalformedException(
+                    "A message of (%d) bytes is too large; at most %d.".formatted(header.size(), most));
+        }
         byte[] body = from.readNBytes(header.size());
         checkLength(body, header.size());
         return Optional.of(new Packet(header, body));
@@ -46,7 +56,7 @@ public record Packet(Header header, byte[] body) {
 
     private static void checkLength(byte[] bytes, int expected) throws IOException {
         if (bytes.length < expected) {
-            throw new java.io.EOFException("A message ends after %d of %d bytes.".formatted(bytes.length, expected));
+            throw new EOFException("A message ends after %d of %d bytes.".formatted(bytes.length, expected));
         }
     }
 

@@ -1,0 +1,47 @@
+package rsal.player.server;
+
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import rsal.player.message.Interface;
+import rsal.player.wire.Kind;
+import rsal.player.wire.Packet;
+
+/// A device that a server offers. Called on the threads of clients, by several at once.
+public interface Served {
+    Interface interf();
+
+    /// Which of those with that interface on its port.
+    int index();
+
+    /// What drives it, for people; at most 63 bytes.
+    String driver();
+
+    /// A client wants its data. Called once for each that does.
+    ///
+    /// @return whether it works; until then the client waits
+    default CompletionStage<Boolean> open() {
+        return CompletableFuture.completedStage(true);
+    }
+
+    /// A client that wanted its data does no more.
+    default void close() {}
+
+    /// Whether it knows such messages.
+    boolean understands(Kind kind, int subtype);
+
+    /// @param request whose body is as its layout has it
+    CompletionStage<Answer> ask(Packet request);
+
+    /// @param command whose body is as its layout has it
+    void command(Packet command);
+
+    /// To a request.
+    sealed interface Answer {
+        record Done() implements Answer {}
+
+        /// @param body of the layout that requests of its kind have
+        record Told(Record body) implements Answer {}
+
+        record Refused() implements Answer {}
+    }
+}

@@ -1,0 +1,388 @@
+package rsal.player.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.player.client.Connection;
+import rsal.player.client.RefusedException;
+import rsal.player.message.Interface;
+import rsal.player.message.Pose;
+import rsal.player.message.Position2d;
+import rsal.player.message.Session;
+import rsal.player.wire.Address;
+import rsal.player.wire.Kind;
+import rsal.player.wire.Packet;
+
+@Timeout(60)
+class PortTest {
+    private static final Address PLAYER = Address.of(Interface.PLAYER.code(), 0);
+    private static final Address BASE = Address.of(Interface.POSITION2D.code(), 0);
+
+    private final Base base = new Base();
+    private final BlockingQueue<Packet> data = new LinkedBlockingQueue<>();
+    private final List<AutoCloseable> open = new ArrayList<>();
+    private Port port;
+
+    /// A base that notes what it is told.
+    private static final class Base implements Served {
+        private final BlockingQueue<Packet> commands = new LinkedBlockingQueue<>();
+        private final AtomicInteger users = new AtomicInteger();
+        private volatile boolean works = true;
+
+        @Override
+        public Interface interf() {
+            return Interface.POSITION2D;
+        }
+
+        @Override
+        public int index() {
+            return 0;
+        }
+
+        @Override
+        public String driver() {
+            return "rsal";
+        }
+
+        @Override
+        public CompletionStage<Boolean> open() {
+            users.incrementAndGet();
+            return CompletableFuture.completedStage(works);
+        }
+
+        @Override
+        public void close() {
+            users.decrementAndGet();
+        }
+
+        @Override
+        public boolean understands(Kind kind, int subtype) {
+            return kind == Kind.COMMAND && subtype == Position2d.VELOCITY;
+        }
+
+        @Override
+        public CompletionStage<Answer> ask(Packet request) {
+            return switch (request.header().subtype()) {
+                case Position2d.RESET_ODOMETRY -> CompletableFuture.completedStage(new Answer.Done());
+                case Position2d.SET_ODOMETRY -> CompletableFuture.failedStage(new IllegalStateException("broken"));
+                default -> CompletableFuture.completedStage(new Answer.Refused());
+            };
+        }
+
+        @Override
+        public void command(Packet command) {
+            commands.add(command);
+        }
+    }
+
+    @BeforeEach
+    void listen() throws IOException {
+        port = new Port(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), List.of(base), () -> 12.5);
+        port.start();
+        open.add(port);
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        for (AutoCloseable each : open.reversed()) {
+            each.close();
+        }
+    }
+
+    private InetSocketAddress address() {
+        return new InetSocketAddress(InetAddress.getLoopbackAddress(), port.number());
+    }
+
+    private Connection connect() throws IOException {
+        Connection connection = Connection.open(address(), Duration.ofSeconds(5), data::add);
+        open.add(connection);
+        return connection;
+    }
+
+    private static <T> T result(CompletionStage<T> stage) {
+        return stage.toCompletableFuture().orTimeout(10, TimeUnit.SECONDS).join();
+    }
+
+    private void publish(double x) {
+        var state = new Position2d.State(new Pose(x, 0, 0), new Pose(0, 0, 0), 0);
+        port.publish(base, Position2d.STATE, 1, state);
+    }
+
+    private static double x(Packet state) throws IOException {
+        return state.body(Position2d.State.class).odomFromBase().x();
+    }
+
+    /// A client that sends and gets what it likes.
+    private final class Raw implements AutoCloseable {
+        private final Socket socket = new Socket();
+        private final BufferedInputStream in;
+
+        Raw() throws IOException {
+            socket.connect(address());
+            socket.setSoTimeout(10_000);
+            in = new BufferedInputStream(socket.getInputStream());
+            assertThat(new String(in.readNBytes(32), java.nio.charset.StandardCharsets.US_ASCII))
+                    .startsWith("Player v.3.1");
+            open.add(this);
+        }
+
+        void send(byte[] bytes) throws IOException {
+            socket.getOutputStream().write(bytes);
+        }
+
+        void ask(int subtype) throws IOException {
+            send(Packet.of(PLAYER, Kind.REQUEST, subtype, 0).bytes());
+        }
+
+        void ask(int subtype, Record body) throws IOException {
+            send(Packet.of(PLAYER, Kind.REQUEST, subtype, 0, body).bytes());
+        }
+
+        Packet next() throws IOException {
+            return Packet.read(in).orElseThrow();
+        }
+
+        Packet nextAnswer() throws IOException {
+            Packet packet = next();
+            while (packet.header().kind() == Kind.DATA) {
+                packet = next();
+            }
+            return packet;
+        }
+
+        @Override
+        public void close() throws IOException {
+            socket.close();
+        }
+    }
+
+    private Raw subscribed() throws IOException {
+        var raw = new Raw();
+        raw.ask(Session.DEVICE, new Session.Subscription(BASE, Session.OPEN, new byte[0]));
+        assertThat(raw.nextAnswer().body(Session.Subscription.class).access()).isEqualTo(Session.OPEN);
+        return raw;
+    }
+
+    @Test
+    void ourOwnClientFindsAndSubscribesAndHears() throws Exception {
+        Connection connection = connect();
+        List<Address> devices = result(connection.devices());
+        assertThat(devices).containsExactly(new Address(0x0100007f, port.number(), Interface.POSITION2D.code(), 0));
+        assertThat(result(connection.driver(BASE))).isEqualTo("rsal");
+        assertThat(result(connection.subscribe(BASE))).isEqualTo("rsal");
+        publish(3);
+        assertThat(x(data.poll(10, TimeUnit.SECONDS))).isEqualTo(3);
+        publish(4);
+        Packet second = data.poll(10, TimeUnit.SECONDS);
+        assertThat(x(second)).isEqualTo(4);
+        assertThat(second.header().time()).isEqualTo(1);
+    }
+
+    @Test
+    void aDeviceThatIsNotThereOrDoesNotWorkIsRefused() throws IOException {
+        Connection connection = connect();
+        assertThatThrownBy(() -> result(connection.subscribe(Address.of(Interface.LASER.code(), 0))))
+                .hasRootCauseInstanceOf(RefusedException.class);
+        base.works = false;
+        assertThatThrownBy(() -> result(connection.subscribe(BASE))).rootCause().hasMessageContaining("did not start");
+    }
+
+    @Test
+    void requestsAreAnsweredByTheDeviceAndItsFailuresAreRefusals() throws IOException {
+        Connection connection = connect();
+        Packet done = result(connection.ask(Packet.of(BASE, Kind.REQUEST, Position2d.RESET_ODOMETRY, 0)));
+        assertThat(done.header().time()).isEqualTo(12.5);
+        assertThat(done.header().address().robot()).isEqualTo(port.number());
+        for (Packet bad : List.of(
+                Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0),
+                Packet.of(
+                        BASE, Kind.REQUEST, Position2d.SET_ODOMETRY, 0, new Position2d.Odometry(new Pose(1, 2, 3))))) {
+            assertThatThrownBy(() -> result(connection.ask(bad))).hasRootCauseInstanceOf(RefusedException.class);
+        }
+    }
+
+    @Test
+    void capabilitiesAreAnswered() throws IOException {
+        Connection connection = connect();
+        result(connection.ask(Packet.of(BASE, Kind.REQUEST, 255, 0, new Session.Capability(2, Position2d.VELOCITY))));
+        assertThatThrownBy(() -> result(connection.ask(
+                        Packet.of(BASE, Kind.REQUEST, 255, 0, new Session.Capability(2, Position2d.CAR)))))
+                .hasRootCauseInstanceOf(RefusedException.class);
+    }
+
+    @Test
+    void commandsReachTheDeviceUnlessTheyAreMalformed() throws Exception {
+        var raw = new Raw();
+        var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
+        raw.send(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, new Position2d.Motors(1))
+                .bytes());
+        raw.send(Packet.of(Address.of(Interface.LASER.code(), 3), Kind.COMMAND, 1, 0)
+                .bytes());
+        raw.send(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity).bytes());
+        assertThat(base.commands.poll(10, TimeUnit.SECONDS).body(Position2d.Velocity.class))
+                .isEqualTo(velocity);
+        assertThat(base.commands).isEmpty();
+    }
+
+    @Test
+    void whatIsPushedComesAtOnce() throws IOException {
+        Raw raw = subscribed();
+        for (int i = 0; i < 5; i++) {
+            publish(i);
+        }
+        for (int i = 0; i < 5; i++) {
+            assertThat(x(raw.next())).isEqualTo(i);
+        }
+    }
+
+    @Test
+    void whatIsPulledComesInRoundsOfTheNewestEachWithAnEnd() throws IOException {
+        Raw raw = subscribed();
+        raw.ask(Session.MODE, new Session.Mode(Session.PULL));
+        raw.nextAnswer();
+        raw.ask(Session.REPLACE_RULE, new Session.ReplaceRule(-1, -1, 1, -1, Session.REPLACE));
+        raw.nextAnswer();
+        for (int i = 0; i < 50; i++) {
+            publish(i);
+        }
+        raw.ask(Session.DATA);
+        assertThat(raw.next().header().kind()).as("it says yes first").isEqualTo(Kind.ACK);
+        assertThat(x(raw.next())).as("the newest").isEqualTo(49);
+        assertThat(raw.next().header().kind()).isEqualTo(Kind.SYNCH);
+        raw.ask(Session.DATA);
+        assertThat(raw.next().header().kind()).isEqualTo(Kind.ACK);
+        publish(50); // the round waited for it
+        assertThat(x(raw.next())).isEqualTo(50);
+        Packet synch = raw.next();
+        assertThat(synch.header().kind()).isEqualTo(Kind.SYNCH);
+        assertThat(synch.header().address()).isEqualTo(PLAYER);
+    }
+
+    @Test
+    void whoDoesNotPullHearsOnlyAnswersAndWhatWasThereBefore() throws IOException {
+        Raw raw = subscribed();
+        raw.ask(Session.MODE, new Session.Mode(Session.PULL));
+        raw.nextAnswer();
+        publish(1);
+        raw.ask(Session.DEVICES);
+        assertThat(x(raw.next())).isEqualTo(1);
+        assertThat(raw.next().header().subtype()).isEqualTo(Session.DEVICES);
+        publish(2);
+        raw.socket.setSoTimeout(300);
+        assertThatThrownBy(raw::next).isInstanceOf(java.net.SocketTimeoutException.class);
+    }
+
+    @Test
+    void whatIsTooMuchIsDroppedAndTold() throws IOException {
+        Raw raw = subscribed();
+        raw.ask(Session.MODE, new Session.Mode(Session.PULL));
+        raw.nextAnswer();
+        for (int i = 0; i < OutQueue.MOST + 76; i++) {
+            publish(i);
+        }
+        raw.ask(Session.DATA);
+        raw.next();
+        for (int i = 0; i < OutQueue.MOST; i++) {
+            assertThat(x(raw.next())).isEqualTo(i);
+        }
+        assertThat(raw.next().body(Session.Lost.class).messages()).isEqualTo(76);
+    }
+
+    @Test
+    void whoIsGoneWantsNothingMore() throws Exception {
+        Raw raw = subscribed();
+        raw.ask(Session.DEVICE, new Session.Subscription(BASE, Session.OPEN, new byte[0]));
+        raw.nextAnswer();
+        assertThat(base.users).as("a client counts once").hasValue(1);
+        raw.close();
+        for (int i = 0; i < 500 && port.clients() > 0; i++) {
+            TimeUnit.MILLISECONDS.sleep(10);
+        }
+        assertThat(base.users).hasValue(0);
+        assertThat(port.clients()).isZero();
+    }
+
+    @Test
+    void whatIsUnknownOfTheServerIsRefused() throws IOException {
+        var raw = new Raw();
+        raw.ask(77);
+        assertThat(raw.next().header().kind()).isEqualTo(Kind.NACK);
+        raw.send(Packet.of(PLAYER, Kind.REQUEST, Session.DEVICES, 0)
+                .withSequence(9)
+                .bytes());
+        assertThat(raw.next().header().sequence())
+                .as("answers of the server repeat it")
+                .isEqualTo(9);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void aHostileClientDisturbsNobody(long seed) throws Exception {
+        Raw good = subscribed();
+        var random = new SplittableRandom(seed);
+        for (int client = 0; client < 20; client++) {
+            var bad = new Raw();
+            var noise = new byte[1 + random.nextInt(5000)];
+            random.nextBytes(noise);
+            if (random.nextBoolean()) { // a header that is right, and what is not
+                byte[] header = Packet.of(BASE, Kind.REQUEST, random.nextInt(12), 0, new Session.Mode(random.nextInt()))
+                        .bytes();
+                bad.send(header);
+                bad.ask(1 + random.nextInt(10), new Session.Lost(random.nextInt()));
+            }
+            bad.send(noise);
+            bad.close();
+        }
+        publish(1);
+        assertThat(x(good.next())).isEqualTo(1);
+    }
+
+    @Test
+    void aClientThatAsksAndNeverReadsFillsNothing() throws Exception {
+        Raw good = subscribed();
+        var bad = new Raw();
+        bad.socket.setSoTimeout(1000);
+        Thread flood = Thread.ofVirtual().start(() -> {
+            try {
+                while (!bad.socket.isClosed()) {
+                    bad.ask(Session.DEVICES);
+                }
+            } catch (IOException e) {
+                // closed
+            }
+        });
+        TimeUnit.MILLISECONDS.sleep(500);
+        publish(1);
+        assertThat(x(good.next())).isEqualTo(1);
+        bad.close();
+        flood.join();
+    }
+
+    @Test
+    void twoDevicesOfOneAddressAreRefused() {
+        assertThatThrownBy(() -> new Port(
+                        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), List.of(base, new Base()), () -> 0))
+                .hasMessageContaining("two devices (position2d:0)");
+    }
+}
