@@ -1,0 +1,143 @@
+package rsal.player.bridge;
+
+import java.time.Instant;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
+import rsal.device.Subscription;
+import rsal.player.message.Box3;
+import rsal.player.message.Interface;
+import rsal.player.message.Pose;
+import rsal.player.message.Pose3;
+import rsal.player.server.Port;
+import rsal.player.server.Served;
+import rsal.player.wire.Kind;
+import rsal.player.wire.MalformedException;
+import rsal.player.wire.Packet;
+import rsal.time.Scheduler;
+
+/// A device of one of our robots under one interface of Player's. All of it but what is handed over by [Served] lives
+/// on the scheduler's thread.
+abstract class Offered implements Served {
+    /// Stands for a size that is not known.
+    static final Box3 NO_SIZE = new Box3(0, 0, 0);
+
+    private final Interface interf;
+    private final int index;
+    private final String driver;
+    private final Scheduler scheduler;
+    private @Nullable Port port;
+    private int users;
+
+    Offered(Interface interf, int index, String driver, Scheduler scheduler) {
+        this.interf = interf;
+        this.index = index;
+        this.driver = driver;
+        this.scheduler = scheduler;
+    }
+
+    /// Tells a port's clients of its data from now on.
+    final Subscription begin(Port on) {
+        port = on;
+        return listen();
+    }
+
+    /// Publishes whatever its device tells.
+    abstract Subscription listen();
+
+    /// What it answers to a request; empty when it does not know such.
+    abstract Optional<Answer> answer(Packet request) throws MalformedException;
+
+    /// Does what a client wants.
+    void obey(Packet command) throws MalformedException {}
+
+    /// No client wants it any more.
+    void idle() {}
+
+    final Scheduler scheduler() {
+        return scheduler;
+    }
+
+    final void publish(int subtype, Instant time, Record body) {
+        if (port != null) {
+            port.publish(this, subtype, seconds(time), body);
+        }
+    }
+
+    static double seconds(Instant time) {
+        return time.getEpochSecond() + time.getNano() / 1e9;
+    }
+
+    static Pose pose(rsal.data.Pose2d pose) {
+        return new Pose(pose.x(), pose.y(), pose.theta());
+    }
+
+    static Pose3 pose3(rsal.data.Pose2d pose) {
+        return new Pose3(pose.x(), pose.y(), 0, 0, 0, pose.theta());
+    }
+
+    static rsal.data.Pose2d pose(Pose pose) {
+        return new rsal.data.Pose2d(pose.x(), pose.y(), pose.theta());
+    }
+
+    @Override
+    public final Interface interf() {
+        return interf;
+    }
+
+    @Override
+    public final int index() {
+        return index;
+    }
+
+    @Override
+    public final String driver() {
+        return driver;
+    }
+
+    @Override
+    public final CompletionStage<Boolean> open() {
+        scheduler.execute(() -> users++);
+        return CompletableFuture.completedStage(true);
+    }
+
+    @Override
+    public final void close() {
+        scheduler.execute(() -> {
+            users--;
+            if (users == 0) {
+                idle();
+            }
+        });
+    }
+
+    @Override
+    public final CompletionStage<Answer> ask(Packet request) {
+        var result = new CompletableFuture<Answer>();
+        scheduler.execute(() -> {
+            try {
+                result.complete(answer(request).orElseGet(Answer.Refused::new));
+            } catch (MalformedException | RuntimeException e) {
+                result.complete(new Answer.Refused());
+            }
+        });
+        return result;
+    }
+
+    @Override
+    public final void command(Packet command) {
+        scheduler.execute(() -> {
+            try {
+                obey(command);
+            } catch (MalformedException | IllegalArgumentException e) {
+                // a client's mistake is nobody else's: as Player does, it is left out
+            }
+        });
+    }
+
+    @Override
+    public boolean understands(Kind kind, int subtype) {
+        return false;
+    }
+}

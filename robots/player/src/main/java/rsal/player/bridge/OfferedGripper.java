@@ -1,0 +1,80 @@
+package rsal.player.bridge;
+
+import java.util.Optional;
+import rsal.data.GripperState;
+import rsal.data.GripperState.Paddles;
+import rsal.data.Stamped;
+import rsal.device.Subscription;
+import rsal.player.message.Gripper;
+import rsal.player.message.Interface;
+import rsal.player.message.Pose3;
+import rsal.player.wire.Kind;
+import rsal.player.wire.Packet;
+import rsal.time.Scheduler;
+
+/// A gripper as `gripper`: its paddles; STORE and RETRIEVE, which say nothing of a lift, move that up and down.
+final class OfferedGripper extends Offered {
+    private static final int OPEN = 1;
+    private static final int CLOSED = 2;
+    private static final int MOVING = 3;
+    private static final int INNER = 4; // bits of beams as Stage has them
+    private static final int OUTER = 8;
+    private static final int BEAMS = 2;
+
+    private final rsal.device.Gripper gripper;
+
+    OfferedGripper(int index, rsal.device.Gripper gripper, Scheduler scheduler) {
+        super(Interface.GRIPPER, index, gripper.info().driver(), scheduler);
+        this.gripper = gripper;
+    }
+
+    @Override
+    Subscription listen() {
+        return gripper.subscribe(this::tell);
+    }
+
+    private void tell(Stamped<GripperState> reading) {
+        GripperState state = reading.value();
+        int beams = (state.innerBeamBroken() ? INNER : 0) | (state.outerBeamBroken() ? OUTER : 0);
+        publish(
+                Gripper.STATE,
+                reading.time(),
+                new Gripper.State(code(state.paddles()), beams, state.holding() ? 1 : 0));
+    }
+
+    private static int code(Paddles paddles) {
+        return switch (paddles) {
+            case OPEN -> OPEN;
+            case CLOSED -> CLOSED;
+            case OPENING, CLOSING, STOPPED -> MOVING;
+        };
+    }
+
+    @Override
+    public boolean understands(Kind kind, int subtype) {
+        return switch (kind) {
+            case COMMAND -> subtype >= Gripper.OPEN && subtype <= Gripper.RETRIEVE && subtype != Gripper.STOP;
+            case REQUEST -> subtype == Gripper.GEOMETRY;
+            default -> false;
+        };
+    }
+
+    @Override
+    void obey(Packet command) {
+        switch (command.header().subtype()) {
+            case Gripper.OPEN -> gripper.open();
+            case Gripper.CLOSE -> gripper.close();
+            case Gripper.STORE -> gripper.lift();
+            case Gripper.RETRIEVE -> gripper.lower();
+            default -> {}
+        }
+    }
+
+    @Override
+    Optional<Answer> answer(Packet request) {
+        return understands(Kind.REQUEST, request.header().subtype())
+                ? Optional.of(
+                        new Answer.Told(new Gripper.Geometry(new Pose3(0, 0, 0, 0, 0, 0), NO_SIZE, NO_SIZE, BEAMS, 1)))
+                : Optional.empty();
+    }
+}

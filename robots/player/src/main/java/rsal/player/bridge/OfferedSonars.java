@@ -1,0 +1,81 @@
+package rsal.player.bridge;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import rsal.data.RangeArray;
+import rsal.data.Stamped;
+import rsal.device.SonarArray;
+import rsal.device.Subscription;
+import rsal.player.message.Interface;
+import rsal.player.message.Pose3;
+import rsal.player.message.Ranger;
+import rsal.player.message.Sonar;
+import rsal.player.wire.Kind;
+import rsal.player.wire.Packet;
+import rsal.time.Scheduler;
+
+/// Sonars as `sonar`, or as `ranger`.
+final class OfferedSonars extends Offered {
+    private final SonarArray sonars;
+
+    /// @param as `sonar` or `ranger`
+    OfferedSonars(Interface as, int index, SonarArray sonars, Scheduler scheduler) {
+        super(as, index, sonars.info().driver(), scheduler);
+        this.sonars = sonars;
+    }
+
+    @Override
+    Subscription listen() {
+        return sonars.subscribe(this::tell);
+    }
+
+    private void tell(Stamped<RangeArray> reading) {
+        RangeArray round = reading.value();
+        if (interf() == Interface.RANGER) {
+            publish(
+                    Ranger.RANGES,
+                    reading.time(),
+                    new Ranger.Ranges(Measured.doubles(round.ranges(), round.rangeMax())));
+        } else {
+            publish(Sonar.RANGES, reading.time(), new Sonar.Ranges(Measured.floats(round.ranges(), round.rangeMax())));
+        }
+    }
+
+    @Override
+    public boolean understands(Kind kind, int subtype) {
+        return kind == Kind.REQUEST
+                && (interf() == Interface.RANGER
+                        ? subtype == Ranger.GEOMETRY || subtype == Ranger.CONFIGURATION
+                        : subtype == Sonar.GEOMETRY);
+    }
+
+    /// Nothing, before they have measured once.
+    @Override
+    Optional<Answer> answer(Packet request) {
+        int subtype = request.header().subtype();
+        return sonars.latest()
+                .map(Stamped::value)
+                .filter(_ -> understands(Kind.REQUEST, subtype))
+                .map(round -> new Answer.Told(body(round, subtype)));
+    }
+
+    private Record body(RangeArray round, int subtype) {
+        List<Pose3> poses = round.baseFromSensors().stream().map(Offered::pose3).toList();
+        if (interf() == Interface.SONAR) {
+            return new Sonar.Geometry(poses);
+        }
+        if (subtype == Ranger.GEOMETRY) {
+            return new Ranger.Geometry(
+                    new Pose3(0, 0, 0, 0, 0, 0), NO_SIZE, poses, Collections.nCopies(poses.size(), NO_SIZE));
+        }
+        return new Ranger.Configuration(
+                -round.fieldOfView() / 2,
+                round.fieldOfView() / 2,
+                round.fieldOfView(),
+                round.rangeMin(),
+                round.rangeMax(),
+                0,
+                0);
+    }
+}

@@ -1,0 +1,71 @@
+package rsal.player.bridge;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import rsal.device.Battery;
+import rsal.device.BlobFinder;
+import rsal.device.Bumper;
+import rsal.device.Device;
+import rsal.device.DriveBase;
+import rsal.device.FiducialFinder;
+import rsal.device.Gripper;
+import rsal.device.LaserScanner;
+import rsal.device.SonarArray;
+import rsal.player.message.Interface;
+import rsal.robot.Robot;
+import rsal.time.Scheduler;
+
+/// What of robots is offered on one port: each device under the interfaces that Player has for it, counted from 0 over
+/// all robots in their order.
+final class Offers {
+    private final Scheduler scheduler;
+    private final Map<Interface, Integer> next = new EnumMap<>(Interface.class);
+    private final List<Offered> offers = new ArrayList<>();
+
+    private Offers(Scheduler scheduler) {
+        this.scheduler = scheduler;
+    }
+
+    static List<Offered> of(List<Robot> robots, Scheduler scheduler) {
+        var offers = new Offers(scheduler);
+        for (Robot robot : robots) {
+            robot.devices().stream()
+                    .sorted(Comparator.comparing(SonarArray.class::isInstance)) // a laser is the first `ranger`
+                    .forEach(device -> offers.add(robot, device));
+        }
+        return List.copyOf(offers.offers);
+    }
+
+    private int index(Interface interf) {
+        return next.merge(interf, 1, Integer::sum) - 1;
+    }
+
+    private void add(Robot robot, Device device) {
+        switch (device) {
+            case DriveBase base ->
+                offers.add(new OfferedBase(
+                        index(Interface.POSITION2D),
+                        base,
+                        robot.model().footprint(),
+                        robot.model().body().top(),
+                        scheduler));
+            case LaserScanner laser -> {
+                offers.add(new OfferedLaser(Interface.RANGER, index(Interface.RANGER), laser, scheduler));
+                offers.add(new OfferedLaser(Interface.LASER, index(Interface.LASER), laser, scheduler));
+            }
+            case SonarArray sonars -> {
+                offers.add(new OfferedSonars(Interface.RANGER, index(Interface.RANGER), sonars, scheduler));
+                offers.add(new OfferedSonars(Interface.SONAR, index(Interface.SONAR), sonars, scheduler));
+            }
+            case Battery battery -> offers.add(new OfferedBattery(index(Interface.POWER), battery, scheduler));
+            case Bumper bumper -> offers.add(new OfferedBumpers(index(Interface.BUMPER), bumper, scheduler));
+            case BlobFinder camera -> offers.add(new OfferedCamera(index(Interface.BLOBFINDER), camera, scheduler));
+            case FiducialFinder finder -> offers.add(new OfferedMarkers(index(Interface.FIDUCIAL), finder, scheduler));
+            case Gripper gripper -> offers.add(new OfferedGripper(index(Interface.GRIPPER), gripper, scheduler));
+            default -> {} // Player has nothing like it, or it is not offered yet
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package rsal.player.bridge;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.List;
+import rsal.device.Subscription;
+import rsal.player.server.Port;
+import rsal.robot.Robot;
+import rsal.time.Scheduler;
+
+/// Offers robots to Player's clients on one port, for as long as it is open. Opened and closed on the scheduler's
+/// thread.
+public final class PlayerBridge implements AutoCloseable {
+    private final Port port;
+    private final List<Subscription> telling;
+
+    private PlayerBridge(Port port, List<Subscription> telling) {
+        this.port = port;
+        this.telling = telling;
+    }
+
+    /// @param at where to listen; port 0 for any that is free
+    /// @throws IOException when nobody may listen there
+    public static PlayerBridge open(InetSocketAddress at, List<Robot> robots, Scheduler scheduler) throws IOException {
+        List<Offered> offers = Offers.of(robots, scheduler);
+        var port = new Port(at, offers, () -> Offered.seconds(scheduler.instant()));
+        var telling = offers.stream().map(offer -> offer.begin(port)).toList();
+        port.start();
+        return new PlayerBridge(port, telling);
+    }
+
+    public int port() {
+        return port.number();
+    }
+
+    @Override
+    public void close() {
+        port.close();
+        telling.forEach(Subscription::cancel);
+    }
+}
