@@ -31,6 +31,7 @@ final class Peer {
     private final Port port;
     private final OutQueue out = new OutQueue();
     private final Set<Served> subscribed = new HashSet<>(); // guarded by itself
+    private final Set<Served> commanded = new HashSet<>(); // of the thread that reads
     private final AtomicBoolean over = new AtomicBoolean();
 
     Peer(Socket socket, Port port) {
@@ -68,6 +69,7 @@ final class Peer {
             Thread.currentThread().interrupt();
         } finally {
             end();
+            commanded.forEach(Served::close);
         }
     }
 
@@ -117,6 +119,9 @@ final class Peer {
             return; // as Player does
         }
         if (header.kind() == Kind.COMMAND) {
+            if (commanded.add(device)) {
+                device.open(); // it is used until the client is gone, whether it wants its data or not
+            }
             device.command(packet);
         } else if (header.kind() == Kind.REQUEST && header.subtype() == CAPABILITY) {
             reply(packet, device, capability(device, packet));

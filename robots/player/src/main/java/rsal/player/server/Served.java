@@ -16,14 +16,14 @@ public interface Served {
     /// What drives it, for people; at most 63 bytes.
     String driver();
 
-    /// A client wants its data. Called once for each that does.
+    /// A client wants its data, or commands it. Called once for each that does either.
     ///
-    /// @return whether it works; until then the client waits
+    /// @return whether it works; until then a client that wants its data waits
     default CompletionStage<Boolean> open() {
         return CompletableFuture.completedStage(true);
     }
 
-    /// A client that wanted its data does no more.
+    /// A client that wanted its data does no more, or one that commanded it is gone.
     default void close() {}
 
     /// Whether it knows such messages.

@@ -316,11 +316,28 @@ class PortTest {
         raw.nextAnswer();
         assertThat(base.users).as("a client counts once").hasValue(1);
         raw.close();
-        for (int i = 0; i < 500 && port.clients() > 0; i++) {
+        for (int i = 0; i < 500 && (port.clients() > 0 || base.users.get() > 0); i++) {
             TimeUnit.MILLISECONDS.sleep(10);
         }
         assertThat(base.users).hasValue(0);
         assertThat(port.clients()).isZero();
+    }
+
+    @Test
+    void whoOnlyCommandsUsesADeviceUntilItIsGone() throws Exception {
+        var raw = new Raw();
+        var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
+        for (int i = 0; i < 3; i++) {
+            raw.send(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity)
+                    .bytes());
+            base.commands.poll(10, TimeUnit.SECONDS);
+        }
+        assertThat(base.users).hasValue(1);
+        raw.close();
+        for (int i = 0; i < 500 && base.users.get() > 0; i++) {
+            TimeUnit.MILLISECONDS.sleep(10);
+        }
+        assertThat(base.users).hasValue(0);
     }
 
     @Test
