@@ -30,4 +30,9 @@ public interface Delivery {
     ///
     /// @param listener name of the agent that hears it
     default void heard(Message<?> message, String listener) {}
+
+    /// Told when none of the copies on their way [reached][#reaches] an agent: when the last has come in vain.
+    ///
+    /// @param listener name of the agent that does not hear it
+    default void unheard(Message<?> message, String listener) {}
 }

@@ -261,6 +261,7 @@ final class Member implements AgentContext {
         private final Message<?> message;
         private final List<Duration> copies;
         private boolean heard;
+        private int onTheirWay; // to any of its ears
 
         Arrival(Message<?> message, List<Duration> copies) {
             this.message = message;
@@ -271,6 +272,13 @@ final class Member implements AgentContext {
             if (!heard) {
                 heard = true;
                 society.heard(message, name());
+            }
+        }
+
+        /// A copy came late and did not reach it. When that was the last and none has, it has not heard it.
+        void noteInVain() {
+            if (onTheirWay == 0 && !heard) {
+                society.unheard(message, name());
             }
         }
     }
@@ -428,6 +436,7 @@ final class Member implements AgentContext {
                 if (late.isZero()) {
                     hostLane.execute(() -> hear(message, arrival));
                 } else {
+                    arrival.onTheirWay++;
                     hostLane.after(late, Phase.THINK, () -> hearLate(message, arrival));
                 }
             }
@@ -449,8 +458,11 @@ final class Member implements AgentContext {
         }
 
         private void hearLate(Message<M> message, Arrival arrival) {
+            arrival.onTheirWay--;
             if (society.reaches(message, name())) {
                 hear(message, arrival);
+            } else {
+                arrival.noteInVain();
             }
         }
 

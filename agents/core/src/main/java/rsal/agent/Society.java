@@ -104,6 +104,10 @@ public final class Society implements AutoCloseable {
         delivery.heard(message, listener);
     }
 
+    void unheard(Message<?> message, String listener) {
+        delivery.unheard(message, listener);
+    }
+
     /// From now on the names of these topics are theirs alone, also when somebody else uses one of them first.
     ///
     /// @throws IllegalArgumentException when somebody has already, for another type

@@ -140,6 +140,34 @@ class DeliveryTest {
     }
 
     @Test
+    void isToldOnceWhenAllCopiesCameInVain() {
+        run.start("amy", self -> {
+            self.subscribe(WORDS, _ -> {});
+            self.subscribe(WORDS, _ -> {});
+        });
+        startListener("zoe");
+        startSpeaker("bob", "hi");
+        run.society.deliverBy(new Delivery() {
+            @Override
+            public List<Duration> copies(Message<?> message, String listener) {
+                return List.of(Duration.ofSeconds(2), Duration.ofSeconds(1));
+            }
+
+            @Override
+            public boolean reaches(Message<?> message, String listener) {
+                return listener.equals("zoe") && run.scheduler.elapsed().compareTo(Duration.ofSeconds(3)) < 0;
+            }
+
+            @Override
+            public void unheard(Message<?> message, String listener) {
+                log.add("%s did not hear %s, %s".formatted(listener, message.content(), run.scheduler.elapsed()));
+            }
+        });
+        run.advance(5);
+        assertThat(log).containsExactly("zoe heard bob: hi at PT2S", "amy did not hear hi, PT3S");
+    }
+
+    @Test
     void isNotToldOfOneThatHasEndedMeanwhile() {
         startListener("amy");
         startSpeaker("bob", "hi");

@@ -19,7 +19,7 @@ final class Mishaps implements Delivery {
     private final List<Active> active = new ArrayList<>();
     private final Tally silent = new Tally(); // agents
 
-    /// Told of each message that an agent does not hear.
+    /// Told of each message that a mishap keeps an agent from hearing.
     @FunctionalInterface
     interface Lost {
         void note(Message<?> message, String listener);
@@ -66,9 +66,6 @@ final class Mishaps implements Delivery {
 
     @Override
     public List<Duration> copies(Message<?> message, String listener) {
-        if (!silent.isEmpty() && (isSilent(message.sender()) || isSilent(listener))) {
-            return List.of();
-        }
         List<Duration> copies = AT_ONCE;
         for (Active each : active) {
             if (each.strikes(message, listener)) {

@@ -21,7 +21,11 @@ final class Post implements Delivery {
 
     @Override
     public List<Duration> copies(Message<?> message, String listener) {
-        if (faults.isSilent(message.sender()) || faults.isSilent(listener)) {
+        if (faults.isSilent(message.sender())) {
+            return List.of(); // it has not been said
+        }
+        if (faults.isSilent(listener)) {
+            traffic.unheard(message, listener);
             return List.of();
         }
         List<Duration> byRadio = radio.map(way -> way.copies(message, listener)).orElse(AT_ONCE);
@@ -42,5 +46,10 @@ final class Post implements Delivery {
     @Override
     public void heard(Message<?> message, String listener) {
         traffic.heard(message, listener);
+    }
+
+    @Override
+    public void unheard(Message<?> message, String listener) {
+        traffic.unheard(message, listener);
     }
 }

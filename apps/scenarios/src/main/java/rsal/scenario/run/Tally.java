@@ -26,10 +26,6 @@ final class Tally {
         return counts.getOrDefault(name, 0);
     }
 
-    boolean isEmpty() {
-        return counts.isEmpty();
-    }
-
     /// Those that were said more often than taken back.
     Set<String> names() {
         return Set.copyOf(counts.keySet());

@@ -48,11 +48,20 @@ final class Traffic {
     }
 
     void lost(Message<?> message, String listener, Loss why) {
+        journal.hash("lost", message.sender(), message.topic().name(), listener);
+        count(message, listener, why);
+    }
+
+    /// A message does not reach one whose robot is gone. That it is gone has its place in the event hash already.
+    void unheard(Message<?> message, String listener) {
+        count(message, listener, Loss.FAULT);
+    }
+
+    private void count(Message<?> message, String listener, Loss why) {
         observer.messageLost();
         of(message).lost.merge(why, 1L, Long::sum);
-        String topic = message.topic().name();
-        journal.hash("lost", message.sender(), topic, listener);
-        hearings.ifPresent(all -> all.lost(message.sender(), listener, topic));
+        hearings.ifPresent(
+                all -> all.lost(message.sender(), listener, message.topic().name()));
     }
 
     private Counts of(Message<?> message) {

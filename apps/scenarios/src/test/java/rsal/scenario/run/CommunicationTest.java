@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.entry;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
@@ -210,14 +211,18 @@ class CommunicationTest {
     }
 
     @Test
-    void theGoneNeitherHearNorLose() {
+    void whatTheGoneShouldHearIsLostByTheFaultAndTheySayNothing() {
         RunResult result = Runs.result(plan("""
-                communication: {loss: 1}
+                communication: {range: 100}
                 faults: [{kind: gone, robots: west, at: 0}]
                 """));
         assertThat(result.communication())
-                .extracting(one -> one.sender() + " to " + one.listener())
-                .containsExactly("base to bob", "bob to base");
+                .extracting(one -> one.sender() + " to " + one.listener() + (one.heard() > 0 ? "" : ", lost"))
+                .containsExactly("base to amy, lost", "base to bob", "bob to amy, lost", "bob to base");
+        TopicTraffic text = result.topics().getFirst();
+        assertThat(text.lost()).containsExactly(entry(Loss.FAULT, text.said()));
+        assertThat(text.heard()).isEqualTo(text.said());
+        assertThat((long) measure(result, "lost")).isEqualTo(text.said());
     }
 
     @Test

@@ -230,6 +230,7 @@ class FaultsTest {
                 .isEmpty();
         assertThat(run.shown("chat-2", "heard")).isBetween(38, 40);
         assertThat(run.shown("chat-1", "heard")).isBetween(38, 40);
+        assertThat(run.measure("lost")).isCloseTo(60, within(2.0)); // what the other says from then on
     }
 
     @Test
@@ -375,10 +376,22 @@ class FaultsTest {
     }
 
     @Test
-    void whatIsStillOnItsWayToARobotThatIsGoneIsNotHeard() {
+    void whatIsStillOnItsWayToARobotThatIsGoneIsLost() {
         Ended run = run(plan("{kind: late, delay: 2.05}", "{kind: gone, robots: hunter-1, at: 4}"));
         assertThat(run.shown("chat-1", "heard")).isBetween(17, 20);
         assertThat(run.shown("chat-2", "heard")).isBetween(37, 40);
+        assertThat(run.measure("lost")).isCloseTo(80, within(2.0)); // said between 2 s and 10 s
+    }
+
+    @Test
+    void whatComesAgainIsLostWhenNoneOfItIsHeard() {
+        String late = "{kind: late, delay: 2.05}";
+        String gone = "{kind: gone, robots: hunter-1, at: 4}";
+        assertThat(run(plan("{kind: doubled, delay: 0.5}", late, gone)).measure("lost"))
+                .isCloseTo(80, within(2.0)); // said between 2 s and 10 s
+        assertThat(run(plan("{kind: doubled, delay: 3}", "{kind: late, delay: 1.05}", gone.replace("}", ", for: 1}")))
+                        .measure("lost"))
+                .isCloseTo(10, within(1.0)); // said between 4 s and 5 s: all others come before it goes or after
     }
 
     @Test
