@@ -3,7 +3,9 @@ package rsal.cli;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import rsal.scenario.RunPlan;
 import rsal.scenario.run.Hearing;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.TopicTraffic;
@@ -14,6 +16,8 @@ import rsal.scenario.run.TopicTraffic;
 /// @param topics how many messages were said and heard about each, and lost by whichever cause
 /// @param communication empty where the scenario does not limit it
 /// @param failed what went wrong with agents that ended by a mistake of their own, by name
+/// @param arguments all of the scenario, by name
+/// @param with the scenario that joined it; null when none did
 record ResultJson(
         String scenario,
         String configuration,
@@ -25,10 +29,12 @@ record ResultJson(
         Map<String, @Nullable Double> measures,
         List<Topic> topics,
         List<Hearing> communication,
-        Map<String, String> failed) {
+        Map<String, String> failed,
+        Map<String, Object> arguments,
+        Optional<String> with) {
     record Topic(String topic, long said, long heard, long lost) {}
 
-    static ResultJson of(RunResult result) {
+    static ResultJson of(RunPlan plan, RunResult result) {
         var measures = new LinkedHashMap<String, @Nullable Double>();
         result.measures().forEach((name, value) -> measures.put(name, value.isPresent() ? value.getAsDouble() : null));
         return new ResultJson(
@@ -42,7 +48,9 @@ record ResultJson(
                 measures,
                 result.topics().stream().map(ResultJson::topic).toList(),
                 result.communication(),
-                result.failed());
+                result.failed(),
+                plan.arguments(),
+                plan.with());
     }
 
     private static Topic topic(TopicTraffic all) {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Hearing;
 import rsal.scenario.run.RunResult;
@@ -12,8 +13,12 @@ import rsal.scenario.run.RunResult;
 record ResultText(RunPlan plan, RunResult result) {
     @Override
     public String toString() {
-        var table = new Table("  ")
-                .row("outcome", result.outcome())
+        var table = new Table("  ");
+        String set = set();
+        if (!set.isEmpty()) {
+            table.row("set", set);
+        }
+        table.row("outcome", result.outcome())
                 .row(
                         "time",
                         String.format(
@@ -27,7 +32,15 @@ record ResultText(RunPlan plan, RunResult result) {
             table.row("communication", heard(result.communication()));
         }
         table.row("event hash", result.eventHash());
-        return "%s:%s, seed %d\n".formatted(result.scenario(), result.configuration(), result.seed()) + table;
+        String joined = plan.with().map(" with %s"::formatted).orElse("");
+        return "%s:%s%s, seed %d\n".formatted(result.scenario(), result.configuration(), joined, result.seed()) + table;
+    }
+
+    /// What whoever started the run has set: `guards=3, places=0 -1`.
+    private String set() {
+        return plan.options().arguments().keySet().stream()
+                .map(name -> name + "=" + plan.arguments().get(name))
+                .collect(Collectors.joining(", "));
     }
 
     private static String heard(List<Hearing> all) {

@@ -180,7 +180,7 @@ final class RunCommand extends Subcommand {
 
     private void print(RunPlan plan, RunResult result) {
         if (json) {
-            printJson(ResultJson.of(result));
+            printJson(ResultJson.of(plan, result));
         } else {
             out().print(new ResultText(plan, result));
             out().flush();

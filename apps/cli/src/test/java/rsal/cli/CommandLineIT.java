@@ -332,7 +332,9 @@ class CommandLineIT {
                         "measures",
                         "topics",
                         "communication",
-                        "failed");
+                        "failed",
+                        "arguments",
+                        "with");
         assertThat(result.get("scenario").stringValue()).isEqualTo("guard");
         assertThat(result.get("configuration").stringValue()).isEqualTo("short");
         assertThat(result.get("seed").longValue()).isEqualTo(7);

@@ -1,0 +1,58 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.RunResult;
+
+class ResultTest {
+    private static RunPlan plan(RunOptions options) {
+        return Scenario.load("patrol").plan(options);
+    }
+
+    private static RunResult result(RunPlan plan) {
+        return new RunResult(
+                plan.scenario().name(),
+                plan.configuration(),
+                plan.seed(),
+                "success",
+                1,
+                2,
+                "abc",
+                Map.of(),
+                List.of(),
+                Map.of(),
+                List.of(),
+                List.of());
+    }
+
+    @Test
+    void tellsWhatWasSetAndWhoJoined() {
+        RunPlan plan = plan(
+                RunOptions.NONE.withArguments(Map.of("guards", "3")).withSeed(4).withJoined("distribution:found"));
+        assertThat(new ResultText(plan, result(plan)).toString())
+                .startsWith("patrol:virtual with distribution:found, seed 4\n")
+                .containsPattern("set +guards=3\n");
+        ResultJson json = ResultJson.of(plan, result(plan));
+        assertThat(json.with()).contains("distribution:found");
+        assertThat(json.arguments()).containsEntry("guards", 3L).containsKeys(argumentsOf(plan));
+    }
+
+    private static String[] argumentsOf(RunPlan plan) {
+        return plan.arguments().keySet().toArray(String[]::new);
+    }
+
+    @Test
+    void saysNothingOfThatWhenItIsAsTheScenarioHasIt() {
+        RunPlan plan = plan(RunOptions.NONE.withSeed(4));
+        assertThat(new ResultText(plan, result(plan)).toString())
+                .startsWith("patrol:virtual, seed 4\n")
+                .doesNotContain("set ");
+        assertThat(ResultJson.of(plan, result(plan)).with()).isEmpty();
+    }
+}
