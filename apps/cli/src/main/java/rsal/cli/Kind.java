@@ -98,6 +98,11 @@ record Kind(
                 .toList();
     }
 
+    /// Whether it is called like that: `patrol`, or, where a scenario has that name, `agent:patrol`.
+    boolean is(String typed) {
+        return typed.equals(name) || typed.equals(kind + ":" + name);
+    }
+
     /// Whether it is a driver that can be told to use something, as `vfh`.
     boolean offers(String choice) {
         return kind.equals("driver") && settings.stream().anyMatch(setting -> setting.options.contains(choice));
@@ -134,6 +139,11 @@ record Kind(
         settings.forEach(
                 s -> table.row(s.name, s.value.map(Kind::written).orElse("must be given"), s.expected, s.description));
         return text.append(table).toString();
+    }
+
+    /// How to show it where what it shares its name with is shown.
+    String alsoText() {
+        return "%n(%s) is also %s: rsal show %s:%s%n".formatted(name, title(), kind, name);
     }
 
     private String title() {

@@ -61,15 +61,15 @@ final class ShowCommand extends Subcommand {
                     spec.commandLine(), "Only worlds (FILE.world.yaml, FILE.world, FILE.cfg) are drawn.");
         }
         List<Kind> all = Kind.all();
-        List<Kind> named = all.stream().filter(kind -> kind.name().equals(name)).toList();
+        List<Kind> named = all.stream().filter(kind -> kind.is(name)).toList();
         List<Kind> found = named.isEmpty()
                 ? all.stream()
                         .filter(kind -> kind.offers(name))
                         .map(kind -> kind.about(name))
                         .toList()
                 : named;
-        if (found.isEmpty()) {
-            show(ScenarioReference.parse(name), all);
+        if (found.isEmpty() || scenarios().contains(name)) {
+            show(ScenarioReference.parse(name), all, found);
         } else if (json) {
             printJson(Map.of("found", found));
         } else {
@@ -106,7 +106,12 @@ final class ShowCommand extends Subcommand {
         }
     }
 
-    private void show(ScenarioReference reference, List<Kind> others) {
+    private static List<String> scenarios() {
+        return Scenario.builtIn().stream().map(Scenario::name).toList();
+    }
+
+    /// @param namesakes what goes by the scenario's name, too
+    private void show(ScenarioReference reference, List<Kind> others, List<Kind> namesakes) {
         checkName(reference.nameOrFile(), others);
         Scenario scenario = reference.load();
         var options = reference
@@ -117,13 +122,14 @@ final class ShowCommand extends Subcommand {
         if (json) {
             printJson(shown);
         } else {
-            print(ScenarioText.of(shown));
+            print(ScenarioText.of(shown)
+                    + namesakes.stream().map(Kind::alsoText).collect(Collectors.joining()));
         }
     }
 
     /// A mistyped name of something else is no file that is missing.
     private static void checkName(String typed, List<Kind> others) {
-        List<String> scenarios = Scenario.builtIn().stream().map(Scenario::name).toList();
+        List<String> scenarios = scenarios();
         if (scenarios.contains(typed)) {
             return; // an agent may be called like it
         }
