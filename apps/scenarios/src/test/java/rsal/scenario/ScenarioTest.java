@@ -422,6 +422,27 @@ class ScenarioTest {
     }
 
     @Test
+    void thoseThatCountRobotsThatAreGoneCountAllThatMayGo() {
+        for (String name : List.of("rescue", "find-and-collect", "foraging")) {
+            RunPlan plan = Scenario.load(name).plan(RunOptions.NONE.withConfiguration("faulty"));
+            var counted = plan.measures().stream()
+                    .map(measure -> measure.from().toString())
+                    .toList();
+            var mayGo = plan.robots().stream()
+                    .map(RunPlan.PlannedRobot::spec)
+                    .filter(robot -> plan.faults().stream()
+                            .filter(fault -> fault.kind().equals("gone"))
+                            .anyMatch(fault -> fault.targets().stream()
+                                    .anyMatch(target -> target.name().equals(robot.id()))))
+                    .map(robot -> "count(gone(%s))".formatted(robot.role()))
+                    .distinct()
+                    .toList();
+            assertThat(mayGo).as(name).isNotEmpty();
+            assertThat(counted).as(name).containsAll(mayGo);
+        }
+    }
+
+    @Test
     void configurationsLimitCommunicationLikeAnythingElse() {
         String limited = GOOD.replace("mas: {use", "communication: {range: 15, loss: 0.1, delay: 0.1}\nmas: {use")
                 + "    communication: {loss: 0, behindWalls: 5, delay: [0.02, 0.1], bandwidth: 50}\n";
