@@ -73,8 +73,8 @@ final class PlanReader {
         Value.Mapping body =
                 ArgumentReader.replace(merged.without("arguments"), scenario.arguments(), arguments, problems);
         var root = new Section("", body, problems);
-        for (String header : List.of("rsal", "scenario", "title", "description")) {
-            root.has(header); // Scenario has read them
+        for (String read : List.of("rsal", "scenario", "title", "description", "arguments", "configurations")) {
+            root.has(read); // by Scenario
         }
 
         Section run = root.section("run");
@@ -192,7 +192,7 @@ final class PlanReader {
 
     /// What says what the whole scenario is can't differ between its configurations.
     private void checkOverlay(Value.Mapping overlay) {
-        for (String key : List.of("rsal", "scenario", "description", "arguments")) {
+        for (String key : List.of("rsal", "scenario", "description", "arguments", "configurations")) {
             if (overlay.find(key).isPresent()) {
                 problems.add(
                         overlay.keys().getOrDefault(key, overlay.location()),

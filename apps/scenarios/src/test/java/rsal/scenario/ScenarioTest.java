@@ -212,6 +212,16 @@ class ScenarioTest {
     /// Each line: what to replace in the good scenario, by what, and what the message must hold.
     static List<List<String>> wrong() {
         return List.of(
+                List.of(
+                        "configurations:",
+                        "configuratons:",
+                        "(configuratons) is not known here",
+                        "Maybe (configurations)"),
+                List.of("arguments:", "argumnts:", "good.yaml:4:1: (argumnts) is not known here", "Maybe (arguments)"),
+                List.of(
+                        "first: {title: As it is}",
+                        "first: {configurations: {}}",
+                        "(configurations) can't be changed by a configuration"),
                 List.of("title: A good", "titel: A good", "good.yaml:3:1: (titel) is not known here", "Maybe (title)"),
                 List.of("rsal: 1", "rsal: 2", "good.yaml:1:7", "(rsal) is the version of the format: 1"),
                 List.of("scenario: good\n", "", "(scenario) is missing"),
