@@ -51,10 +51,27 @@ record Catalog(
     ///
     /// @param what to call it in the message
     static <P> Optional<P> find(String what, Map<String, P> known, String key, Location at, Problems problems) {
+        return find(what, known, key, at, "", problems);
+    }
+
+    private static <P> Optional<P> find(
+            String what, Map<String, P> known, String key, Location at, String advice, Problems problems) {
         Optional<P> found = Optional.ofNullable(known.get(key));
         if (found.isEmpty()) {
-            problems.add(at, "There is no %s (%s).".formatted(what, key), Suggestion.among(key, known.keySet()));
+            problems.add(
+                    at, "There is no %s (%s).".formatted(what, key), Suggestion.among(key, known.keySet()) + advice);
         }
         return found;
+    }
+
+    /// A type of agent, of which people write their own.
+    Optional<AgentType> agent(String key, Location at, Problems problems) {
+        return find(
+                "type of agent",
+                agents,
+                key,
+                at,
+                " A class of your own needs a line in META-INF/services/%s.".formatted(AgentType.class.getName()),
+                problems);
     }
 }

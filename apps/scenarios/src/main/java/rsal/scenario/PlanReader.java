@@ -424,9 +424,7 @@ final class PlanReader {
 
     private Optional<AgentType> type(Section agent) {
         String key = agent.text("type");
-        return key.isEmpty()
-                ? Optional.empty()
-                : Catalog.find("type of agent", catalog.agents(), key, agent.locationOf("type"), problems);
+        return key.isEmpty() ? Optional.empty() : catalog.agent(key, agent.locationOf("type"), problems);
     }
 
     private void checkNumber(int agents, Location at) {

@@ -280,6 +280,12 @@ class ScenarioTest {
                         "type: wanderrer, robot: prey",
                         "no type of agent (wanderrer)",
                         "Maybe (wanderer)"),
+                List.of(
+                        "type: wanderer, robot: prey",
+                        "type: zebra, robot: prey",
+                        "no type of agent (zebra)",
+                        "Known are:",
+                        "A class of your own needs a line in META-INF/services/rsal.agent.AgentType."),
                 List.of("robot: hunter", "robot: huntr", "No robots have the role (huntr)", "Maybe (hunter)"),
                 List.of(
                         "chase: {type: wanderer, robot: hunter}",
