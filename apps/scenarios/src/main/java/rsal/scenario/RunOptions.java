@@ -49,6 +49,13 @@ public record RunOptions(
         return new RunOptions(configuration, typed, seed, mas, mrs, with, limit, speed);
     }
 
+    /// The same with the value that the scenario has for an argument.
+    RunOptions withoutArgument(String name) {
+        var others = new LinkedHashMap<>(arguments);
+        others.remove(name);
+        return withArguments(others);
+    }
+
     public RunOptions withSeed(long number) {
         return new RunOptions(configuration, arguments, OptionalLong.of(number), mas, mrs, with, limit, speed);
     }

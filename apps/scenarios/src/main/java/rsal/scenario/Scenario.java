@@ -201,6 +201,14 @@ public final class Scenario {
     ///
     /// @throws InvalidSettings with every mistake of the scenario and the options
     public RunPlan plan(RunOptions options) {
+        try {
+            return planned(options);
+        } catch (InvalidSettings e) {
+            throw new InvalidSettings(new Blame(options, this::mistakes).of(e.problems()));
+        }
+    }
+
+    private RunPlan planned(RunOptions options) {
         return new PlanReader(this, options, Catalog.installed()).read();
     }
 
@@ -242,7 +250,7 @@ public final class Scenario {
 
     private List<Problem> mistakes(RunOptions options) {
         try {
-            plan(options);
+            planned(options);
             return List.of();
         } catch (InvalidSettings e) {
             return e.problems();

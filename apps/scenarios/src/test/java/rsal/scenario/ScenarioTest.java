@@ -686,6 +686,20 @@ class ScenarioTest {
     }
 
     @Test
+    void mistakesThatComeOfWhatWasSetSaySo() {
+        String mistaken = GOOD.replace("robot: hunter}", "robot: huntr}");
+        assertThatThrownBy(() ->
+                        scenario(mistaken).plan(RunOptions.NONE.withArguments(Map.of("start", "900", "hunters", "3"))))
+                .hasMessageContaining("good.yaml:13:11: Robot (prey)")
+                .hasMessageContaining("It comes of --set start=900.")
+                .hasMessageContaining("(huntr)")
+                .message()
+                .containsOnlyOnce("--set");
+        assertThatThrownBy(() -> scenario(GOOD).plan(RunOptions.NONE.withArguments(Map.of("hunters", "many"))))
+                .hasMessageNotContaining("It comes of");
+    }
+
+    @Test
     void mistakesOfOptionsAreToldToo() {
         Scenario scenario = scenario(GOOD);
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withConfiguration("secnd")))
