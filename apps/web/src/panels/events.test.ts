@@ -37,8 +37,8 @@ it('what is seen again and again is one line with the newest', () =>
     ]),
   ).toEqual([
     'escape-2 ×1 I see hunter-1 at (8.00, -1.57, -162°)',
-    'hunt ×1 hunting prey-1',
     'escape-1 ×3 I see hunter-1 at (8.00, -1.57, -162°)',
+    'hunt ×1 hunting prey-1',
   ]));
 
 it('calls for bids to several agents are one line, and again after half a minute', () => {

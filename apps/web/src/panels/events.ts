@@ -66,7 +66,7 @@ function topic({ event, partners, gist }: EventLine): string {
 
 /**
  * The newest events, newest first, at most so many lines: what one agent says again and again within half a minute is
- * one line, at the place of the first. Looks only as far back as it must.
+ * one line, at the place of the newest. Looks only as far back as it must.
  */
 export function foldEvents(events: readonly EventInfo[], most: number): EventLine[] {
   const lines: EventLine[] = [];
@@ -95,5 +95,5 @@ export function foldEvents(events: readonly EventInfo[], most: number): EventLin
       }
     }
   }
-  return lines.sort((one, other) => other.first - one.first).slice(0, most);
+  return lines.slice(0, most);
 }
