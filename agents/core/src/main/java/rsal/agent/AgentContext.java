@@ -11,8 +11,11 @@ import rsal.device.Subscription;
 import rsal.robot.Robot;
 import rsal.time.Scheduler;
 
-/// What an agent is given at its start. May be used only on the agent's lane, but for `scheduler().execute`,
-/// which is the only thread-safe way in. When the agent ends, so do all its subscriptions, tasks and notes.
+/// What an agent is given at its start. May be used only on the agent's lane: another thread may ask for its name, its
+/// role and the time (`scheduler().instant()`), and hand over what is to be done (`scheduler().execute(...)`). Anything
+/// else it is refused by an [IllegalStateException], and the agent is ended, as equal runs would differ.
+///
+/// When the agent ends, so do all its subscriptions, tasks and notes.
 public interface AgentContext {
     /// Unique in a run.
     String name();

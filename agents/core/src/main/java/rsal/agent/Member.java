@@ -57,6 +57,7 @@ final class Member implements AgentContext {
     private final Map<Class<?>, Supplier<?>> views = new HashMap<>(); // for those who look
     private final Set<Subscription> held = new LinkedHashSet<>();
     private @Nullable Agent agent;
+    private volatile @Nullable Thread thread; // where its code ran last; others only compare it with their own
     private Society.Status status = Society.Status.RUNNING;
     private String state = "";
     private long sent;
@@ -116,6 +117,7 @@ final class Member implements AgentContext {
         if (status != Society.Status.RUNNING) {
             return;
         }
+        settle();
         boolean begins = turn.begin();
         try {
             code.accept(value);
@@ -125,6 +127,30 @@ final class Member implements AgentContext {
             if (begins) {
                 turn.end();
             }
+        }
+    }
+
+    /// The run may go on on another thread than before.
+    private void settle() {
+        Thread here = Thread.currentThread();
+        if (!here.equals(thread)) {
+            thread = here;
+        }
+    }
+
+    /// Refuses what is called from a thread of the agent's own. That thread may keep to itself what it is thrown, so
+    /// the agent is ended on its lane as well.
+    ///
+    /// @param call name of it
+    private void onLane(String call) {
+        if (!Thread.currentThread().equals(thread)) {
+            var misuse = new IllegalStateException(
+                    "Agent (%s) called (%s) on thread (%s), not on its lane, so equal runs would differ. Maybe hand it over: self.scheduler().execute(() -> ...)."
+                            .formatted(name(), call, Thread.currentThread().getName()));
+            hostLane.execute(() -> act(misuse, thrown -> {
+                throw thrown;
+            }));
+            throw misuse;
         }
     }
 
@@ -140,7 +166,8 @@ final class Member implements AgentContext {
         status = how;
         List.copyOf(held).reversed().forEach(this::letGo);
         if (how == Society.Status.FAILED) {
-            robot().flatMap(robot -> robot.find(DriveBase.class))
+            spec.robot()
+                    .flatMap(robot -> robot.find(DriveBase.class))
                     .ifPresent(base -> letGo(() -> base.command(Twist2d.STOP)));
         }
         society.went(this, reason);
@@ -205,6 +232,7 @@ final class Member implements AgentContext {
 
     @Override
     public Optional<Robot> robot() {
+        onLane("robot");
         return spec.robot();
     }
 
@@ -215,11 +243,13 @@ final class Member implements AgentContext {
 
     @Override
     public RandomGenerator random() {
+        onLane("random");
         return random;
     }
 
     @Override
     public <M> void publish(Topic<M> topic, M message) {
+        onLane("publish");
         if (status == Society.Status.RUNNING) {
             countWhatItSetsOff();
             sent++;
@@ -229,6 +259,7 @@ final class Member implements AgentContext {
 
     @Override
     public <M> void send(String to, Topic<M> topic, M message) {
+        onLane("send");
         if (status == Society.Status.RUNNING) {
             if (society.member(to).filter(asker -> asker.paysFor(name())).isEmpty()) {
                 countWhatItSetsOff();
@@ -241,6 +272,7 @@ final class Member implements AgentContext {
 
     @Override
     public <M> Subscription subscribe(Topic<M> topic, Interest<M> interest, Consumer<? super Message<M>> listener) {
+        onLane("subscribe");
         return new MessageEar<>(interest, listener)
                 .listenTo(ear -> society.channel(topic, name()).add(name(), ear));
     }
@@ -285,6 +317,7 @@ final class Member implements AgentContext {
 
     @Override
     public <T> Subscription subscribe(Sensor<T> sensor, Consumer<? super Stamped<T>> listener) {
+        onLane("subscribe");
         return new Ear<Stamped<T>>(listener) {
             @Override
             public void accept(Stamped<T> reading) {
@@ -295,31 +328,39 @@ final class Member implements AgentContext {
 
     @Override
     public Directory directory() {
+        onLane("directory");
         return directory;
     }
 
     @Override
     public Subscription offer(Capability capability) {
+        onLane("offer");
         if (status != Society.Status.RUNNING) {
             return () -> {};
         }
         countWhatItSetsOff();
         society.offer(entry, capability);
-        return () -> society.withdraw(entry, capability);
+        return () -> {
+            onLane("cancel");
+            society.withdraw(entry, capability);
+        };
     }
 
     @Override
     public Blackboard blackboard() {
+        onLane("blackboard");
         return blackboard;
     }
 
     @Override
     public Optional<SimulationControl> simulation() {
+        onLane("simulation");
         return society.simulation();
     }
 
     @Override
     public void state(String words) {
+        onLane("state");
         if (status == Society.Status.RUNNING && !words.equals(state)) {
             state = words;
             society.changed(this);
@@ -328,11 +369,13 @@ final class Member implements AgentContext {
 
     @Override
     public void show(String name, String belief) {
+        onLane("show");
         beliefs.put(name, belief);
     }
 
     @Override
     public <T> void reveal(Class<T> type, Supplier<? extends T> view) {
+        onLane("reveal");
         views.put(type, view);
     }
 
@@ -342,6 +385,7 @@ final class Member implements AgentContext {
         if (view == null) {
             return Optional.empty();
         }
+        settle();
         boolean begins = turn.begin();
         try {
             return Optional.of(type.cast(view.get()));
@@ -357,6 +401,7 @@ final class Member implements AgentContext {
 
     @Override
     public void atEnd(Runnable lettingGo) {
+        onLane("atEnd");
         hold(lettingGo::run);
     }
 
@@ -401,6 +446,7 @@ final class Member implements AgentContext {
 
         @Override
         public void cancel() {
+            onLane("cancel");
             open = false;
             held.remove(this);
             source.cancel();
@@ -495,15 +541,18 @@ final class Member implements AgentContext {
 
         @Override
         public Task after(Duration delay, Phase phase, Runnable task) {
+            onLane("after");
             return hostLane.after(delay, phase, () -> turn(task));
         }
 
         @Override
         public Task every(Duration period, Phase phase, Runnable task) {
+            onLane("every");
             Task beats = hostLane.every(period, phase, () -> turn(task));
             Subscription untilEnd = beats::cancel;
             hold(untilEnd);
             return () -> {
+                onLane("cancel");
                 held.remove(untilEnd);
                 beats.cancel();
             };
@@ -511,11 +560,13 @@ final class Member implements AgentContext {
 
         @Override
         public <T> CompletionStage<T> within(Duration limit, CompletionStage<T> stage) {
+            onLane("within");
             return hostLane.within(limit, stage);
         }
 
         @Override
         public <T> CompletionStage<T> compute(Supplier<T> work) {
+            onLane("compute");
             return hostLane.compute(work);
         }
     }
@@ -524,21 +575,25 @@ final class Member implements AgentContext {
     private final class Others implements Directory {
         @Override
         public List<Entry> agents() {
+            onLane("agents");
             return society.directory().agents();
         }
 
         @Override
         public List<Capability> capabilities(String agent) {
+            onLane("capabilities");
             return society.directory().capabilities(agent);
         }
 
         @Override
         public Subscription onChange(Consumer<? super Change> listener) {
+            onLane("onChange");
             return new Ear<Change>(listener).listenTo(society.directory()::onChange);
         }
 
         @Override
         public Subscription onDeparture(Consumer<? super Change.Went> listener) {
+            onLane("onDeparture");
             return new Ear<Change.Went>(listener).listenTo(society.directory()::onDeparture);
         }
     }

@@ -6,15 +6,24 @@ import static rsal.agent.Run.WORDS;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import rsal.agent.Directory.Change;
 import rsal.agent.Society.Status;
 import rsal.agents.FakeRobot;
 import rsal.data.Twist2d;
 import rsal.device.Subscription;
+import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
 
 class SocietyTest {
@@ -313,6 +322,95 @@ class SocietyTest {
         run.start("eve", self -> self.scheduler().after(Duration.ofMillis(500), () -> self.publish(WORDS, "hi")));
         run.advance(2);
         assertThat(log).containsExactly("heard");
+    }
+
+    /// All that belongs on the agent's lane, by name; each as a call that another thread tries.
+    private static Stream<Named<Consumer<AgentContext>>> callsOfItsLane() {
+        Map<String, Consumer<AgentContext>> calls = new LinkedHashMap<>();
+        calls.put("robot", AgentContext::robot);
+        calls.put("random", AgentContext::random);
+        calls.put("publish", self -> self.publish(WORDS, "hi"));
+        calls.put("send", self -> self.send("amy", WORDS, "hi"));
+        calls.put("subscribe", self -> self.subscribe(WORDS, _ -> {}));
+        calls.put(
+                "subscribe to a device",
+                self -> self.subscribe(new FakeRobot("bot", "tested", new LockstepScheduler()).base, _ -> {}));
+        calls.put("offer", self -> self.offer(Capability.of("gripper")));
+        calls.put("directory", AgentContext::directory);
+        calls.put("blackboard", AgentContext::blackboard);
+        calls.put("simulation", AgentContext::simulation);
+        calls.put("state", self -> self.state("idle"));
+        calls.put("show", self -> self.show("mood", "good"));
+        calls.put("reveal", self -> self.reveal(String.class, () -> "all"));
+        calls.put("atEnd", self -> self.atEnd(() -> {}));
+        calls.put("after", self -> self.scheduler().after(Duration.ZERO, () -> {}));
+        calls.put("every", self -> self.scheduler().every(Duration.ofSeconds(1), () -> {}));
+        calls.put("within", self -> self.scheduler().within(Duration.ZERO, new CompletableFuture<String>()));
+        calls.put("compute", self -> self.scheduler().compute(() -> "done"));
+        return calls.entrySet().stream().map(call -> Named.of(call.getKey(), call.getValue()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("callsOfItsLane")
+    void callFromAnotherThreadIsRefusedAndEndsTheAgent(Consumer<AgentContext> call) {
+        var thrown = new CompletableFuture<String>();
+        run.startListener("amy", log::add);
+        run.start(
+                "bob",
+                self -> self.scheduler()
+                        .after(
+                                Duration.ofSeconds(1),
+                                () -> elsewhere(() -> {
+                                    try {
+                                        call.accept(self);
+                                        thrown.complete("nothing");
+                                    } catch (IllegalStateException e) {
+                                        thrown.complete(e.getMessage());
+                                    }
+                                })));
+        run.advance(2);
+        assertThat(thrown.join()).contains("(bob)", "self.scheduler().execute(");
+        run.advance(1); // what another thread hands in runs at the beginning of an advance
+        assertThat(run.view("bob").status()).isEqualTo(Status.FAILED);
+        assertThat(run.view("bob").state()).isEqualTo(thrown.join());
+        assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
+        assertThat(log).isEmpty();
+    }
+
+    @Test
+    void anotherThreadMayAskTheTimeAndHandOver() {
+        run.startListener("amy", log::add);
+        run.start(
+                "bob",
+                self -> self.scheduler()
+                        .after(
+                                Duration.ofSeconds(1),
+                                () -> elsewhere(() -> {
+                                    String words = self.name() + " the " + self.role() + " at "
+                                            + self.scheduler().instant();
+                                    self.scheduler().execute(() -> self.publish(WORDS, words));
+                                })));
+        run.advance(2);
+        run.advance(1);
+        assertThat(log).containsExactly("bob: bob the tested at 1970-01-01T00:00:01Z");
+    }
+
+    /// A run may pause on one thread and go on on another.
+    @Test
+    void laneIsWhereTheAgentRunsNow() {
+        run.startListener("amy", log::add);
+        run.start("bob", self -> self.scheduler().every(Duration.ofSeconds(1), () -> self.publish(WORDS, "beat")));
+        run.advance(1.5);
+        elsewhere(() -> run.advance(1));
+        assertThat(log).containsExactly("bob: beat", "bob: beat");
+    }
+
+    private static void elsewhere(Runnable task) {
+        try {
+            Thread.ofPlatform().start(task).join();
+        } catch (InterruptedException e) {
+            throw new AssertionError("Nobody interrupts it.", e);
+        }
     }
 
     @Test
