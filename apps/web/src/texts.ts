@@ -109,6 +109,8 @@ export const texts = {
     ambiguousHint: 'Ambiguous: what it measures fits as well elsewhere, or anywhere along a corridor',
     devices: 'Devices',
     stalled: 'stalled',
+    gone: 'gone',
+    goneHint: 'A fault has taken it away: it senses nothing, hears nobody and can be told nothing',
     unknown: '–',
     send: 'Send on the map',
     saveMap: 'Save its map',
@@ -163,6 +165,7 @@ export const texts = {
   agents: {
     title: 'Agents',
     sent: (count: number) => `${count} messages`,
+    gone: 'its robot is gone',
     messages: 'Last messages',
     none: 'No agents run.',
     look: (name: string) => `Look into ${name}`,

@@ -253,6 +253,7 @@ export interface Restart {
 
 export interface RobotDetails {
   id: string;
+  gone: boolean;
   inCharge: string;
   behavior: string;
   driver: string;

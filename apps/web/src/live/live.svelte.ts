@@ -100,6 +100,12 @@ class Live implements Listener {
     return (this.info?.robots ?? []).flatMap(({ id }, i) => (there === null || there.has(id) ? [i] : []));
   }
 
+  /** Indices of those that a fault has taken away; some of them stand where they were. */
+  get gone(): ReadonlySet<number> {
+    const gone = new Set(this.details?.robots.filter((robot) => robot.gone).map(({ id }) => id));
+    return new Set((this.info?.robots ?? []).flatMap(({ id }, i) => (gone.has(id) ? [i] : [])));
+  }
+
   /** Whether it goes on by itself. */
   get going(): boolean {
     return this.frame !== null && !this.frame.paused && !this.over;

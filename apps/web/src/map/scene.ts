@@ -12,6 +12,8 @@ export interface Scene {
   frame: Frame;
   /** Where robots are drawn, in the order of the run's robots. */
   poses: (Pose | null)[];
+  /** Robots that a fault has taken away. */
+  gone: ReadonlySet<number>;
   things: Things;
   /** Things that are elsewhere than was told, by number. */
   moved: ReadonlyMap<number, MovedThing>;

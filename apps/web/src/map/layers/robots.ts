@@ -9,6 +9,8 @@ import { enter } from './frames';
 
 /** A robot is drawn at least this long [px], so that it is seen on a large map. */
 const LEAST_PIXELS = 18;
+/** Of robots that a fault has taken away. */
+const GONE = '#8a93a1';
 const PADDLES = '#5b6576';
 /** Radius of a light, and of its shine [m]. */
 const LAMP = 0.05;
@@ -18,14 +20,20 @@ const LIGHT = 0.72;
 export const HANDLE_PIXELS = 5;
 
 /** Robots: outline and heading. */
-export const drawRobots: Layer = (context, { info, frame, poses, view, palette, selected }) => {
+export const drawRobots: Layer = (context, { info, frame, poses, gone, view, palette, selected }) => {
   info.robots.forEach((robot, i) => {
     const pose = poses[i];
     if (!pose) {
       return;
     }
     const { color, footprint } = robot;
-    drawRobot(context, pose, robot, view.scale, palette, frame.robots[i]);
+    if (gone.has(i)) {
+      context.globalAlpha = 0.6;
+      drawRobot(context, pose, { ...robot, color: GONE, pieces: [] }, view.scale, palette);
+      context.globalAlpha = 1;
+    } else {
+      drawRobot(context, pose, robot, view.scale, palette, frame.robots[i]);
+    }
     if (frame.robots[i]!.stalled) {
       drawRing(context, pose, footprint, view.scale, palette.text, [4, 4]);
     }

@@ -259,6 +259,7 @@ final class Descriptions {
     private static RobotDetails robot(RobotView robot) {
         return new RobotDetails(
                 robot.id(),
+                robot.gone(),
                 robot.inCharge(),
                 robot.behavior(),
                 robot.driver(),

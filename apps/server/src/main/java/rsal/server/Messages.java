@@ -189,6 +189,7 @@ final class Messages {
             List<String> outOfBounds,
             String failure) {}
 
+    /// @param gone whether a fault has taken it away: it can't be told anything
     /// @param inCharge behavior that drives it, or its navigator; empty when neither does
     /// @param behavior what somebody told it to do, as an [Order] does; empty when nobody did
     /// @param driver who drives it, as [Drive] has it; empty when nobody does
@@ -196,6 +197,7 @@ final class Messages {
     /// @param map that it has drawn itself so far
     record RobotDetails(
             String id,
+            boolean gone,
             String inCharge,
             String behavior,
             String driver,

@@ -154,6 +154,7 @@ class FrameEncoderTest {
                 "hunter",
                 "#0072b2",
                 "pioneer3at",
+                false,
                 Optional.of(new Pose2d(-12.345, 6.789, -2.5)),
                 Optional.of(stamped(new Odometry(Pose2d.ORIGIN, new Twist2d(0.4, 0, -0.25), true))),
                 Optional.of(stamped(
@@ -204,6 +205,7 @@ class FrameEncoderTest {
                 "hunter",
                 "#0072b2",
                 "pioneer3at",
+                false,
                 truth,
                 Optional.empty(),
                 estimate,

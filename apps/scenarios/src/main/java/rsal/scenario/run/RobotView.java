@@ -17,12 +17,13 @@ import rsal.data.Stamped;
 ///
 /// @param color `#rrggbb`
 /// @param model name of its model
+/// @param gone whether a fault has taken it away
 /// @param truth where it really is, in the map frame; empty outside of simulated worlds
 /// @param map as it has drawn it itself so far, in the map frame
 /// @param path the way its navigator intends to take
 /// @param goal where its navigator drives to
 /// @param inCharge name of the behavior that drives it, or of its navigator; empty when an agent drives it, or a
-/// person, or nobody
+/// person, or nobody, as when it is gone
 /// @param behavior what a person told it to do, as [LiveRun#behave] has it; empty when nobody did
 /// @param driver who drives it by keys, as [LiveRun#drive] has it; empty when nobody does
 /// @param lit whether its light shines
@@ -31,6 +32,7 @@ public record RobotView(
         String role,
         String color,
         String model,
+        boolean gone,
         Optional<Pose2d> truth,
         Optional<Stamped<Odometry>> odometry,
         Optional<Stamped<PoseEstimate>> estimate,

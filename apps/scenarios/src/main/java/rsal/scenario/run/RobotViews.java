@@ -72,6 +72,7 @@ final class RobotViews {
                 robot.role(),
                 spec.color(),
                 robot.model().name(),
+                faults.isGone(id),
                 world.truth(id),
                 robot.find(DriveBase.class).filter(_ -> there).flatMap(DriveBase::latest),
                 localizer.flatMap(Localizer::latest).filter(estimate -> placements.isOfHere(id, estimate)),
@@ -87,6 +88,7 @@ final class RobotViews {
                 navigator.flatMap(Navigator::goal),
                 told.map(Controls::incharge)
                         .orElse(Optional.of(robot))
+                        .filter(_ -> there)
                         .map(RobotViews::inCharge)
                         .orElse(""),
                 told.map(Controls::behavior).orElse(""),

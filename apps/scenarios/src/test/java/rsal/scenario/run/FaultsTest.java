@@ -219,6 +219,7 @@ class FaultsTest {
         assertThat(run.result.outcome()).isEqualTo("timeout");
         assertThat(run.measure("gone")).isCloseTo(4, within(0.11));
         RobotView gone = run.robot("hunter-1");
+        assertThat(gone.gone()).isTrue();
         assertThat(gone.truth()).isEmpty();
         assertThat(gone.ranges()).isEmpty();
         assertThat(gone.devices()).extracting(DeviceView::health).hasOnlyElementsOfType(Health.Lost.class);
@@ -237,6 +238,8 @@ class FaultsTest {
     void oneThatStaysIsShownWithoutWhatItSensed() {
         RobotView gone =
                 run(plan("{kind: gone, robots: prey, at: 4, stays: true}")).robot("prey");
+        assertThat(gone.gone()).isTrue();
+        assertThat(gone.inCharge()).isEmpty();
         assertThat(gone.truth()).isPresent();
         assertThat(gone.odometry()).isEmpty();
         assertThat(gone.scan()).isEmpty();

@@ -1,0 +1,67 @@
+import { fileURLToPath } from 'node:url';
+import { chromium as driver, type Browser, type Page } from 'playwright-core';
+import { afterAll, beforeAll, beforeEach, afterEach, describe, expect, it } from 'vitest';
+import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
+import { Rsal } from './rsal';
+
+const SCENARIO = fileURLToPath(new URL('faulty.yaml', import.meta.url));
+
+describe.skipIf(!chromium)('a robot that is gone', () => {
+  let rsal: Rsal;
+  let browser: Browser | undefined;
+  let page: Page;
+  /** How often was asked what a robot can do. */
+  let asked: number;
+
+  beforeAll(async () => {
+    [rsal, browser] = await Promise.all([
+      Rsal.run(SCENARIO, '--port', '0'),
+      driver.launch({ executablePath: chromium!, args: flags }),
+    ]);
+  });
+
+  afterAll(async () => {
+    await browser?.close();
+    await Rsal.endAll();
+  });
+
+  beforeEach(async () => {
+    await rsal.post('restart', {});
+    page = await browser!.newPage({ viewport: { width: 1400, height: 900 } });
+    asked = 0;
+    page.on('request', (request) => {
+      asked += request.url().includes('/api/abilities') ? 1 : 0;
+    });
+    await page.goto(rsal.url);
+  });
+
+  afterEach(() => page.close());
+
+  const row = (robot: string) => page.locator(`tr[data-robot="${robot}"]`);
+  const says = (robot: string) => row(robot).locator('.behavior').innerText();
+  const isGone = (robot: string) =>
+    eventually(async () => (await says(robot)) === 'gone', `${robot} is gone`);
+
+  it('is said to be so, and asked no more what it can do', async () => {
+    await isGone('stays');
+    await row('stays').click();
+    await page.locator('.card .gone').waitFor();
+    expect(await page.getByRole('button', { name: 'Drive by keys' }).isDisabled()).toBe(true);
+    expect(await page.getByRole('button', { name: 'Send', exact: true }).isDisabled()).toBe(true);
+    expect(await page.locator('[data-agent] .gone').innerText()).toBe('its robot is gone');
+    await page.waitForTimeout(1500); // while the details go on changing
+    expect(asked).toBe(0);
+  });
+
+  it('can be told something again once it is back', async () => {
+    await isGone('vanishes');
+    await row('vanishes').click();
+    await page.locator('.card .gone').waitFor();
+    await page.locator('.card .gone').waitFor({ state: 'detached' });
+    const send = page.getByRole('button', { name: 'Send', exact: true });
+    await eventually(async () => !(await send.isDisabled()), 'it can be sent');
+    await page.waitForTimeout(1500);
+    expect(asked).toBe(1);
+  });
+});
