@@ -14,5 +14,6 @@ module rsal.scenarios {
     uses rsal.agent.AgentType;
     uses rsal.robot.DeviceDriver;
     uses rsal.scene.SceneFormat;
+    uses rsal.system.BridgeProvider;
     uses rsal.system.RobotSystemProvider;
 }

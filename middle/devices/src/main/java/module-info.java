@@ -19,6 +19,7 @@ module rsal.devices {
     exports rsal.time;
 
     uses rsal.robot.DeviceDriver;
+    uses rsal.system.BridgeProvider;
     uses rsal.system.RobotSystemProvider;
     uses rsal.scene.SceneFormat;
 

@@ -1,6 +1,10 @@
-/// Player (playerproject.github.io), a server of robots' devices: its protocol. Knows nothing of agents, scenarios or
+/// Player (playerproject.github.io), a server of robots' devices: its protocol, and robots of ours that are offered
+/// to its clients. Knows nothing of agents, scenarios or
 /// navigation.
 module rsal.player {
     requires rsal.devices;
     requires static org.jspecify;
+
+    provides rsal.system.BridgeProvider with
+            rsal.player.bridge.PlayerBridgeProvider;
 }

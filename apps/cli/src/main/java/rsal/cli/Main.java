@@ -37,6 +37,7 @@ import rsal.settings.Suggestion;
         },
         subcommands = {
             RunCommand.class,
+            BridgeCommand.class,
             ListCommand.class,
             ShowCommand.class,
             ValidateCommand.class,

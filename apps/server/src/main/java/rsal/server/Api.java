@@ -295,6 +295,7 @@ final class Api {
                         case Answer.Read(var readings) -> answer(request, ReadingWords.of(readings));
                         case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));
                         case Answer.Counted(var topics) -> answer(request, Descriptions.topics(topics));
+                        case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");
                         case Answer.Seen(var agent) -> answer(request, Descriptions.inside(agent));
                         case Answer.Refused(String why) -> throw new Refusal(409, why);
                     }

@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import java.util.List;
+import rsal.system.Bridge;
 
 /// What became of an operator's command.
 public sealed interface Answer {
@@ -10,6 +11,15 @@ public sealed interface Answer {
     ///
     /// @param name of it
     record Added(String name) implements Answer {}
+
+    /// Robots are offered to others.
+    ///
+    /// @param port where
+    record Bridged(int port, List<Bridge.Offer> offers) implements Answer {
+        public Bridged {
+            offers = List.copyOf(offers);
+        }
+    }
 
     record Able(Abilities abilities) implements Answer {}
 

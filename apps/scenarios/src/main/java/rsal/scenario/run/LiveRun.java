@@ -2,6 +2,7 @@ package rsal.scenario.run;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -31,6 +32,7 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.Subscription;
 import rsal.scenario.RunPlan;
+import rsal.system.BridgeProvider;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
@@ -237,6 +239,16 @@ public final class LiveRun implements AutoCloseable {
     /// What an agent believes, wants and says now, as [Answer.Seen]. Looking changes nothing in the run.
     public CompletionStage<Answer> inside(String agent) {
         return ask(stage -> stage.inside(agent));
+    }
+
+    /// Offers the robots that are there now to others, until the run ends. Who has them over the bridge drives them
+    /// like
+    /// their agents: what people want comes first.
+    ///
+    /// @param at where to listen; port 0 for any that is free
+    /// @return [Answer.Bridged] when it is open
+    public CompletionStage<Answer> bridge(BridgeProvider provider, InetSocketAddress at) {
+        return ask(stage -> stage.bridge(provider, at));
     }
 
     /// Drives a robot by hand, instead of whoever else would, until [#letGo]. Must be said again and again: the robot

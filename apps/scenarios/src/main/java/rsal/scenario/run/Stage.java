@@ -1,6 +1,9 @@
 package rsal.scenario.run;
 
+import java.io.IOException;
+import java.net.InetSocketAddress;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -8,6 +11,8 @@ import rsal.agent.Turns;
 import rsal.robot.Robot;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.system.Bridge;
+import rsal.system.BridgeProvider;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 
@@ -31,6 +36,7 @@ final class Stage implements AutoCloseable {
     private final Orders orders;
     private final RobotViews robotViews;
     private final Team team = new Team();
+    private final List<Bridge> bridges = new ArrayList<>();
     private boolean closed;
 
     /// Makes the robot system; nothing moves yet.
@@ -177,6 +183,17 @@ final class Stage implements AutoCloseable {
                 .orElseGet(() -> world.unknown(robot));
     }
 
+    Answer bridge(BridgeProvider provider, InetSocketAddress at) {
+        try {
+            Bridge bridge = provider.open(at, List.copyOf(team.robots().values()), scheduler);
+            bridges.add(bridge);
+            return new Answer.Bridged(bridge.port(), bridge.offers());
+        } catch (IOException e) {
+            return new Answer.Refused(
+                    "Nobody may listen at (%s:%d): %s.".formatted(at.getHostString(), at.getPort(), e.getMessage()));
+        }
+    }
+
     List<AgentView> agentViews() {
         return agents.views();
     }
@@ -209,6 +226,7 @@ final class Stage implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
+        bridges.forEach(Bridge::close);
         equipper.close();
         try (system) {
             agents.close();

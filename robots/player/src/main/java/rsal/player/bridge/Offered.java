@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
+import rsal.device.DeviceInfo;
 import rsal.device.Subscription;
 import rsal.player.message.Box3;
 import rsal.player.message.Interface;
@@ -25,15 +26,15 @@ abstract class Offered implements Served {
 
     private final Interface interf;
     private final int index;
-    private final String driver;
+    private final DeviceInfo device;
     private final Scheduler scheduler;
     private @Nullable Port port;
     private int users;
 
-    Offered(Interface interf, int index, String driver, Scheduler scheduler) {
+    Offered(Interface interf, int index, DeviceInfo device, Scheduler scheduler) {
         this.interf = interf;
         this.index = index;
-        this.driver = driver;
+        this.device = device;
         this.scheduler = scheduler;
     }
 
@@ -54,6 +55,11 @@ abstract class Offered implements Served {
 
     /// No client wants it any more.
     void idle() {}
+
+    /// Ours.
+    final String device() {
+        return device.id();
+    }
 
     final Scheduler scheduler() {
         return scheduler;
@@ -93,7 +99,7 @@ abstract class Offered implements Served {
 
     @Override
     public final String driver() {
-        return driver;
+        return device.driver();
     }
 
     @Override

@@ -32,7 +32,7 @@ final class OfferedBase extends Offered {
 
     /// @param height of the robot [m]
     OfferedBase(int index, DriveBase base, Footprint footprint, double height, Scheduler scheduler) {
-        super(Interface.POSITION2D, index, base.info().driver(), scheduler);
+        super(Interface.POSITION2D, index, base.info(), scheduler);
         this.base = base;
         this.footprint = footprint;
         this.height = height;

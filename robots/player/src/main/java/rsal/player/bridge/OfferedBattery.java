@@ -15,7 +15,7 @@ final class OfferedBattery extends Offered {
     private final Battery battery;
 
     OfferedBattery(int index, Battery battery, Scheduler scheduler) {
-        super(Interface.POWER, index, battery.info().driver(), scheduler);
+        super(Interface.POWER, index, battery.info(), scheduler);
         this.battery = battery;
     }
 

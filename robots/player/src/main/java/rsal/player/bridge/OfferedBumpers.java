@@ -16,7 +16,7 @@ final class OfferedBumpers extends Offered {
     private final rsal.device.Bumper bumpers;
 
     OfferedBumpers(int index, rsal.device.Bumper bumpers, Scheduler scheduler) {
-        super(Interface.BUMPER, index, bumpers.info().driver(), scheduler);
+        super(Interface.BUMPER, index, bumpers.info(), scheduler);
         this.bumpers = bumpers;
     }
 

@@ -15,7 +15,7 @@ final class OfferedCamera extends Offered {
     private final BlobFinder camera;
 
     OfferedCamera(int index, BlobFinder camera, Scheduler scheduler) {
-        super(Interface.BLOBFINDER, index, camera.info().driver(), scheduler);
+        super(Interface.BLOBFINDER, index, camera.info(), scheduler);
         this.camera = camera;
     }
 

@@ -24,7 +24,7 @@ final class OfferedGripper extends Offered {
     private final rsal.device.Gripper gripper;
 
     OfferedGripper(int index, rsal.device.Gripper gripper, Scheduler scheduler) {
-        super(Interface.GRIPPER, index, gripper.info().driver(), scheduler);
+        super(Interface.GRIPPER, index, gripper.info(), scheduler);
         this.gripper = gripper;
     }
 

@@ -20,7 +20,7 @@ final class OfferedLaser extends Offered {
 
     /// @param as `laser` or `ranger`
     OfferedLaser(Interface as, int index, LaserScanner scanner, Scheduler scheduler) {
-        super(as, index, scanner.info().driver(), scheduler);
+        super(as, index, scanner.info(), scheduler);
         this.scanner = scanner;
     }
 

@@ -20,7 +20,7 @@ final class OfferedMarkers extends Offered {
     private final FiducialFinder finder;
 
     OfferedMarkers(int index, FiducialFinder finder, Scheduler scheduler) {
-        super(Interface.FIDUCIAL, index, finder.info().driver(), scheduler);
+        super(Interface.FIDUCIAL, index, finder.info(), scheduler);
         this.finder = finder;
     }
 

@@ -21,7 +21,7 @@ final class OfferedSonars extends Offered {
 
     /// @param as `sonar` or `ranger`
     OfferedSonars(Interface as, int index, SonarArray sonars, Scheduler scheduler) {
-        super(as, index, sonars.info().driver(), scheduler);
+        super(as, index, sonars.info(), scheduler);
         this.sonars = sonars;
     }
 

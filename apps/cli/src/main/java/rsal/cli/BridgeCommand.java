@@ -1,0 +1,163 @@
+package rsal.cli;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.UnknownHostException;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import rsal.scenario.Providers;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.Answer;
+import rsal.scenario.run.LiveRun;
+import rsal.settings.Suggestion;
+import rsal.system.Bridge;
+import rsal.system.BridgeProvider;
+
+/// `rsal bridge`
+@Command(
+        name = "bridge",
+        description = {
+            "Run a scenario or a world, and offer its robots to programs that speak another system's protocol.",
+            "'rsal bridge player WORLD' serves them to clients of Player. It goes on until the run ends, or Ctrl-C."
+        })
+final class BridgeCommand extends Subcommand {
+    @Parameters(index = "0", paramLabel = "PROTOCOL", description = "player")
+    private String key = "";
+
+    @Parameters(
+            index = "1",
+            paramLabel = "SCENARIO[:CONFIGURATION]",
+            arity = "0..1",
+            defaultValue = ScenarioReference.DEFAULT,
+            description = "As 'rsal run' has it: a scenario, or a world's file; ${DEFAULT-VALUE} when left out.")
+    private String scenario = "";
+
+    @Option(
+            names = "--set",
+            paramLabel = "NAME=VALUE",
+            converter = RunCommand.Setting.Converter.class,
+            description = "Set an argument of the scenario. May be repeated.")
+    private List<RunCommand.Setting> settings = List.of();
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            converter = RunCommand.Seed.class,
+            description = "Where all randomness comes from.")
+    private @Nullable Long seed;
+
+    @Option(
+            names = "--speed",
+            paramLabel = "X|max",
+            converter = RunCommand.Speed.class,
+            description = "Simulated over real time, from 0.1; max: as fast as it can.")
+    private @Nullable Double speed;
+
+    @Option(
+            names = "--port",
+            paramLabel = "P",
+            converter = RunCommand.Port.class,
+            description = "Where to listen; 0: any port that is free. Left out: where the protocol's programs look"
+                    + " (player: 6665).")
+    private @Nullable Integer port;
+
+    @Option(
+            names = "--listen",
+            paramLabel = "ADDRESS",
+            description = "An address of this machine that others can reach, or 0.0.0.0 for all. Left out: this machine"
+                    + " only.")
+    private @Nullable String listen;
+
+    @Override
+    int run() throws Exception {
+        BridgeProvider provider = provider();
+        InetSocketAddress at = address(port == null ? provider.defaultPort() : port);
+        ScenarioReference reference = ScenarioReference.parse(scenario);
+        RunPlan plan = reference.load().plan(options(reference.configuration()));
+        plan.scene().warnings().forEach(warning -> err().println(warning));
+        plan.notes().forEach(note -> err().println(ValidateCommand.note(note)));
+        try (LiveRun run = LiveRun.start(plan)) {
+            var ending = new ClosedAtExit(run);
+            tell(at, run.bridge(provider, at).toCompletableFuture().get());
+            new Progress(err()).await(run);
+            ending.checkNoSignal();
+            return Exit.SUCCESS;
+        }
+    }
+
+    private BridgeProvider provider() {
+        Map<String, BridgeProvider> all = Providers.byKey(BridgeProvider.class, BridgeProvider::key);
+        BridgeProvider provider = all.get(key);
+        if (provider == null) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "There is no bridge (%s). %s".formatted(key, Suggestion.among(key, all.keySet())));
+        }
+        return provider;
+    }
+
+    private InetSocketAddress address(int number) {
+        if (listen == null) {
+            return new InetSocketAddress(InetAddress.getLoopbackAddress(), number);
+        }
+        try {
+            var at = new InetSocketAddress(InetAddress.getByName(listen), number);
+            if (!at.getAddress().isLoopbackAddress()) {
+                err().println("Whoever reaches this machine at " + listen
+                        + " can drive these robots: the protocol knows no passwords.");
+            }
+            return at;
+        } catch (UnknownHostException e) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "Invalid value for option '--listen': (%s) is no address of a machine, like 0.0.0.0."
+                            .formatted(listen));
+        }
+    }
+
+    private void tell(InetSocketAddress at, Answer answer) {
+        switch (answer) {
+            case Answer.Bridged(int number, List<Bridge.Offer> offers) -> {
+                if (json) {
+                    var object = new LinkedHashMap<String, Object>();
+                    object.put("protocol", key);
+                    object.put("port", number);
+                    object.put("offers", offers);
+                    printJson(object);
+                    return;
+                }
+                out().println("Robots are at %s:%d:".formatted(at.getHostString(), number));
+                var table = new Table("  ");
+                offers.forEach(offer -> table.row(offer.name(), offer.device()));
+                out().print(table);
+                out().flush();
+            }
+            case Answer.Refused(String why) -> throw new Unreachable(why);
+            default -> throw new AssertionError(answer);
+        }
+    }
+
+    private RunOptions options(Optional<String> configuration) {
+        var arguments = new LinkedHashMap<String, String>();
+        settings.forEach(setting -> arguments.put(setting.name(), setting.value()));
+        return new RunOptions(
+                configuration,
+                arguments,
+                seed == null ? OptionalLong.empty() : OptionalLong.of(seed),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                speed == null ? OptionalDouble.empty() : OptionalDouble.of(speed));
+    }
+}

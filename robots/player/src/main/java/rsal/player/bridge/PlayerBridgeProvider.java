@@ -1,0 +1,34 @@
+package rsal.player.bridge;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.List;
+import rsal.robot.Robot;
+import rsal.system.Bridge;
+import rsal.system.BridgeProvider;
+import rsal.time.Scheduler;
+
+/// Offers robots to Player's clients.
+public final class PlayerBridgeProvider implements BridgeProvider {
+    private static final int PLAYER_PORT = 6665;
+
+    @Override
+    public String key() {
+        return "player";
+    }
+
+    @Override
+    public String description() {
+        return "Serves robots to clients of Player 3, such as playerprint, playerv and programs with libplayerc.";
+    }
+
+    @Override
+    public int defaultPort() {
+        return PLAYER_PORT;
+    }
+
+    @Override
+    public Bridge open(InetSocketAddress at, List<Robot> robots, Scheduler scheduler) throws IOException {
+        return PlayerBridge.open(at, robots, scheduler);
+    }
+}
