@@ -48,7 +48,7 @@ public final class Team {
     private @Nullable Tender<Offer, Estimate, String> undecided;
     private boolean due;
     private boolean missed; // a call, while another was undecided
-    private boolean anewWanted; // also what is under way, by the next call
+    private boolean anewWanted;
 
     /// @param onEvent told on the agent's lane
     public Team(AgentContext self, Rules rules, Consumer<? super Event> onEvent) {
@@ -65,10 +65,7 @@ public final class Team {
         self.directory().onChange(_ -> callSoon());
         self.scheduler().every(PAUSE, this::callSoon);
         if (rules.reconsider().isPositive()) {
-            self.scheduler().every(rules.reconsider(), () -> {
-                anewWanted = true;
-                call();
-            });
+            self.scheduler().every(rules.reconsider(), () -> call(true));
         }
         callSoon();
     }
@@ -125,18 +122,18 @@ public final class Team {
             due = true;
             self.scheduler().execute(() -> {
                 due = false;
-                call();
+                call(anewWanted);
             });
         }
     }
 
-    private void call() {
+    /// @param anew whether those under way are allotted again, too
+    private void call(boolean anew) {
         if (undecided != null) {
             missed = true;
             return;
         }
-        boolean anew = anewWanted;
-        anewWanted = false;
+        anewWanted &= !anew;
         List<Entry> called = entries.values().stream()
                 .filter(entry -> anew || entry.contract == null)
                 .sorted(Comparator.comparingDouble((Entry entry) -> -entry.urgency.getAsDouble()))

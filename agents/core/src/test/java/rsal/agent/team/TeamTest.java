@@ -162,19 +162,6 @@ class TeamTest {
     }
 
     @Test
-    void allIsAllottedAnewRightAfterACallThatIsNotDecidedWhenItsTimeHasCome() {
-        run.deliverBy((_, _) -> List.of(Duration.ofMillis(400)));
-        walker("amy", 0);
-        team(Rules.DEFAULT.reconsideredEvery(Duration.ofSeconds(10)), visit("a", 30));
-        run.advance(8);
-        walker("bob", 28);
-        run.advance(1.8);
-        team.add(visit("b", -20)); // only bob is free for it, though amy is as near to it as to what bob is near to
-        run.advance(3);
-        assertThat(events).contains("10.6 Allotted b bob", "11.4 Allotted a bob", "11.4 Allotted b amy");
-    }
-
-    @Test
     void whoIsFreeDoesWhatHasWaitedLongestWhenNothingElseCounts() {
         walker("amy", 0);
         walker("bob", 100);
