@@ -1,6 +1,9 @@
 package rsal.player.bridge;
 
 import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -28,6 +31,7 @@ abstract class Offered implements Served {
     private final int index;
     private final DeviceInfo device;
     private final Scheduler scheduler;
+    private final Map<Integer, Packet> commands = new LinkedHashMap<>(); // by subtype; guarded by itself
     private @Nullable Port port;
     private int users;
 
@@ -131,15 +135,32 @@ abstract class Offered implements Served {
         return result;
     }
 
+    /// Of those that were not done yet the newest of each kind counts, so that nothing grows however many come.
     @Override
     public final void command(Packet command) {
-        scheduler.execute(() -> {
+        boolean first;
+        synchronized (commands) {
+            first = commands.isEmpty();
+            commands.put(command.header().subtype(), command);
+        }
+        if (first) {
+            scheduler.execute(this::obey);
+        }
+    }
+
+    private void obey() {
+        List<Packet> wanted;
+        synchronized (commands) {
+            wanted = List.copyOf(commands.values());
+            commands.clear();
+        }
+        for (Packet command : wanted) {
             try {
                 obey(command);
             } catch (MalformedException | IllegalArgumentException e) {
                 // a client's mistake is nobody else's: as Player does, it is left out
             }
-        });
+        }
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.DoubleSupplier;
@@ -35,6 +36,7 @@ final class OutQueue {
     private int delivered; // data in it
     private int answers; // in the queue
     private int dropped; // since the last synch
+    private boolean closed;
 
     void mode(boolean pull) {
         lock.lock();
@@ -135,11 +137,22 @@ final class OutQueue {
         }
     }
 
-    /// Waits until the client has taken some of its answers.
+    /// The client is gone: nobody waits any more.
+    void close() {
+        lock.lock();
+        try {
+            closed = true;
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /// Waits until the client has taken some of its answers, or is gone.
     void awaitRoom() throws InterruptedException {
         lock.lock();
         try {
-            while (answers >= MOST_ANSWERS) {
+            while (answers >= MOST_ANSWERS && !closed) {
                 changed.await();
             }
         } finally {
@@ -147,22 +160,23 @@ final class OutQueue {
         }
     }
 
-    /// What is to be sent next; waits for it.
+    /// What is to be sent next; waits for it. Empty once the client is gone.
     ///
     /// @param time of the server, for a synch [s]
-    Packet take(DoubleSupplier time) throws InterruptedException {
+    Optional<Packet> take(DoubleSupplier time) throws InterruptedException {
         lock.lock();
         try {
-            while (true) {
+            while (!closed) {
                 if (wanted && delivered > 0 && (left <= 0 || queue.isEmpty())) {
                     wanted = false;
-                    return synch(time.getAsDouble());
+                    return Optional.of(synch(time.getAsDouble()));
                 }
                 if (!queue.isEmpty() && (!pulled || wanted || answers > 0)) {
-                    return next();
+                    return Optional.of(next());
                 }
                 changed.await();
             }
+            return Optional.empty();
         } finally {
             lock.unlock();
         }

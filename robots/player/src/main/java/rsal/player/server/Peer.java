@@ -8,6 +8,7 @@ import java.net.Socket;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import rsal.player.message.Chars;
@@ -26,12 +27,14 @@ import rsal.player.wire.Packet;
 final class Peer {
     private static final int LARGEST = 1 << 20; // bytes of a body; no client has more to say
     private static final int CAPABILITY = 255; // a request to any device
+    private static final int MOST_ASKED = 64; // of devices, without an answer yet; then it has to wait
 
     private final Socket socket;
     private final Port port;
     private final OutQueue out = new OutQueue();
     private final Set<Served> subscribed = new HashSet<>(); // guarded by itself
     private final Set<Served> commanded = new HashSet<>(); // of the thread that reads
+    private final Semaphore asking = new Semaphore(MOST_ASKED);
     private final AtomicBoolean over = new AtomicBoolean();
 
     Peer(Socket socket, Port port) {
@@ -76,8 +79,10 @@ final class Peer {
     private void write() {
         try (OutputStream to = socket.getOutputStream()) {
             to.write(port.ident());
-            while (!over.get()) {
-                to.write(out.take(port::time).bytes());
+            Optional<Packet> next = out.take(port::time);
+            while (next.isPresent()) {
+                to.write(next.get().bytes());
+                next = out.take(port::time);
             }
         } catch (IOException e) {
             // it has gone
@@ -93,22 +98,22 @@ final class Peer {
             return;
         }
         port.remove(this);
+        out.close();
+        asking.release(MOST_ASKED); // whoever reads does not wait for answers any more
+        try {
+            socket.close();
+        } catch (IOException e) {
+            // it is of no more use either way
+        }
         Set<Served> left;
         synchronized (subscribed) {
             left = Set.copyOf(subscribed);
             subscribed.clear();
         }
         left.forEach(Served::close);
-        try {
-            socket.close();
-        } catch (IOException e) {
-            // it is of no more use either way
-        }
-        out.mode(false);
-        out.answer(Packet.of(port.address(Interface.PLAYER, 0), Kind.SYNCH, Session.COMPLETE, 0)); // wakes the writer
     }
 
-    private void take(Packet packet) {
+    private void take(Packet packet) throws InterruptedException {
         Header header = packet.header();
         if (header.address().interf() == Interface.PLAYER.code()) {
             ask(packet);
@@ -126,7 +131,11 @@ final class Peer {
         } else if (header.kind() == Kind.REQUEST && header.subtype() == CAPABILITY) {
             reply(packet, device, capability(device, packet));
         } else if (header.kind() == Kind.REQUEST) {
-            device.ask(packet).whenComplete((answer, error) -> reply(packet, device, error == null ? answer : null));
+            asking.acquire();
+            device.ask(packet).whenComplete((answer, error) -> {
+                reply(packet, device, error == null ? answer : null);
+                asking.release();
+            });
         }
     }
 

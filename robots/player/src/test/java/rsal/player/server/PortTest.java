@@ -15,6 +15,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -48,6 +49,7 @@ class PortTest {
     private static final class Base implements Served {
         private final BlockingQueue<Packet> commands = new LinkedBlockingQueue<>();
         private final AtomicInteger users = new AtomicInteger();
+        private final List<CompletableFuture<Answer>> asked = new CopyOnWriteArrayList<>();
         private volatile boolean works = true;
 
         @Override
@@ -85,6 +87,11 @@ class PortTest {
         public CompletionStage<Answer> ask(Packet request) {
             return switch (request.header().subtype()) {
                 case Position2d.RESET_ODOMETRY -> CompletableFuture.completedStage(new Answer.Done());
+                case Position2d.SPEED_PROFILE -> {
+                    var answer = new CompletableFuture<Answer>(); // of one that takes its time
+                    asked.add(answer);
+                    yield answer;
+                }
                 case Position2d.SET_ODOMETRY -> CompletableFuture.failedStage(new IllegalStateException("broken"));
                 default -> CompletableFuture.completedStage(new Answer.Refused());
             };
@@ -220,6 +227,22 @@ class PortTest {
                         BASE, Kind.REQUEST, Position2d.SET_ODOMETRY, 0, new Position2d.Odometry(new Pose(1, 2, 3))))) {
             assertThatThrownBy(() -> result(connection.ask(bad))).hasRootCauseInstanceOf(RefusedException.class);
         }
+    }
+
+    @Test
+    void whoAsksMuchThatIsNotAnsweredHasToWait() throws Exception {
+        var raw = new Raw();
+        for (int i = 0; i < 100; i++) {
+            raw.send(Packet.of(BASE, Kind.REQUEST, Position2d.SPEED_PROFILE, 0, new Position2d.SpeedProfile(1, 1))
+                    .bytes());
+        }
+        TimeUnit.MILLISECONDS.sleep(300);
+        assertThat(base.asked).hasSize(64);
+        base.asked.forEach(answer -> answer.complete(new Served.Answer.Done()));
+        for (int i = 0; i < 64; i++) {
+            assertThat(raw.next().header().kind()).isEqualTo(Kind.ACK);
+        }
+        raw.close();
     }
 
     @Test
