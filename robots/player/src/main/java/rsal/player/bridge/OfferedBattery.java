@@ -1,30 +1,20 @@
 package rsal.player.bridge;
 
-import java.util.Optional;
 import rsal.data.BatteryState;
 import rsal.data.Stamped;
 import rsal.device.Battery;
-import rsal.device.Subscription;
 import rsal.player.message.Interface;
 import rsal.player.message.Power;
-import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
 /// A battery as `power`.
-final class OfferedBattery extends Offered {
-    private final Battery battery;
-
+final class OfferedBattery extends OfferedSensor<BatteryState> {
     OfferedBattery(int index, Battery battery, Scheduler scheduler) {
-        super(Interface.POWER, index, battery.info(), scheduler);
-        this.battery = battery;
+        super(Interface.POWER, index, battery, scheduler);
     }
 
     @Override
-    Subscription listen() {
-        return battery.subscribe(this::tell);
-    }
-
-    private void tell(Stamped<BatteryState> reading) {
+    void tell(Stamped<BatteryState> reading) {
         BatteryState state = reading.value();
         int valid = Power.IS_CHARGING
                 | valid(state.voltage(), Power.VOLTS)
@@ -54,10 +44,5 @@ final class OfferedBattery extends Offered {
 
     private static float number(double value) {
         return Double.isFinite(value) ? (float) value : 0;
-    }
-
-    @Override
-    Optional<Answer> answer(Packet request) {
-        return Optional.empty();
     }
 }

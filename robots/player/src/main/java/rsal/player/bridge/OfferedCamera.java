@@ -1,30 +1,20 @@
 package rsal.player.bridge;
 
-import java.util.Optional;
 import rsal.data.Blobs;
 import rsal.data.Stamped;
 import rsal.device.BlobFinder;
-import rsal.device.Subscription;
 import rsal.player.message.Blobfinder;
 import rsal.player.message.Interface;
-import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
 /// A camera that finds patches of color as `blobfinder`.
-final class OfferedCamera extends Offered {
-    private final BlobFinder camera;
-
+final class OfferedCamera extends OfferedSensor<Blobs> {
     OfferedCamera(int index, BlobFinder camera, Scheduler scheduler) {
-        super(Interface.BLOBFINDER, index, camera.info(), scheduler);
-        this.camera = camera;
+        super(Interface.BLOBFINDER, index, camera, scheduler);
     }
 
     @Override
-    Subscription listen() {
-        return camera.subscribe(this::tell);
-    }
-
-    private void tell(Stamped<Blobs> reading) {
+    void tell(Stamped<Blobs> reading) {
         Blobs image = reading.value();
         publish(
                 Blobfinder.BLOBS,
@@ -47,10 +37,5 @@ final class OfferedCamera extends Offered {
                 blob.top(),
                 blob.bottom(),
                 Double.isFinite(blob.range()) ? (float) blob.range() : 0);
-    }
-
-    @Override
-    Optional<Answer> answer(Packet request) {
-        return Optional.empty();
     }
 }

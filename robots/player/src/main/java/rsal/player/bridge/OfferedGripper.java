@@ -4,7 +4,6 @@ import java.util.Optional;
 import rsal.data.GripperState;
 import rsal.data.GripperState.Paddles;
 import rsal.data.Stamped;
-import rsal.device.Subscription;
 import rsal.player.message.Gripper;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
@@ -13,7 +12,7 @@ import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
 /// A gripper as `gripper`: its paddles; STORE and RETRIEVE, which say nothing of a lift, move that up and down.
-final class OfferedGripper extends Offered {
+final class OfferedGripper extends OfferedSensor<GripperState> {
     private static final int OPEN = 1;
     private static final int CLOSED = 2;
     private static final int MOVING = 3;
@@ -24,16 +23,12 @@ final class OfferedGripper extends Offered {
     private final rsal.device.Gripper gripper;
 
     OfferedGripper(int index, rsal.device.Gripper gripper, Scheduler scheduler) {
-        super(Interface.GRIPPER, index, gripper.info(), scheduler);
+        super(Interface.GRIPPER, index, gripper, scheduler);
         this.gripper = gripper;
     }
 
     @Override
-    Subscription listen() {
-        return gripper.subscribe(this::tell);
-    }
-
-    private void tell(Stamped<GripperState> reading) {
+    void tell(Stamped<GripperState> reading) {
         GripperState state = reading.value();
         int beams = (state.innerBeamBroken() ? INNER : 0) | (state.outerBeamBroken() ? OUTER : 0);
         publish(

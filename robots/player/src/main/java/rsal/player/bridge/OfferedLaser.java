@@ -1,35 +1,26 @@
 package rsal.player.bridge;
 
 import java.util.List;
-import java.util.Optional;
 import rsal.data.LaserScan;
 import rsal.data.Stamped;
 import rsal.device.LaserScanner;
-import rsal.device.Subscription;
 import rsal.player.message.Interface;
 import rsal.player.message.Laser;
 import rsal.player.message.Ranger;
 import rsal.player.wire.Kind;
-import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
 /// A laser scanner as `laser`, or as `ranger`.
-final class OfferedLaser extends Offered {
-    private final LaserScanner scanner;
+final class OfferedLaser extends OfferedSensor<LaserScan> {
     private int scans;
 
     /// @param as `laser` or `ranger`
     OfferedLaser(Interface as, int index, LaserScanner scanner, Scheduler scheduler) {
-        super(as, index, scanner.info(), scheduler);
-        this.scanner = scanner;
+        super(as, index, scanner, scheduler);
     }
 
     @Override
-    Subscription listen() {
-        return scanner.subscribe(this::tell);
-    }
-
-    private void tell(Stamped<LaserScan> reading) {
+    void tell(Stamped<LaserScan> reading) {
         LaserScan scan = reading.value();
         if (interf() == Interface.RANGER) {
             publish(Ranger.RANGES, reading.time(), new Ranger.Ranges(Measured.doubles(scan.ranges(), scan.rangeMax())));
@@ -54,15 +45,9 @@ final class OfferedLaser extends Offered {
                         : subtype == Laser.GEOMETRY || subtype == Laser.CONFIGURATION);
     }
 
-    /// Nothing, before it has measured once.
     @Override
-    Optional<Answer> answer(Packet request) {
-        int subtype = request.header().subtype();
-        return scanner.latest()
-                .map(Stamped::value)
-                .filter(_ -> understands(Kind.REQUEST, subtype))
-                .map(scan ->
-                        new Answer.Told(interf() == Interface.RANGER ? ranger(scan, subtype) : laser(scan, subtype)));
+    Record body(LaserScan newest, int subtype) {
+        return interf() == Interface.RANGER ? ranger(newest, subtype) : laser(newest, subtype);
     }
 
     private static Record ranger(LaserScan scan, int subtype) {

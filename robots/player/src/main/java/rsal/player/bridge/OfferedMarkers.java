@@ -1,35 +1,25 @@
 package rsal.player.bridge;
 
-import java.util.Optional;
 import rsal.data.Fiducials;
 import rsal.data.Stamped;
 import rsal.device.FiducialFinder;
-import rsal.device.Subscription;
 import rsal.player.message.Box2;
 import rsal.player.message.Fiducial;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
 import rsal.player.wire.Kind;
-import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
 /// A finder of markers as `fiducial`. Player's are seen from the finder, ours from the robot's base.
-final class OfferedMarkers extends Offered {
+final class OfferedMarkers extends OfferedSensor<Fiducials> {
     private static final int UNREADABLE = -1;
 
-    private final FiducialFinder finder;
-
     OfferedMarkers(int index, FiducialFinder finder, Scheduler scheduler) {
-        super(Interface.FIDUCIAL, index, finder.info(), scheduler);
-        this.finder = finder;
+        super(Interface.FIDUCIAL, index, finder, scheduler);
     }
 
     @Override
-    Subscription listen() {
-        return finder.subscribe(this::tell);
-    }
-
-    private void tell(Stamped<Fiducials> reading) {
+    void tell(Stamped<Fiducials> reading) {
         Fiducials seen = reading.value();
         publish(
                 Fiducial.SCAN,
@@ -49,14 +39,9 @@ final class OfferedMarkers extends Offered {
     }
 
     @Override
-    Optional<Answer> answer(Packet request) {
-        int subtype = request.header().subtype();
-        return finder.latest()
-                .map(Stamped::value)
-                .filter(_ -> understands(Kind.REQUEST, subtype))
-                .map(seen -> new Answer.Told(
-                        subtype == Fiducial.GEOMETRY
-                                ? new Fiducial.Geometry(pose3(seen.baseFromFinder()), NO_SIZE, new Box2(0, 0))
-                                : new Fiducial.View(0, (float) seen.rangeMax(), (float) seen.fieldOfView())));
+    Record body(Fiducials newest, int subtype) {
+        return subtype == Fiducial.GEOMETRY
+                ? new Fiducial.Geometry(pose3(newest.baseFromFinder()), NO_SIZE, new Box2(0, 0))
+                : new Fiducial.View(0, (float) newest.rangeMax(), (float) newest.fieldOfView());
     }
 }

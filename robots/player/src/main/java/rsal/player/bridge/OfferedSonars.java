@@ -2,35 +2,25 @@ package rsal.player.bridge;
 
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.device.SonarArray;
-import rsal.device.Subscription;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
 import rsal.player.message.Ranger;
 import rsal.player.message.Sonar;
 import rsal.player.wire.Kind;
-import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
 /// Sonars as `sonar`, or as `ranger`.
-final class OfferedSonars extends Offered {
-    private final SonarArray sonars;
-
+final class OfferedSonars extends OfferedSensor<RangeArray> {
     /// @param as `sonar` or `ranger`
     OfferedSonars(Interface as, int index, SonarArray sonars, Scheduler scheduler) {
-        super(as, index, sonars.info(), scheduler);
-        this.sonars = sonars;
+        super(as, index, sonars, scheduler);
     }
 
     @Override
-    Subscription listen() {
-        return sonars.subscribe(this::tell);
-    }
-
-    private void tell(Stamped<RangeArray> reading) {
+    void tell(Stamped<RangeArray> reading) {
         RangeArray round = reading.value();
         if (interf() == Interface.RANGER) {
             publish(
@@ -50,17 +40,8 @@ final class OfferedSonars extends Offered {
                         : subtype == Sonar.GEOMETRY);
     }
 
-    /// Nothing, before they have measured once.
     @Override
-    Optional<Answer> answer(Packet request) {
-        int subtype = request.header().subtype();
-        return sonars.latest()
-                .map(Stamped::value)
-                .filter(_ -> understands(Kind.REQUEST, subtype))
-                .map(round -> new Answer.Told(body(round, subtype)));
-    }
-
-    private Record body(RangeArray round, int subtype) {
+    Record body(RangeArray round, int subtype) {
         List<Pose3> poses = round.baseFromSensors().stream().map(Offered::pose3).toList();
         if (interf() == Interface.SONAR) {
             return new Sonar.Geometry(poses);

@@ -1,0 +1,42 @@
+package rsal.player.bridge;
+
+import java.util.Optional;
+import rsal.data.Stamped;
+import rsal.device.Sensor;
+import rsal.device.Subscription;
+import rsal.player.message.Interface;
+import rsal.player.wire.Kind;
+import rsal.player.wire.Packet;
+import rsal.time.Scheduler;
+
+/// A device that tells what it measures.
+abstract class OfferedSensor<T> extends Offered {
+    private final Sensor<T> sensor;
+
+    OfferedSensor(Interface interf, int index, Sensor<T> sensor, Scheduler scheduler) {
+        super(interf, index, sensor.info(), scheduler);
+        this.sensor = sensor;
+    }
+
+    @Override
+    final Subscription listen() {
+        return sensor.subscribe(this::tell);
+    }
+
+    /// Publishes a reading.
+    abstract void tell(Stamped<T> reading);
+
+    /// Nothing, before it has measured once.
+    @Override
+    Optional<Answer> answer(Packet request) {
+        int subtype = request.header().subtype();
+        return sensor.latest()
+                .filter(_ -> understands(Kind.REQUEST, subtype))
+                .map(reading -> new Answer.Told(body(reading.value(), subtype)));
+    }
+
+    /// What it answers to a request that it understands, by its newest reading.
+    Record body(T newest, int subtype) {
+        throw new IllegalArgumentException("Nothing is known of request (%d).".formatted(subtype));
+    }
+}
