@@ -30,9 +30,6 @@ import rsal.player.wire.Packet;
 /// A connection to a Player server, which has its data sent in rounds, the newest of each kind only: so a slow reader
 /// is never behind. One thread reads and one writes; nobody else waits for the network. May be used on any thread.
 public final class Connection implements AutoCloseable {
-    private static final int IDENT = 32; // bytes by which a server introduces itself
-    private static final Address SERVER = Address.of(Interface.PLAYER.code(), 0);
-
     private final Socket socket;
     private final String ident;
     private final Protocol protocol;
@@ -62,9 +59,9 @@ public final class Connection implements AutoCloseable {
             socket.connect(server, millis);
             socket.setSoTimeout(millis);
             var in = new BufferedInputStream(socket.getInputStream());
-            byte[] introduction = in.readNBytes(IDENT);
+            byte[] introduction = in.readNBytes(Session.IDENT);
             String ident = Chars.text(introduction);
-            if (introduction.length < IDENT || !ident.startsWith("Player")) {
+            if (introduction.length < Session.IDENT || !ident.startsWith("Player")) {
                 throw new MalformedException(
                         "(%s) is no Player server; it begins with (%s).".formatted(server, printable(introduction)));
             }
@@ -84,7 +81,9 @@ public final class Connection implements AutoCloseable {
 
     private void start(InputStream in, OutputStream out) {
         ask(Session.MODE, new Session.Mode(Session.PULL));
-        ask(Session.REPLACE_RULE, new Session.ReplaceRule(Session.ANY, Session.ANY, 1, Session.ANY, Session.REPLACE));
+        ask(
+                Session.REPLACE_RULE,
+                new Session.ReplaceRule(Session.ANY, Session.ANY, Kind.DATA.code(), Session.ANY, Session.REPLACE));
         nextRound();
         Thread.ofVirtual().name("player read").start(() -> read(in));
         Thread.ofVirtual().name("player write").start(() -> write(out));
@@ -106,7 +105,7 @@ public final class Connection implements AutoCloseable {
 
     /// All devices of the server's port.
     public CompletionStage<List<Address>> devices() {
-        return ask(Packet.of(SERVER, Kind.REQUEST, Session.DEVICES, 0))
+        return ask(Packet.of(Session.SERVER, Kind.REQUEST, Session.DEVICES, 0))
                 .thenCompose(answer -> body(answer, Session.Devices.class))
                 .thenApply(Session.Devices::devices);
     }
@@ -150,7 +149,7 @@ public final class Connection implements AutoCloseable {
     }
 
     private CompletionStage<Packet> ask(int subtype, Record body) {
-        return ask(Packet.of(SERVER, Kind.REQUEST, subtype, 0, body));
+        return ask(Packet.of(Session.SERVER, Kind.REQUEST, subtype, 0, body));
     }
 
     private static <T extends Record> CompletionStage<T> body(Packet answer, Class<T> type) {
@@ -167,7 +166,7 @@ public final class Connection implements AutoCloseable {
     }
 
     private void nextRound() {
-        outbox.request(Packet.of(SERVER, Kind.REQUEST, Session.DATA, 0));
+        outbox.request(Packet.of(Session.SERVER, Kind.REQUEST, Session.DATA, 0));
     }
 
     private void read(InputStream in) {

@@ -5,6 +5,12 @@ import rsal.player.wire.Address;
 
 /// Interface `player`: what a client and a server say about their connection.
 public final class Session {
+    /// Bytes by which a server introduces itself, before all messages ([Chars]).
+    public static final int IDENT = 32;
+
+    /// The server itself, to its clients.
+    public static final Address SERVER = Address.of(Interface.PLAYER.code(), 0);
+
     public static final int DEVICES = 1;
     public static final int DRIVER = 2;
     public static final int DEVICE = 3;

@@ -9,10 +9,8 @@ import java.util.Optional;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.DoubleSupplier;
-import rsal.player.message.Interface;
 import rsal.player.message.Session;
 import rsal.player.message.Session.ReplaceRule;
-import rsal.player.wire.Address;
 import rsal.player.wire.Header;
 import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
@@ -24,7 +22,6 @@ final class OutQueue {
     static final int MOST = 1024; // messages, as Player has it
     private static final int MOST_ANSWERS = 256;
     private static final int MOST_RULES = 256;
-    private static final Address SERVER = Address.of(Interface.PLAYER.code(), 0);
 
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
@@ -198,7 +195,7 @@ final class OutQueue {
         int lost = dropped;
         dropped = 0;
         return lost == 0
-                ? Packet.of(SERVER, Kind.SYNCH, Session.COMPLETE, time)
-                : Packet.of(SERVER, Kind.SYNCH, Session.OVERFLOW, time, new Session.Lost(lost));
+                ? Packet.of(Session.SERVER, Kind.SYNCH, Session.COMPLETE, time)
+                : Packet.of(Session.SERVER, Kind.SYNCH, Session.OVERFLOW, time, new Session.Lost(lost));
     }
 }

@@ -162,7 +162,7 @@ final class Peer {
     }
 
     private void reply(Packet request, Served device, @Nullable Answer answer) {
-        Address address = port.address(device.interf(), device.index());
+        Address address = port.address(device);
         int subtype = request.header().subtype();
         out.answer(
                 switch (answer) {
@@ -202,7 +202,7 @@ final class Peer {
     private void driver(Packet request, Address asked) {
         Optional<Served> device = port.device(asked);
         if (device.isPresent()) {
-            Address address = port.address(device.get().interf(), device.get().index());
+            Address address = port.address(device.get());
             answer(
                     request,
                     Kind.ACK,
@@ -242,7 +242,7 @@ final class Peer {
     }
 
     private void grant(Packet request, Served device, int access) {
-        Address address = port.address(device.interf(), device.index());
+        Address address = port.address(device);
         answer(request, Kind.ACK, new Session.Subscription(address, access, Chars.of(device.driver())));
     }
 

@@ -18,13 +18,13 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.DoubleSupplier;
 import rsal.player.message.Interface;
+import rsal.player.message.Session;
 import rsal.player.wire.Address;
 import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
 
 /// A port of a Player server, with its devices and clients. May be used on any thread.
 public final class Port implements AutoCloseable {
-    private static final int IDENT = 32; // bytes
     private static final int MOST_CLIENTS = 64;
     private static final String VERSION = "Player v.3.1.1-rsal";
 
@@ -97,7 +97,7 @@ public final class Port implements AutoCloseable {
     /// @param at when it was measured, of the server's clock [s]
     public void publish(Served device, int subtype, double at, Record body) {
         if (!peers.isEmpty()) {
-            Packet packet = Packet.of(address(device.interf(), device.index()), Kind.DATA, subtype, at, body);
+            Packet packet = Packet.of(address(device), Kind.DATA, subtype, at, body);
             peers.forEach(peer -> peer.data(device, packet));
         }
     }
@@ -113,7 +113,7 @@ public final class Port implements AutoCloseable {
     }
 
     byte[] ident() {
-        return Arrays.copyOf(VERSION.getBytes(US_ASCII), IDENT);
+        return Arrays.copyOf(VERSION.getBytes(US_ASCII), Session.IDENT);
     }
 
     double time() {
@@ -124,10 +124,12 @@ public final class Port implements AutoCloseable {
         return new Address(host, number(), interf.code(), index);
     }
 
+    Address address(Served device) {
+        return address(device.interf(), device.index());
+    }
+
     List<Address> addresses() {
-        return devices.values().stream()
-                .map(device -> address(device.interf(), device.index()))
-                .toList();
+        return devices.values().stream().map(this::address).toList();
     }
 
     /// Whatever host and port a client has written: they are those of its connection.

@@ -2,6 +2,7 @@ package rsal.player.wire;
 
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.nio.ByteBuffer;
@@ -24,6 +25,9 @@ import java.util.List;
 ///
 /// May be used on any thread. Numbers are boxed on their way, but not those in arrays.
 public final class Layout<T extends Record> {
+    private static final MethodType GETTER = MethodType.methodType(Object.class, Record.class);
+    private static final MethodType MAKER = MethodType.methodType(Record.class, Object[].class);
+
     private static final ClassValue<Layout<?>> KNOWN = new ClassValue<>() {
         @Override
         protected Layout<?> computeValue(Class<?> type) {
@@ -68,11 +72,6 @@ public final class Layout<T extends Record> {
         }
         this.least = sum;
     }
-
-    private static final java.lang.invoke.MethodType GETTER =
-            java.lang.invoke.MethodType.methodType(Object.class, Record.class);
-    private static final java.lang.invoke.MethodType MAKER =
-            java.lang.invoke.MethodType.methodType(Record.class, Object[].class);
 
     @SuppressWarnings("unchecked") // KNOWN has for each type its own
     public static <T extends Record> Layout<T> of(Class<T> type) {
