@@ -7,10 +7,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalLong;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -42,26 +41,8 @@ final class BridgeCommand extends Subcommand {
             description = "As 'rsal run' has it: a scenario, or a world's file; ${DEFAULT-VALUE} when left out.")
     private String scenario = "";
 
-    @Option(
-            names = "--set",
-            paramLabel = "NAME=VALUE",
-            converter = RunCommand.Setting.Converter.class,
-            description = "Set an argument of the scenario. May be repeated.")
-    private List<RunCommand.Setting> settings = List.of();
-
-    @Option(
-            names = "--seed",
-            paramLabel = "N",
-            converter = RunCommand.Seed.class,
-            description = "Where all randomness comes from.")
-    private @Nullable Long seed;
-
-    @Option(
-            names = "--speed",
-            paramLabel = "X|max",
-            converter = RunCommand.Speed.class,
-            description = "Simulated over real time, from 0.1; max: as fast as it can.")
-    private @Nullable Double speed;
+    @Mixin
+    private RunChoices choices = new RunChoices();
 
     @Option(
             names = "--port",
@@ -84,8 +65,7 @@ final class BridgeCommand extends Subcommand {
         InetSocketAddress at = address(port == null ? provider.defaultPort() : port);
         ScenarioReference reference = ScenarioReference.parse(scenario);
         RunPlan plan = reference.load().plan(options(reference.configuration()));
-        plan.scene().warnings().forEach(warning -> err().println(warning));
-        plan.notes().forEach(note -> err().println(ValidateCommand.note(note)));
+        tellNotes(plan);
         try (LiveRun run = LiveRun.start(plan)) {
             var ending = new ClosedAtExit(run);
             tell(at, run.bridge(provider, at).toCompletableFuture().get());
@@ -148,16 +128,14 @@ final class BridgeCommand extends Subcommand {
     }
 
     private RunOptions options(Optional<String> configuration) {
-        var arguments = new LinkedHashMap<String, String>();
-        settings.forEach(setting -> arguments.put(setting.name(), setting.value()));
         return new RunOptions(
                 configuration,
-                arguments,
-                seed == null ? OptionalLong.empty() : OptionalLong.of(seed),
+                choices.arguments(),
+                choices.seed(),
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
-                speed == null ? OptionalDouble.empty() : OptionalDouble.of(speed));
+                choices.speed());
     }
 }

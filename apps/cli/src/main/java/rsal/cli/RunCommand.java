@@ -4,17 +4,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalLong;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -48,32 +45,14 @@ final class RunCommand extends Subcommand {
                     + " ${DEFAULT-VALUE} when left out.")
     private String scenario = "";
 
-    @Option(
-            names = "--set",
-            paramLabel = "NAME=VALUE",
-            converter = Setting.Converter.class,
-            description = "Set an argument of the scenario ('rsal show SCENARIO' lists them). May be repeated.")
-    private List<Setting> settings = List.of();
-
-    @Option(
-            names = "--seed",
-            paramLabel = "N",
-            converter = Seed.class,
-            description = "Where all randomness comes from. The same seed gives the same run.")
-    private @Nullable Long seed;
+    @Mixin
+    private RunChoices choices = new RunChoices();
 
     @Option(names = "--headless", description = "No page: the command ends with the run.")
     private boolean headless;
 
     @Option(names = "--once", description = "With the page, too, end with the run.")
     private boolean once;
-
-    @Option(
-            names = "--speed",
-            paramLabel = "X|max",
-            converter = Speed.class,
-            description = "Simulated over real time, from 0.1; max: as fast as it can.")
-    private @Nullable Double speed;
 
     @Option(
             names = "--for",
@@ -117,8 +96,7 @@ final class RunCommand extends Subcommand {
     int run() throws Exception {
         ScenarioReference reference = ScenarioReference.parse(scenario);
         RunPlan plan = reference.load().plan(options(reference.configuration()));
-        plan.scene().warnings().forEach(warning -> err().println(warning));
-        plan.notes().forEach(note -> err().println(ValidateCommand.note(note)));
+        tellNotes(plan);
         if (headless && plan.scenario().isWorld() && plan.stops().isEmpty() && limit == null) {
             throw new ParameterException(
                     spec.commandLine(), "A world has no end of its own: without a page, say --for SECONDS.");
@@ -190,19 +168,13 @@ final class RunCommand extends Subcommand {
     private RunOptions options(Optional<String> configuration) {
         return new RunOptions(
                 configuration,
-                arguments(),
-                seed == null ? OptionalLong.empty() : OptionalLong.of(seed),
+                choices.arguments(),
+                choices.seed(),
                 Optional.ofNullable(mas),
                 Optional.ofNullable(mrs),
                 Optional.ofNullable(with),
                 Optional.ofNullable(limit),
-                speed == null ? OptionalDouble.empty() : OptionalDouble.of(speed));
-    }
-
-    private Map<String, String> arguments() {
-        var arguments = new LinkedHashMap<String, String>();
-        settings.forEach(setting -> arguments.put(setting.name(), setting.value()));
-        return arguments;
+                choices.speed());
     }
 
     /// Where the launcher says the built page is.
@@ -212,51 +184,12 @@ final class RunCommand extends Subcommand {
                 .filter(Files::isDirectory);
     }
 
-    /// What `--set` says of an argument.
-    record Setting(String name, String value) {
-        static final class Converter implements ITypeConverter<Setting> {
-            @Override
-            public Setting convert(String typed) {
-                int equals = typed.indexOf('=');
-                if (equals < 1) {
-                    throw new TypeConversionException(
-                            "(%s) is not a name and its value, like speed=2.".formatted(typed));
-                }
-                return new Setting(typed.substring(0, equals), typed.substring(equals + 1));
-            }
-        }
-    }
-
-    static final class Seed implements ITypeConverter<Long> {
-        @Override
-        public Long convert(String typed) {
-            return Words.longer(typed);
-        }
-    }
-
-    static final class Speed implements ITypeConverter<Double> {
-        private static final double LEAST = 0.1;
-
-        @Override
-        public Double convert(String typed) {
-            if (typed.equals("max")) {
-                return Double.POSITIVE_INFINITY;
-            }
-            double speed = number(typed);
-            if (!(speed >= LEAST)) {
-                throw new TypeConversionException(
-                        "(%s) is neither a number of at least %s, like 4, nor max.".formatted(typed, LEAST));
-            }
-            return speed;
-        }
-    }
-
     static final class Seconds implements ITypeConverter<Duration> {
         private static final double MOST = 1e9; // 31 years
 
         @Override
         public Duration convert(String typed) {
-            double seconds = number(typed);
+            double seconds = Words.orNaN(typed);
             if (!(seconds > 0 && seconds <= MOST)) {
                 throw new TypeConversionException("(%s) is not a number of seconds above 0, like 60.".formatted(typed));
             }
@@ -269,20 +202,12 @@ final class RunCommand extends Subcommand {
 
         @Override
         public Integer convert(String typed) {
-            double port = number(typed);
+            double port = Words.orNaN(typed);
             if (!(port >= 0 && port <= MOST && port == Math.rint(port))) {
                 throw new TypeConversionException(
                         "(%s) is not a port from 0 to %d, like %d.".formatted(typed, MOST, DEFAULT_PORT));
             }
             return (int) port;
-        }
-    }
-
-    private static double number(String typed) {
-        try {
-            return Double.parseDouble(typed);
-        } catch (NumberFormatException _) {
-            return Double.NaN;
         }
     }
 }

@@ -6,6 +6,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import rsal.scenario.RunPlan;
 import tools.jackson.databind.MapperFeature;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -43,6 +44,12 @@ abstract class Subcommand implements Callable<Integer> {
         if (!right) {
             throw new ParameterException(spec.commandLine(), message);
         }
+    }
+
+    /// Tells what of a run may not be meant.
+    final void tellNotes(RunPlan plan) {
+        plan.scene().warnings().forEach(warning -> err().println(warning));
+        plan.notes().forEach(note -> err().println(ValidateCommand.note(note)));
     }
 
     final PrintWriter out() {

@@ -56,6 +56,15 @@ final class Words {
         }
     }
 
+    /// NaN when it is no number, for those who say in their own words what it should be.
+    static double orNaN(String word) {
+        try {
+            return Double.parseDouble(word);
+        } catch (NumberFormatException _) {
+            return Double.NaN;
+        }
+    }
+
     private static <E extends Enum<E>> E oneOf(String word, E[] known) {
         List<String> names = Arrays.stream(known)
                 .map(value -> value.name().toLowerCase(Locale.ROOT))
