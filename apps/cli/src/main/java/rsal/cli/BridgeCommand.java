@@ -48,8 +48,8 @@ final class BridgeCommand extends Subcommand {
             names = "--port",
             paramLabel = "P",
             converter = RunCommand.Port.class,
-            description = "Where to listen; 0: any port that is free. Left out: where the protocol's programs look"
-                    + " (player: 6665).")
+            description = "Where to listen for the first robot, the others after it; 0: any ports that are free. Left"
+                    + " out: where the protocol's programs look (player: 6665).")
     private @Nullable Integer port;
 
     @Option(
@@ -107,18 +107,17 @@ final class BridgeCommand extends Subcommand {
 
     private void tell(InetSocketAddress at, Answer answer) {
         switch (answer) {
-            case Answer.Bridged(int number, List<Bridge.Offer> offers) -> {
+            case Answer.Bridged(List<Bridge.Offer> offers) -> {
                 if (json) {
                     var object = new LinkedHashMap<String, Object>();
                     object.put("protocol", key);
-                    object.put("port", number);
                     object.put("offers", offers);
                     printJson(object);
                     return;
                 }
-                out().println("Robots are at %s:%d:".formatted(at.getHostString(), number));
+                out().println("Robots are at %s:".formatted(at.getHostString()));
                 var table = new Table("  ");
-                offers.forEach(offer -> table.row(offer.name(), offer.device()));
+                offers.forEach(offer -> table.row(offer.port() + ":" + offer.name(), offer.device()));
                 out().print(table);
                 out().flush();
             }

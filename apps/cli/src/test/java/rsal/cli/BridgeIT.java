@@ -12,7 +12,9 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
@@ -65,15 +67,21 @@ class BridgeIT {
     }
 
     @Test
-    void aPlayerClientFindsARobotAndDrivesIt() throws Exception {
+    void aPlayerClientFindsEachRobotAtAPortAndDrivesIt() throws Exception {
         Process process = new Rsal(folder).start("bridge", "player", "teleop", "--port", "0", "--json", "--speed", "4");
         try (BufferedReader out = process.inputReader()) {
             JsonNode told = JsonMapper.shared().readTree(out.readLine());
-            List<String> names = new ArrayList<>();
-            told.get("offers").forEach(offer -> names.add(offer.get("name").asString()));
-            assertThat(names).contains("position2d:0", "position2d:1", "laser:0", "ranger:0", "sonar:0");
-            try (var socket = new Socket(
-                    InetAddress.getLoopbackAddress(), told.get("port").asInt())) {
+            Map<Integer, List<String>> names = new LinkedHashMap<>(); // by port
+            told.get("offers")
+                    .forEach(offer -> names.computeIfAbsent(offer.get("port").asInt(), _ -> new ArrayList<>())
+                            .add(offer.get("name").asString()));
+            assertThat(names).hasSize(2);
+            assertThat(names.values())
+                    .allSatisfy(robot -> assertThat(robot)
+                            .contains("position2d:0", "laser:0", "ranger:0", "sonar:0")
+                            .doesNotContain("position2d:1"));
+            int second = List.copyOf(names.keySet()).getLast();
+            try (var socket = new Socket(InetAddress.getLoopbackAddress(), second)) {
                 socket.setSoTimeout(20_000);
                 var from = new DataInputStream(socket.getInputStream());
                 var to = new DataOutputStream(socket.getOutputStream());

@@ -4,9 +4,6 @@ import java.util.List;
 
 /// Robots that are offered to others. Called on the scheduler's thread.
 public interface Bridge extends AutoCloseable {
-    /// Where it listens.
-    int port();
-
     /// What is offered, in an order that people can follow.
     List<Offer> offers();
 
@@ -14,7 +11,8 @@ public interface Bridge extends AutoCloseable {
     @Override
     void close();
 
-    /// @param name as others know it (`position2d:0`)
+    /// @param port where
+    /// @param name as others know it there (`position2d:0`)
     /// @param device of ours ([rsal.device.DeviceInfo#id])
-    record Offer(String name, String device) {}
+    record Offer(int port, String name, String device) {}
 }

@@ -3,6 +3,9 @@ package rsal.system;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.List;
+import java.util.Optional;
+import rsal.data.OccupancyGrid;
+import rsal.device.SimulationControl;
 import rsal.robot.Robot;
 import rsal.time.Scheduler;
 
@@ -18,10 +21,20 @@ public interface BridgeProvider {
     /// Where those programs look when they are told nothing else.
     int defaultPort();
 
-    /// Offers robots from now on. Called on the scheduler's thread.
+    /// Offers what a run lends from now on. Called on the scheduler's thread.
     ///
-    /// @param at where to listen; port 0 for any that is free
+    /// @param at where to listen: at this port, and those after it if need be; port 0 for any that are free
+    /// @throws IOException when nobody may listen there; its message is a sentence that says where
+    Bridge open(InetSocketAddress at, Lent lent, Scheduler scheduler) throws IOException;
+
+    /// What a run lends.
+    ///
     /// @param robots that are there now, with all their devices
-    /// @throws IOException when nobody may listen there
-    Bridge open(InetSocketAddress at, List<Robot> robots, Scheduler scheduler) throws IOException;
+    /// @param map what robots know of the world that have been told
+    /// @param simulation the truth, where the world is a simulated one
+    record Lent(List<Robot> robots, OccupancyGrid map, Optional<SimulationControl> simulation) {
+        public Lent {
+            robots = List.copyOf(robots);
+        }
+    }
 }

@@ -13,9 +13,7 @@ public sealed interface Answer {
     record Added(String name) implements Answer {}
 
     /// Robots are offered to others.
-    ///
-    /// @param port where
-    record Bridged(int port, List<Bridge.Offer> offers) implements Answer {
+    record Bridged(List<Bridge.Offer> offers) implements Answer {
         public Bridged {
             offers = List.copyOf(offers);
         }

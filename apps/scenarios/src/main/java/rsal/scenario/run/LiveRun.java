@@ -242,10 +242,9 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// Offers the robots that are there now to others, until the run ends. Who has them over the bridge drives them
-    /// like
-    /// their agents: what people want comes first.
+    /// like their agents: what people want comes first.
     ///
-    /// @param at where to listen; port 0 for any that is free
+    /// @param at where to listen: at this port, and those after it if need be; port 0 for any that are free
     /// @return [Answer.Bridged] when it is open
     public CompletionStage<Answer> bridge(BridgeProvider provider, InetSocketAddress at) {
         return ask(stage -> stage.bridge(provider, at));

@@ -13,6 +13,7 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
+import rsal.system.BridgeProvider.Lent;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 
@@ -185,12 +186,12 @@ final class Stage implements AutoCloseable {
 
     Answer bridge(BridgeProvider provider, InetSocketAddress at) {
         try {
-            Bridge bridge = provider.open(at, List.copyOf(team.robots().values()), scheduler);
+            var lent = new Lent(List.copyOf(team.robots().values()), plan.map(), system.simulation());
+            Bridge bridge = provider.open(at, lent, scheduler);
             bridges.add(bridge);
-            return new Answer.Bridged(bridge.port(), bridge.offers());
+            return new Answer.Bridged(bridge.offers());
         } catch (IOException e) {
-            return new Answer.Refused(
-                    "Nobody may listen at (%s:%d): %s.".formatted(at.getHostString(), at.getPort(), e.getMessage()));
+            return new Answer.Refused(String.valueOf(e.getMessage()));
         }
     }
 

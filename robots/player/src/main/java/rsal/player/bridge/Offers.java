@@ -18,24 +18,23 @@ import rsal.player.message.Interface;
 import rsal.robot.Robot;
 import rsal.time.Scheduler;
 
-/// What of robots is offered on one port: each device under the interfaces that Player has for it, counted from 0 over
-/// all robots in their order.
+/// What of a robot is offered: each device under the interfaces that Player has for it, counted from 0 in its order.
 final class Offers {
+    private final Robot robot;
     private final Scheduler scheduler;
     private final Map<Interface, Integer> next = new EnumMap<>(Interface.class);
     private final List<Offered> offers = new ArrayList<>();
 
-    private Offers(Scheduler scheduler) {
+    private Offers(Robot robot, Scheduler scheduler) {
+        this.robot = robot;
         this.scheduler = scheduler;
     }
 
-    static List<Offered> of(List<Robot> robots, Scheduler scheduler) {
-        var offers = new Offers(scheduler);
-        for (Robot robot : robots) {
-            robot.devices().stream()
-                    .sorted(Comparator.comparing(SonarArray.class::isInstance)) // a laser is the first `ranger`
-                    .forEach(device -> offers.add(robot, device));
-        }
+    static List<Offered> of(Robot robot, Scheduler scheduler) {
+        var offers = new Offers(robot, scheduler);
+        robot.devices().stream()
+                .sorted(Comparator.comparing(SonarArray.class::isInstance)) // a laser is the first `ranger`
+                .forEach(offers::add);
         return List.copyOf(offers.offers);
     }
 
@@ -43,7 +42,7 @@ final class Offers {
         return next.merge(interf, 1, Integer::sum) - 1;
     }
 
-    private void add(Robot robot, Device device) {
+    private void add(Device device) {
         switch (device) {
             case DriveBase base ->
                 offers.add(new OfferedBase(

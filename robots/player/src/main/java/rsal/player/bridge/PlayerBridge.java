@@ -2,51 +2,55 @@ package rsal.player.bridge;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.util.ArrayList;
 import java.util.List;
-import rsal.device.Subscription;
-import rsal.player.server.Port;
 import rsal.robot.Robot;
 import rsal.system.Bridge;
+import rsal.system.BridgeProvider.Lent;
 import rsal.time.Scheduler;
 
-/// Offers robots to Player's clients on one port, for as long as it is open.
+/// Offers robots to Player's clients for as long as it is open, each on a port of its own, as Player's servers have it.
 final class PlayerBridge implements Bridge {
-    private final Port port;
-    private final List<Offered> offered;
-    private final List<Subscription> telling;
+    private static final int MOST_PORT = 65_535;
 
-    private PlayerBridge(Port port, List<Offered> offered, List<Subscription> telling) {
-        this.port = port;
-        this.offered = offered;
-        this.telling = telling;
+    private final List<OfferedPort> ports;
+
+    private PlayerBridge(List<OfferedPort> ports) {
+        this.ports = List.copyOf(ports);
     }
 
-    /// @param at where to listen; port 0 for any that is free
-    /// @throws IOException when nobody may listen there
-    static PlayerBridge open(InetSocketAddress at, List<Robot> robots, Scheduler scheduler) throws IOException {
-        List<Offered> offers = Offers.of(robots, scheduler);
-        var port = new Port(at, offers, () -> Offered.seconds(scheduler.instant()));
-        var telling = offers.stream().map(offer -> offer.begin(port)).toList();
-        port.start();
-        return new PlayerBridge(port, offers, telling);
+    /// @param at where the first robot is, the others on the ports after it; port 0 for any that are free
+    /// @throws IOException when nobody may listen there, which its message says
+    static PlayerBridge open(InetSocketAddress at, Lent lent, Scheduler scheduler) throws IOException {
+        var ports = new ArrayList<OfferedPort>();
+        try {
+            for (Robot robot : lent.robots()) {
+                ports.add(new OfferedPort(after(at, ports.size()), Offers.of(robot, scheduler), scheduler));
+            }
+        } catch (IOException | RuntimeException e) {
+            ports.forEach(OfferedPort::close);
+            throw e;
+        }
+        ports.forEach(OfferedPort::start);
+        return new PlayerBridge(ports);
     }
 
-    @Override
-    public int port() {
-        return port.number();
+    private static InetSocketAddress after(InetSocketAddress first, int count) throws IOException {
+        int number = first.getPort() == 0 ? 0 : first.getPort() + count;
+        if (number > MOST_PORT) {
+            throw new IOException(
+                    "There is no port (%d) for robot %d: the last one is %d.".formatted(number, count + 1, MOST_PORT));
+        }
+        return new InetSocketAddress(first.getAddress(), number);
     }
 
     @Override
     public List<Offer> offers() {
-        return offered.stream()
-                .map(each -> new Offer(each.interf().word() + ":" + each.index(), each.device()))
-                .toList();
+        return ports.stream().flatMap(port -> port.offers().stream()).toList();
     }
 
     @Override
     public void close() {
-        port.close();
-        offered.forEach(Offered::idle);
-        telling.forEach(Subscription::cancel);
+        ports.forEach(OfferedPort::close);
     }
 }

@@ -2,8 +2,6 @@ package rsal.player.bridge;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.util.List;
-import rsal.robot.Robot;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
 import rsal.time.Scheduler;
@@ -28,7 +26,7 @@ public final class PlayerBridgeProvider implements BridgeProvider {
     }
 
     @Override
-    public Bridge open(InetSocketAddress at, List<Robot> robots, Scheduler scheduler) throws IOException {
-        return PlayerBridge.open(at, robots, scheduler);
+    public Bridge open(InetSocketAddress at, Lent lent, Scheduler scheduler) throws IOException {
+        return PlayerBridge.open(at, lent, scheduler);
     }
 }

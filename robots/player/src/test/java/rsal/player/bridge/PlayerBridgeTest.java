@@ -1,11 +1,13 @@
 package rsal.player.bridge;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.ServerSocket;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -37,6 +39,9 @@ import rsal.player.wire.Address;
 import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
 import rsal.sim.SimProvider;
+import rsal.system.Bridge.Offer;
+import rsal.system.BridgeProvider.Lent;
+import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.RobotBench;
 
@@ -71,9 +76,14 @@ class PlayerBridgeTest extends RobotBench {
 
     @BeforeEach
     void open() throws IOException {
-        bridge = PlayerBridge.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), List.of(robot()), run);
+        bridge = PlayerBridge.open(
+                new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+                new Lent(List.of(robot()), WORLD.grid(), system().simulation()),
+                run);
         client = Connection.open(
-                new InetSocketAddress(InetAddress.getLoopbackAddress(), bridge.port()),
+                new InetSocketAddress(
+                        InetAddress.getLoopbackAddress(),
+                        bridge.offers().getFirst().port()),
                 Duration.ofSeconds(5),
                 packet -> newest.put(packet.header().address().interf(), packet));
     }
@@ -119,6 +129,44 @@ class PlayerBridgeTest extends RobotBench {
 
     private void command(int subtype, Record body) {
         client.command(Packet.of(BASE, Kind.COMMAND, subtype, 0, body));
+    }
+
+    private PlayerBridge both(RobotSystem two, int port) throws IOException {
+        return PlayerBridge.open(
+                new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
+                new Lent(await(two.discover()), WORLD.grid(), two.simulation()),
+                run);
+    }
+
+    private RobotSystem two() {
+        return create(List.of(spec("r1", START), spec("r2", WORLD.pose('a', 0))), 7);
+    }
+
+    @Test
+    void eachRobotIsAtAPortOfItsOwnWithItsDevicesCountedFrom0() throws IOException {
+        try (RobotSystem two = two();
+                PlayerBridge both = both(two, 0)) {
+            var bases = both.offers().stream()
+                    .filter(offer -> offer.name().startsWith("position2d"))
+                    .toList();
+            assertThat(bases).extracting(Offer::name).containsExactly("position2d:0", "position2d:0");
+            assertThat(bases).extracting(Offer::device).containsExactly("r1/base", "r2/base");
+            assertThat(bases).extracting(Offer::port).doesNotHaveDuplicates();
+        }
+    }
+
+    @Test
+    void aPortThatIsTakenIsToldAndTheOthersAreLetGo() throws IOException {
+        try (RobotSystem two = two();
+                var second = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            int first = second.getLocalPort() - 1;
+            assertThatThrownBy(() -> both(two, first))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageStartingWith("Nobody may listen at (")
+                    .hasMessageContaining(Integer.toString(first + 1));
+            new ServerSocket(first, 1, InetAddress.getLoopbackAddress()).close();
+            assertThatThrownBy(() -> both(two, 65_535)).hasMessageContaining("There is no port (65536) for robot 2");
+        }
     }
 
     @Test

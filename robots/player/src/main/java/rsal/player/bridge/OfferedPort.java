@@ -1,0 +1,48 @@
+package rsal.player.bridge;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.List;
+import rsal.device.Subscription;
+import rsal.player.server.Port;
+import rsal.system.Bridge.Offer;
+import rsal.time.Scheduler;
+
+/// A port and what is offered there. Lives on the scheduler's thread.
+final class OfferedPort implements AutoCloseable {
+    private final Port port;
+    private final List<Offered> offered;
+    private List<Subscription> telling = List.of();
+
+    /// Listens at once, but takes no clients before it is [started][#start].
+    ///
+    /// @param at where; port 0 for any that is free
+    /// @throws IOException when nobody may listen there, which its message says
+    OfferedPort(InetSocketAddress at, List<Offered> offered, Scheduler scheduler) throws IOException {
+        this.offered = List.copyOf(offered);
+        try {
+            this.port = new Port(at, offered, () -> Offered.seconds(scheduler.instant()));
+        } catch (IOException e) {
+            throw new IOException(
+                    "Nobody may listen at (%s:%d): %s.".formatted(at.getHostString(), at.getPort(), e.getMessage()), e);
+        }
+    }
+
+    void start() {
+        telling = offered.stream().map(each -> each.begin(port)).toList();
+        port.start();
+    }
+
+    List<Offer> offers() {
+        return offered.stream()
+                .map(each -> new Offer(port.number(), each.interf().word() + ":" + each.index(), each.device()))
+                .toList();
+    }
+
+    @Override
+    public void close() {
+        port.close();
+        offered.forEach(Offered::idle);
+        telling.forEach(Subscription::cancel);
+    }
+}
