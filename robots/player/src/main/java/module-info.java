@@ -7,4 +7,6 @@ module rsal.player {
 
     provides rsal.system.BridgeProvider with
             rsal.player.bridge.PlayerBridgeProvider;
+    provides rsal.system.RobotSystemProvider with
+            rsal.player.PlayerProvider;
 }

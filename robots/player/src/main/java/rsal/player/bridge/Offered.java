@@ -108,7 +108,16 @@ abstract class Offered implements Served {
 
     @Override
     public final CompletionStage<Boolean> open() {
-        scheduler.execute(() -> users++);
+        var works = new CompletableFuture<Boolean>();
+        scheduler.execute(() -> {
+            users++;
+            starts().thenAccept(works::complete);
+        });
+        return works;
+    }
+
+    /// Whether it works, once that is known.
+    CompletionStage<Boolean> starts() {
         return CompletableFuture.completedStage(true);
     }
 

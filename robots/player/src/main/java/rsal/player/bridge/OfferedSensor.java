@@ -1,6 +1,9 @@
 package rsal.player.bridge;
 
+import java.time.Duration;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import rsal.data.Stamped;
 import rsal.device.Sensor;
 import rsal.device.Subscription;
@@ -11,11 +14,21 @@ import rsal.time.Scheduler;
 
 /// A device that tells what it measures.
 abstract class OfferedSensor<T> extends Offered {
+    private static final Duration PATIENCE = Duration.ofSeconds(4); // clients have 5
+
     private final Sensor<T> sensor;
 
     OfferedSensor(Interface interf, int index, Sensor<T> sensor, Scheduler scheduler) {
         super(interf, index, sensor.info(), scheduler);
         this.sensor = sensor;
+    }
+
+    /// It does once it has measured something: nobody knows before how it is built.
+    @Override
+    final CompletionStage<Boolean> starts() {
+        return sensor.latest().isPresent()
+                ? CompletableFuture.completedStage(true)
+                : scheduler().within(PATIENCE, sensor.next()).handle((_, error) -> error == null);
     }
 
     @Override

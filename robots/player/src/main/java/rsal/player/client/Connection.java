@@ -14,9 +14,13 @@ import java.util.ArrayDeque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import rsal.player.message.Chars;
 import rsal.player.message.Interface;
@@ -26,10 +30,15 @@ import rsal.player.wire.Address;
 import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
+import rsal.time.AllowedToReadWallClock;
 
 /// A connection to a Player server, which has its data sent in rounds, the newest of each kind only: so a slow reader
 /// is never behind. One thread reads and one writes; nobody else waits for the network. May be used on any thread.
+@AllowedToReadWallClock("It waits for a network.")
 public final class Connection implements AutoCloseable {
+    private static final String CLOSED = "The connection was closed.";
+    private static final Duration PARTING = Duration.ofMillis(500); // to send what is left
+
     private final Socket socket;
     private final String ident;
     private final Protocol protocol;
@@ -126,8 +135,8 @@ public final class Connection implements AutoCloseable {
                 .thenCompose(answer -> body(answer, Session.Subscription.class))
                 .thenCompose(granted -> granted.access() == Session.OPEN
                         ? CompletableFuture.completedStage(Chars.text(granted.driver()))
-                        : CompletableFuture.failedStage(
-                                new RefusedException("The driver of (%s) did not start.".formatted(words(device)))));
+                        : CompletableFuture.failedStage(new RefusedException(
+                                "The driver of (%s) did not start.".formatted(Interface.words(device)))));
     }
 
     /// Asks something of a device, or of the server.
@@ -138,11 +147,11 @@ public final class Connection implements AutoCloseable {
         var answer = new CompletableFuture<Packet>();
         Signature signature = Signature.of(request.header());
         synchronized (asked) {
-            boolean sent = !lost.isDone() && outbox.request(request);
-            if (sent) {
+            if (outbox.request(request)) {
                 asked.computeIfAbsent(signature, _ -> new ArrayDeque<>()).add(answer);
             } else {
-                answer.completeExceptionally(new IOException(lost.isDone() ? lost.join() : "Too many requests."));
+                answer.completeExceptionally(
+                        new IOException(lost.isDone() ? lost.join() : "It is closed, or too much is asked."));
             }
         }
         return answer.minimalCompletionStage();
@@ -160,13 +169,25 @@ public final class Connection implements AutoCloseable {
         }
     }
 
+    /// Has a device's data sent no more; it ends when nobody else uses it.
+    public void unsubscribe(Address device) {
+        ask(Session.DEVICE, new Session.Subscription(device, Session.CLOSE, new byte[0]));
+    }
+
+    /// Completes when the server has got all that was sent before, and all that it had sent before is here.
+    public CompletionStage<Void> settled() {
+        return devices().thenAccept(_ -> {});
+    }
+
     /// Sends a command, in place of one of its kind that was not sent yet.
     public void command(Packet command) {
         outbox.command(command);
     }
 
     private void nextRound() {
-        outbox.request(Packet.of(Session.SERVER, Kind.REQUEST, Session.DATA, 0));
+        if (!outbox.request(Packet.of(Session.SERVER, Kind.REQUEST, Session.DATA, 0)) && !lost.isDone()) {
+            end("The server takes nothing: too much waits for it.");
+        }
     }
 
     private void read(InputStream in) {
@@ -201,15 +222,20 @@ public final class Connection implements AutoCloseable {
             answer.complete(packet);
         } else {
             answer.completeExceptionally(new RefusedException("The server refuses request %d of (%s)."
-                    .formatted(packet.header().subtype(), words(packet.header().address()))));
+                    .formatted(
+                            packet.header().subtype(),
+                            Interface.words(packet.header().address()))));
         }
     }
 
     private void write(OutputStream out) {
         try {
-            while (!lost.isDone()) {
-                out.write(outbox.take().bytes());
+            Optional<Packet> next = outbox.take();
+            while (next.isPresent()) {
+                out.write(next.get().bytes());
+                next = outbox.take();
             }
+            end(CLOSED);
         } catch (IOException e) {
             end(reason(e));
         } catch (InterruptedException e) {
@@ -218,36 +244,47 @@ public final class Connection implements AutoCloseable {
         }
     }
 
-    private static String reason(Exception e) {
+    static String reason(Exception e) {
         String message = e.getMessage();
         return message == null ? e.getClass().getSimpleName() : message;
     }
 
+    /// Ends the connection once all that was commanded and asked before is on its way, at once for those who wait for
+    /// an answer.
     @Override
     public void close() {
-        end("The connection was closed.");
+        outbox.close();
+        unanswered(CLOSED);
+        Thread.ofVirtual().name("player close").start(() -> {
+            try {
+                lost.get(PARTING.toMillis(), TimeUnit.MILLISECONDS);
+            } catch (TimeoutException e) {
+                end(CLOSED); // the server takes nothing more
+            } catch (InterruptedException | ExecutionException e) {
+                throw new AssertionError("Nobody interrupts it, and it never fails.", e);
+            }
+        });
     }
 
     private void end(String reason) {
-        List<CompletableFuture<Packet>> unanswered;
-        synchronized (asked) {
-            if (!lost.complete(reason)) {
-                return;
-            }
-            unanswered = asked.values().stream().flatMap(Queue::stream).toList();
-            asked.clear();
+        if (!lost.complete(reason)) {
+            return;
         }
+        outbox.close();
         try {
             socket.close();
         } catch (IOException e) {
             // it is of no more use either way
         }
-        nextRound(); // wakes the writer, which sees that it is over
-        unanswered.forEach(answer -> answer.completeExceptionally(new IOException(reason)));
+        unanswered(reason);
     }
 
-    private static String words(Address device) {
-        String interf = Interface.of(device.interf()).map(Interface::word).orElse("interface " + device.interf());
-        return interf + ":" + device.index();
+    private void unanswered(String reason) {
+        List<CompletableFuture<Packet>> waiting;
+        synchronized (asked) {
+            waiting = asked.values().stream().flatMap(Queue::stream).toList();
+            asked.clear();
+        }
+        waiting.forEach(answer -> answer.completeExceptionally(new IOException(reason)));
     }
 }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import rsal.player.wire.Address;
 
 /// What a device of Player's can be, with its code.
 public enum Interface {
@@ -79,5 +80,10 @@ public enum Interface {
 
     public static Optional<Interface> of(String word) {
         return Optional.ofNullable(BY_WORD.get(word));
+    }
+
+    /// A device for people: `position2d:0`.
+    public static String words(Address device) {
+        return of(device.interf()).map(Interface::word).orElse("interface " + device.interf()) + ":" + device.index();
     }
 }

@@ -191,4 +191,18 @@ public final class Protocol {
         Optional<Class<? extends Record>> body = body(packet.header());
         return packet.body().length == 0 || body.isEmpty() ? Optional.empty() : Optional.of(packet.body(body.get()));
     }
+
+    /// What a message says, in the words of the newest version; empty when it has no body, or none that is known.
+    ///
+    /// @throws MalformedException when its body is not what it should be
+    public Optional<Record> readAsNewest(Packet packet) throws MalformedException {
+        return read(packet).map(Version30::newer);
+    }
+
+    /// A message's body in the words of this version.
+    ///
+    /// @param body in those of the newest
+    public Record worded(Record body) {
+        return this == V3_0 ? Version30.older(body) : body;
+    }
 }

@@ -1,5 +1,6 @@
 package rsal.player.message;
 
+import java.util.Arrays;
 import java.util.List;
 import rsal.player.wire.Times;
 
@@ -7,9 +8,36 @@ import rsal.player.wire.Times;
 public final class Version30 {
     private Version30() {}
 
+    /// The same as newer servers say it; what is no different as it is.
+    static Record newer(Record body) {
+        return switch (body) {
+            case Hypotheses(int pending, double time, List<Hypothesis> all) ->
+                new Localize.Hypotheses(
+                        pending, time, all.stream().map(Hypothesis::newer).toList());
+            case Waypoints(List<Pose> waypoints) -> new Planner.Waypoints(0, waypoints);
+            case Tile(int column, int row, int width, int height, byte[] cells) ->
+                new Maps.Tile(column, row, width, height, cells.length, 1, cells);
+            default -> body;
+        };
+    }
+
+    /// The same as older servers understand it; what is no different as it is.
+    static Record older(Record body) {
+        return switch (body) {
+            case Localize.SetPose(Pose mapFromBase, double[] covariance) ->
+                new SetPose(mapFromBase, Arrays.copyOf(covariance, 3));
+            case Maps.Tile tile -> new Tile(tile.column(), tile.row(), tile.width(), tile.height(), tile.cells());
+            default -> body;
+        };
+    }
+
     /// @param covariance xx, yy, θθ [m², rad²]
     /// @param weight among all of them
-    public record Hypothesis(Pose mapFromBase, @Times(3) double[] covariance, double weight) {}
+    public record Hypothesis(Pose mapFromBase, @Times(3) double[] covariance, double weight) {
+        Localize.Hypothesis newer() {
+            return new Localize.Hypothesis(mapFromBase, Arrays.copyOf(covariance, 6), weight);
+        }
+    }
 
     /// @param pending readings that were not looked at yet
     /// @param pendingTime of the oldest of those [s]

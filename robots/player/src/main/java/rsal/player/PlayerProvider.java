@@ -1,0 +1,109 @@
+package rsal.player;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import rsal.player.device.RemoteRobot;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotSpec;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
+import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
+import rsal.time.Scheduler;
+
+/// Robots of Player servers: real ones, and those that Stage or `rsal bridge player` simulates. They follow real time.
+public final class PlayerProvider implements RobotSystemProvider {
+    private static final String KEY = "player";
+    private static final int LAST_PORT = 65535;
+
+    private static final Parameter SERVERS = Parameter.text(
+            "servers",
+            "",
+            "Where the robots are, one after the other: HOST:PORT, HOST:PORT:1 for the second robot there; servers of"
+                    + " one robot joined by +. Left out: at host and port.");
+    private static final Parameter HOST =
+            Parameter.text("host", "localhost", "The machine of the server, when (servers) names none.");
+    private static final Parameter PORT = Parameter.integer(
+            "port",
+            6665,
+            1,
+            LAST_PORT,
+            "",
+            "The server's port, when (servers) names none; several robots are on the ports from there on.");
+    private static final Parameter INDEX = Parameter.integer(
+            "index", 0, 0, 9999, "", "Which robot of its server it is, from 0, when (servers) names none.");
+    private static final Parameter WATCHDOG =
+            Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
+    private static final Parameter ARMED = Parameter.flag(
+            "armed", false, "Whether motors are on from the beginning. Else robots stand until somebody arms them.");
+
+    @Override
+    public String key() {
+        return KEY;
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return false;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(SERVERS, HOST, PORT, INDEX, WATCHDOG, ARMED);
+    }
+
+    @Override
+    public RobotSystem create(Config config, Scheduler scheduler) {
+        Arguments settings = config.settings();
+        var problems = new ArrayList<Problem>();
+        for (RobotSpec robot : config.robots()) {
+            for (Part part : robot.model().sensors().values()) {
+                if (!RemoteRobot.has(part)) {
+                    problems.add(new Problem(
+                            robot.id(), "model", "Player has nothing like its (%s).".formatted(part.name())));
+                }
+            }
+        }
+        var berths = new LinkedHashMap<RobotSpec, Berth>();
+        try {
+            berths.putAll(berths(settings, config.robots()));
+        } catch (IllegalArgumentException e) {
+            problems.add(new Problem(config.robots().getFirst().id(), "mrs", String.valueOf(e.getMessage())));
+        }
+        if (!problems.isEmpty()) {
+            throw new InvalidRobots(problems);
+        }
+        return new PlayerSystem(berths, settings.seconds(WATCHDOG.name()), settings.flag(ARMED.name()), scheduler);
+    }
+
+    private static Map<RobotSpec, Berth> berths(Arguments settings, List<RobotSpec> robots) {
+        List<Berth> all = Berth.read(settings.text(SERVERS.name()));
+        if (all.isEmpty()) {
+            int port = settings.integer(PORT.name());
+            if (port + robots.size() - 1 > LAST_PORT) {
+                throw new IllegalArgumentException(
+                        "There are no (%d) ports from (%d) on.".formatted(robots.size(), port));
+            }
+            all = Berth.from(settings.text(HOST.name()), port, settings.integer(INDEX.name()), robots.size());
+        }
+        if (all.size() < robots.size()) {
+            throw new IllegalArgumentException(
+                    "(servers) names %d robots, but there are %d.".formatted(all.size(), robots.size()));
+        }
+        var berths = new LinkedHashMap<RobotSpec, Berth>();
+        var taken = new HashMap<Berth, String>();
+        for (int i = 0; i < robots.size(); i++) {
+            String other = taken.put(all.get(i), robots.get(i).id());
+            if (other != null) {
+                throw new IllegalArgumentException("Robots (%s) and (%s) are both at (%s)."
+                        .formatted(other, robots.get(i).id(), all.get(i)));
+            }
+            berths.put(robots.get(i), all.get(i));
+        }
+        return berths;
+    }
+}

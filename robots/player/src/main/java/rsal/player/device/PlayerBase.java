@@ -1,0 +1,147 @@
+package rsal.player.device;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.player.message.Position2d;
+import rsal.player.wire.Address;
+import rsal.robot.RobotModel.Drive;
+import rsal.time.Scheduler;
+import rsal.time.Task;
+
+/// A base behind `position2d`. A velocity holds there until the next one, so that this one sees to it that commands
+/// dry up: it says the newest again and again while it is fresh, and then once that the robot is to stop. When the
+/// connection is lost what was commanded is forgotten: whoever drives must do so again.
+final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
+    private static final Duration AGAIN = Duration.ofMillis(50);
+
+    private final RemoteServer server;
+    private final Drive drive;
+    private final Duration watchdog;
+    private final Scheduler clock;
+    private final Task repeating;
+    private boolean enabled;
+    private Optional<Twist2d> wanted = Optional.empty();
+    private Instant wantedAt = Instant.MIN;
+    private Pose2d reported = Pose2d.ORIGIN;
+    private Pose2d odomFromTheirs = Pose2d.ORIGIN; // others may use the server's odometry: it is not set, but ours is
+
+    /// @param watchdog after which the robot stands when nothing more is commanded
+    /// @param armed whether its motors are on
+    PlayerBase(
+            DeviceInfo info,
+            Address address,
+            RemoteServer server,
+            Drive drive,
+            Duration watchdog,
+            boolean armed,
+            Scheduler scheduler) {
+        super(info, address, info.robot() + "/odom");
+        this.server = server;
+        this.drive = drive;
+        this.watchdog = watchdog;
+        this.enabled = armed;
+        this.clock = scheduler;
+        this.repeating = scheduler.every(AGAIN, this::repeat);
+    }
+
+    @Override
+    Optional<Odometry> read(Record body) {
+        if (!(body instanceof Position2d.State state)) {
+            return Optional.empty();
+        }
+        Pose2d theirs = Poses.of(state.odomFromBase());
+        var velocity = new Twist2d(
+                state.velocity().x(), state.velocity().y(), state.velocity().theta());
+        if (!theirs.isFinite() || !velocity.isFinite()) {
+            return Optional.empty();
+        }
+        reported = theirs;
+        return Optional.of(new Odometry(odomFromTheirs.compose(theirs), velocity, state.stall() != 0));
+    }
+
+    @Override
+    public void command(Twist2d velocity) {
+        if (!velocity.isFinite()) {
+            throw new IllegalArgumentException(
+                    "A velocity must be finite, but (%s) was given (%s).".formatted(info().id(), velocity));
+        }
+        if (enabled && server.isConnected()) {
+            Twist2d feasible = drive.feasible(velocity);
+            wanted = Optional.of(feasible);
+            wantedAt = clock.instant();
+            send(feasible);
+        }
+    }
+
+    /// Says again what is wanted, unless that would be too old before it can be said once more.
+    private void repeat() {
+        if (wanted.isPresent()) {
+            Duration age = Duration.between(wantedAt, clock.instant());
+            if (age.plus(AGAIN).compareTo(watchdog) > 0) {
+                stop();
+            } else {
+                send(wanted.get());
+            }
+        }
+    }
+
+    private void stop() {
+        wanted = Optional.empty();
+        send(Twist2d.STOP);
+    }
+
+    private void send(Twist2d velocity) {
+        server.command(
+                address(),
+                Position2d.VELOCITY,
+                new Position2d.Velocity(Poses.of(new Pose2d(velocity.vx(), velocity.vy(), velocity.omega())), 1));
+    }
+
+    @Override
+    public void enable(boolean enabled) {
+        this.enabled = enabled;
+        if (!enabled) {
+            stop();
+        }
+        motors();
+    }
+
+    private void motors() {
+        server.ask(address(), Position2d.MOTORS, Optional.of(new Position2d.Motors(enabled ? 1 : 0)));
+    }
+
+    @Override
+    public boolean enabled() {
+        return enabled;
+    }
+
+    @Override
+    public void resetOdometry(Pose2d odomFromBase) {
+        odomFromTheirs = odomFromBase.compose(reported.inverse());
+    }
+
+    @Override
+    public void connected() {
+        super.connected();
+        motors();
+    }
+
+    @Override
+    public void lost(String reason) {
+        wanted = Optional.empty();
+        super.lost(reason);
+    }
+
+    /// Stops the robot, for good.
+    void end() {
+        repeating.cancel();
+        enabled = false;
+        stop();
+    }
+}

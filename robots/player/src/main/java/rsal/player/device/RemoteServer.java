@@ -1,0 +1,284 @@
+package rsal.player.device;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import rsal.device.Listeners;
+import rsal.device.Subscription;
+import rsal.player.client.Connection;
+import rsal.player.client.Link;
+import rsal.player.wire.Address;
+import rsal.player.wire.Kind;
+import rsal.player.wire.MalformedException;
+import rsal.player.wire.Packet;
+import rsal.time.Scheduler;
+import rsal.time.Task;
+
+/// A Player server as those here know it who stand for its devices: they are told what is new, and have what they want
+/// sent, as long as there is a connection. All on the scheduler's thread, where of each kind of data the newest counts
+/// that was not looked at yet: however slow that is, nothing grows and nothing is old.
+public final class RemoteServer implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(RemoteServer.class.getName());
+    private static final Duration SETUP = Duration.ofSeconds(10); // drivers may take seconds to begin
+    private static final Duration PATIENCE = Duration.ofSeconds(2); // with answers
+    private static final Duration LOOK = Duration.ofMillis(250);
+
+    private final String name;
+    private final Scheduler scheduler;
+    private final Link link;
+    private final Task looking;
+    private final ServerClock clock = new ServerClock(); // of the thread that reads
+    private final Map<Address, Member> members = new ConcurrentHashMap<>();
+    private final Map<Key, News> news = new LinkedHashMap<>(); // guarded by itself
+    private final CompletableFuture<Offer> offer = new CompletableFuture<>();
+    private final Listeners<Optional<String>> listeners =
+            new Listeners<>(e -> LOG.log(System.Logger.Level.ERROR, "Somebody who minds a Player server failed.", e));
+    private volatile @Nullable Connection connection; // set on the scheduler's thread
+    private String reason = "Nobody has answered yet.";
+
+    private record Key(Address device, int subtype) {}
+
+    private record News(Member member, Instant time, Record body) {}
+
+    /// A device with whether it gets data.
+    private static final class Member {
+        private final Remote device;
+        private volatile boolean ready;
+
+        Member(Remote device) {
+            this.device = device;
+        }
+    }
+
+    /// Begins to look for the server.
+    public RemoteServer(String host, int port, Scheduler scheduler) {
+        this.name = host + ":" + port;
+        this.scheduler = scheduler;
+        this.link = new Link(host, port, new Line());
+        this.looking = scheduler.every(LOOK, () -> {
+            Instant now = scheduler.instant();
+            members.values().forEach(member -> member.device.look(now));
+        });
+        link.start();
+    }
+
+    /// `localhost:6665`
+    String name() {
+        return name;
+    }
+
+    /// What it has; only once that is [known][#known].
+    Offer offer() {
+        return offer.join();
+    }
+
+    /// Completes when it is known what the server has, which is so from the first connection on; exceptionally when
+    /// there is none for too long.
+    public CompletionStage<Void> known(Duration patience) {
+        return scheduler.within(patience, offer).handle((_, error) -> {
+            if (error != null) {
+                throw new CompletionException(
+                        new IOException("There is no Player server at (%s): %s".formatted(name, reason), error));
+            }
+            return null;
+        });
+    }
+
+    public boolean isConnected() {
+        return connection != null;
+    }
+
+    /// Tells of each change: why it is lost, or empty when there is a connection.
+    public Subscription onChange(Consumer<Optional<String>> listener) {
+        return listeners.add(listener);
+    }
+
+    /// Has a device get its data from now on, and again each time when the connection is back.
+    ///
+    /// @return when it does first; exceptionally when the server has no such device, or its driver does not start
+    CompletionStage<Void> add(Remote device) {
+        var member = new Member(device);
+        members.put(device.address(), member);
+        Connection now = connection;
+        return now == null ? CompletableFuture.failedStage(new IOException(reason)) : connect(member, now);
+    }
+
+    private CompletionStage<Void> connect(Member member, Connection over) {
+        Remote device = member.device;
+        return scheduler
+                .within(SETUP, over.subscribe(device.address()))
+                .thenCompose(_ -> ask(device, over))
+                .whenComplete((_, error) -> {
+                    if (over.equals(connection)) {
+                        member.ready = error == null;
+                        if (error == null) {
+                            device.connected();
+                        } else {
+                            device.lost(words(error));
+                        }
+                    }
+                });
+    }
+
+    /// Asks one question after the other; a server need not answer them.
+    private CompletionStage<Void> ask(Remote device, Connection over) {
+        CompletionStage<Void> asked = CompletableFuture.completedStage(null);
+        for (int question : device.questions()) {
+            Packet request = Packet.of(device.address(), Kind.REQUEST, question, 0);
+            asked = asked.thenCompose(_ -> scheduler.within(PATIENCE, over.ask(request)))
+                    .handle((answer, error) -> {
+                        if (error == null) {
+                            read(over, answer).ifPresent(device::answered);
+                        }
+                        return null;
+                    });
+        }
+        return asked;
+    }
+
+    private static Optional<Record> read(Connection over, Packet packet) {
+        try {
+            return over.protocol().readAsNewest(packet);
+        } catch (MalformedException e) {
+            LOG.log(System.Logger.Level.DEBUG, "What a Player server says is left out.", e);
+            return Optional.empty();
+        }
+    }
+
+    private static String words(Throwable error) {
+        Throwable cause = error instanceof CompletionException && error.getCause() != null ? error.getCause() : error;
+        return String.valueOf(cause.getMessage());
+    }
+
+    /// Asks something of a device.
+    ///
+    /// @param body in the words of the newest version of the protocol; empty when there is none
+    /// @return the answer's body, if it has any; exceptionally when the server refuses, has no connection or says
+    /// nothing
+    CompletionStage<Optional<Record>> ask(Address device, int subtype, Optional<Record> body) {
+        Connection now = connection;
+        if (now == null) {
+            return CompletableFuture.failedStage(new IOException(reason));
+        }
+        Packet request = body.map(said -> packet(now, device, Kind.REQUEST, subtype, said))
+                .orElseGet(() -> Packet.of(device, Kind.REQUEST, subtype, 0));
+        return scheduler.within(PATIENCE, now.ask(request)).thenApply(answer -> read(now, answer));
+    }
+
+    /// Sends a command, if there is a connection.
+    ///
+    /// @param body in the words of the newest version of the protocol
+    void command(Address device, int subtype, Record body) {
+        Connection now = connection;
+        if (now != null) {
+            now.command(packet(now, device, Kind.COMMAND, subtype, body));
+        }
+    }
+
+    /// Sends a command that says no more, if there is a connection.
+    void command(Address device, int subtype) {
+        Connection now = connection;
+        if (now != null) {
+            now.command(Packet.of(device, Kind.COMMAND, subtype, 0));
+        }
+    }
+
+    private static Packet packet(Connection over, Address device, Kind kind, int subtype, Record body) {
+        return Packet.of(device, kind, subtype, 0, over.protocol().worded(body));
+    }
+
+    /// Completes when the server has got all that was sent, and what it had sent is waiting for the scheduler's thread;
+    /// at once when there is no connection.
+    public CompletionStage<Void> settled() {
+        Connection now = connection;
+        return now == null ? CompletableFuture.completedStage(null) : now.settled();
+    }
+
+    private void connected(Connection now, Offer found) {
+        connection = now;
+        offer.complete(found);
+        members.values().forEach(member -> connect(member, now));
+        listeners.tell(Optional.empty());
+    }
+
+    private void lost(String why) {
+        boolean was = connection != null;
+        connection = null;
+        reason = why;
+        members.values().forEach(member -> {
+            member.ready = false;
+            member.device.lost(why);
+        });
+        if (was) {
+            listeners.tell(Optional.of(why));
+        }
+    }
+
+    private void deliver() {
+        List<News> all;
+        synchronized (news) {
+            all = List.copyOf(news.values());
+            news.clear();
+        }
+        for (News one : all) {
+            if (one.member.ready) {
+                one.member.device.take(one.time, one.body);
+            }
+        }
+    }
+
+    /// Lets go of the server; what was commanded before still goes out. Nothing is told any more.
+    @Override
+    public void close() {
+        link.close();
+        looking.cancel();
+        connection = null;
+        members.clear();
+        reason = "It was let go.";
+    }
+
+    /// What comes over the network, on its threads.
+    private final class Line implements Link.Listener {
+        @Override
+        public void connected(Connection now) throws IOException {
+            Offer found = Survey.of(now);
+            scheduler.execute(() -> RemoteServer.this.connected(now, found));
+        }
+
+        @Override
+        public void lost(String why) {
+            scheduler.execute(() -> RemoteServer.this.lost(why));
+        }
+
+        @Override
+        public void data(Packet packet) {
+            Address from = packet.header().address();
+            Member member = members.get(Address.of(from.interf(), from.index()));
+            Connection over = connection;
+            if (member == null || !member.ready || over == null) {
+                return;
+            }
+            read(over, packet).ifPresent(body -> {
+                var one = new News(member, clock.taken(packet.header().time(), scheduler.instant()), body);
+                boolean first;
+                synchronized (news) {
+                    first = news.isEmpty();
+                    news.put(new Key(member.device.address(), packet.header().subtype()), one);
+                }
+                if (first) {
+                    scheduler.execute(RemoteServer.this::deliver);
+                }
+            });
+        }
+    }
+}

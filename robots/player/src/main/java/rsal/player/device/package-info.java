@@ -1,0 +1,2 @@
+/// Devices of Player servers as devices of ours.
+package rsal.player.device;

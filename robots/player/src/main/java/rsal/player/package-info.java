@@ -1,0 +1,2 @@
+/// The robot system `player`.
+package rsal.player;

@@ -1,0 +1,157 @@
+package rsal.player;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import rsal.device.SimulationControl;
+import rsal.device.Subscription;
+import rsal.player.bridge.PlayerBridgeProvider;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.sim.SimProvider;
+import rsal.system.Bridge;
+import rsal.system.BridgeProvider.Lent;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
+import rsal.time.LockstepScheduler;
+import rsal.time.Phase;
+import rsal.time.Scheduler;
+
+/// The robot system `player` whose servers serve simulated robots, for the tests of its contract: all that the robots
+/// sense and are told goes through sockets, but within a hundredth of a simulated second, so that it repeats. Its truth
+/// is that of the simulation.
+final class OverTheWire implements RobotSystemProvider {
+    private static final Duration SETTLING = Duration.ofMillis(10);
+    private static final Duration FIRST_STEP = Duration.ofMillis(100);
+    private static final long PATIENCE = 20; // s
+
+    private final RobotSystemProvider sim = new SimProvider();
+    private final RobotSystemProvider player = new PlayerProvider();
+
+    @Override
+    public String key() {
+        return player.key();
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return true;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return player.parameters();
+    }
+
+    @Override
+    public RobotSystem create(Config config, Scheduler scheduler) {
+        player.create(config, scheduler).close(); // refuses what it has nothing for
+        var simulated =
+                new Config(Arguments.defaults(sim.parameters()), config.scene(), config.robots(), config.seed());
+        return new Wired(config, sim.create(simulated, scheduler), (LockstepScheduler) scheduler);
+    }
+
+    private final class Wired implements RobotSystem {
+        private final Config config;
+        private final RobotSystem simulation;
+        private final LockstepScheduler scheduler;
+        private final List<AutoCloseable> opened = new ArrayList<>();
+        private PlayerSystem remote;
+
+        Wired(Config config, RobotSystem simulation, LockstepScheduler scheduler) {
+            this.config = config;
+            this.simulation = simulation;
+            this.scheduler = scheduler;
+        }
+
+        @Override
+        public CompletionStage<List<Robot>> discover() {
+            try {
+                List<Robot> real = simulation.discover().toCompletableFuture().join();
+                scheduler.advance(FIRST_STEP); // devices offer nothing before they have measured
+                Bridge bridge = new PlayerBridgeProvider()
+                        .open(
+                                new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+                                new Lent(real, config.scene().map(), simulation.simulation()),
+                                scheduler);
+                opened.add(bridge);
+                String servers = config.robots().stream()
+                        .map(robot -> "localhost:" + port(bridge, robot.id()))
+                        .collect(Collectors.joining(","));
+                Map<String, Object> settings =
+                        new LinkedHashMap<>(config.settings().asMap());
+                settings.put("servers", servers);
+                settings.put("armed", true);
+                remote = (PlayerSystem) player.create(
+                        new Config(
+                                Arguments.of(parameters(), settings), config.scene(), config.robots(), config.seed()),
+                        scheduler);
+                opened.addFirst(remote);
+                List<Robot> found = await(remote.discover(), scheduler::runPending);
+                scheduler.every(SETTLING, Phase.OBSERVE, () -> await(remote.settled(), () -> {}));
+                return CompletableFuture.completedStage(found);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+
+        private static int port(Bridge bridge, String robot) {
+            return bridge.offers().stream()
+                    .filter(offer -> offer.device().startsWith(robot + "/"))
+                    .findFirst()
+                    .orElseThrow()
+                    .port();
+        }
+
+        /// Waits in real time; simulated time stands still.
+        private <T> T await(CompletionStage<T> stage, Runnable meanwhile) {
+            CompletableFuture<T> future = stage.toCompletableFuture();
+            long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
+            while (!future.isDone()) {
+                if (System.nanoTime() > end) {
+                    throw new IllegalStateException("Nothing comes over the wire.");
+                }
+                meanwhile.run();
+                LockSupport.parkNanos(50_000);
+            }
+            return future.join();
+        }
+
+        @Override
+        public Subscription onChange(Consumer<? super Change> listener) {
+            return remote.onChange(listener);
+        }
+
+        @Override
+        public Optional<SimulationControl> simulation() {
+            return simulation.simulation();
+        }
+
+        @Override
+        public void close() {
+            for (AutoCloseable each : opened) {
+                try {
+                    each.close();
+                } catch (Exception e) {
+                    throw new IllegalStateException(e);
+                }
+            }
+            opened.clear();
+            simulation.close();
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package rsal.player;
+
+import java.util.Set;
+import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Timeout;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.contract.BatteryContract;
+import rsal.testkit.contract.BlobFinderContract;
+import rsal.testkit.contract.BumperContract;
+import rsal.testkit.contract.Capability;
+import rsal.testkit.contract.DriveBaseContract;
+import rsal.testkit.contract.FiducialFinderContract;
+import rsal.testkit.contract.LaserScannerContract;
+import rsal.testkit.contract.OmnidirectionalDriveContract;
+import rsal.testkit.contract.RobotSystemContract;
+import rsal.testkit.contract.SonarArrayContract;
+
+/// Robots of a Player server are robots like any other.
+@Timeout(120)
+class PlayerContractTest {
+    @Nested
+    class Whole extends RobotSystemContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+
+        /// Which of two servers is heard first is up to the network.
+        @Override
+        protected Set<Capability> cannot() {
+            return Set.of(Capability.REPEATABLE);
+        }
+    }
+
+    @Nested
+    class Drive extends DriveBaseContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class Omnidirectional extends OmnidirectionalDriveContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class Laser extends LaserScannerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class Sonar extends SonarArrayContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class BlobFinder extends BlobFinderContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class FiducialFinder extends FiducialFinderContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class Bumper extends BumperContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class Battery extends BatteryContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+}

@@ -1,0 +1,303 @@
+package rsal.player;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
+import rsal.device.Device;
+import rsal.device.DriveBase;
+import rsal.device.Health;
+import rsal.device.LaserScanner;
+import rsal.player.bridge.PlayerBridgeProvider;
+import rsal.robot.Robot;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModels;
+import rsal.robot.RobotSpec;
+import rsal.scene.Scene;
+import rsal.settings.Arguments;
+import rsal.settings.FileSource;
+import rsal.settings.Location;
+import rsal.sim.SimProvider;
+import rsal.system.Bridge;
+import rsal.system.BridgeProvider.Lent;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystem.Change;
+import rsal.system.RobotSystemProvider;
+import rsal.system.RobotSystemProvider.InvalidRobots;
+import rsal.testkit.contract.RobotBench;
+import rsal.time.WallScheduler;
+
+/// Robots of servers that live on real time, as real ones do: nothing is shared but sockets.
+@Timeout(60)
+class PlayerSystemTest {
+    private static final RobotSystemProvider PROVIDER = new PlayerProvider();
+
+    private final WallScheduler time = new WallScheduler("ours", Runnable::run, PlayerSystemTest::fail);
+    private final WallScheduler theirTime = new WallScheduler("theirs", Runnable::run, PlayerSystemTest::fail);
+    private final List<Change> changes = new ArrayList<>(); // of our thread
+    private RobotSystem simulation;
+    private Bridge bridge;
+    private RobotSystem system;
+
+    private static void fail(Throwable error) {
+        throw new AssertionError(error);
+    }
+
+    private static <T> T on(WallScheduler thread, Callable<T> work) {
+        var result = new CompletableFuture<T>();
+        thread.execute(() -> {
+            try {
+                result.complete(work.call());
+            } catch (Exception e) {
+                result.completeExceptionally(e);
+            }
+        });
+        return await(result);
+    }
+
+    private static <T> T await(CompletionStage<T> stage) {
+        return stage.toCompletableFuture().orTimeout(20, TimeUnit.SECONDS).join();
+    }
+
+    private void until(Callable<Boolean> isSo) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+        while (!on(time, isSo)) {
+            assertThat(System.nanoTime()).isLessThan(end);
+            LockSupport.parkNanos(1_000_000);
+        }
+    }
+
+    private static RobotSpec spec(String id, String model, Map<String, String> parts) {
+        Location here = Location.of("test");
+        var choices = new LinkedHashMap<String, RobotModels.Choice>();
+        parts.forEach((device, part) -> choices.put(device, new RobotModels.Choice(part, here)));
+        RobotModel read = new RobotModels(FileSource.resources(RobotBench.class, "/")).read(model, here, choices);
+        return new RobotSpec(id, "tested", read, Optional.of(RobotBench.START), "#3366cc");
+    }
+
+    private static RobotSpec spec() {
+        return spec("r1", "pioneer2dx", Map.of("laser", "urg04lx"));
+    }
+
+    @BeforeEach
+    void simulate() throws IOException {
+        var sim = new SimProvider();
+        simulation = sim.create(
+                new RobotSystemProvider.Config(
+                        Arguments.defaults(sim.parameters()), Scene.of(RobotBench.WORLD.grid()), List.of(spec()), 1),
+                theirTime);
+        serve(0);
+    }
+
+    /// Begins to serve.
+    private void serve(int port) {
+        bridge = on(
+                theirTime,
+                () -> new PlayerBridgeProvider()
+                        .open(
+                                new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
+                                new Lent(
+                                        simulation
+                                                .discover()
+                                                .toCompletableFuture()
+                                                .join(),
+                                        RobotBench.WORLD.grid(),
+                                        simulation.simulation()),
+                                theirTime));
+    }
+
+    private int port() {
+        return bridge.offers().getFirst().port();
+    }
+
+    private Pose2d truth() {
+        return on(
+                theirTime,
+                () -> simulation.simulation().orElseThrow().truth("r1").orElseThrow());
+    }
+
+    @AfterEach
+    void close() {
+        if (system != null) {
+            on(time, () -> {
+                system.close();
+                return true;
+            });
+        }
+        on(theirTime, () -> {
+            bridge.close();
+            simulation.close();
+            return true;
+        });
+        time.close();
+        theirTime.close();
+    }
+
+    private List<Robot> discover(Map<String, Object> settings, RobotSpec... specs) {
+        return await(on(time, () -> {
+            system = create(settings, specs);
+            system.onChange(changes::add);
+            return system.discover();
+        }));
+    }
+
+    private RobotSystem create(Map<String, Object> settings, RobotSpec... specs) {
+        return PROVIDER.create(
+                new RobotSystemProvider.Config(
+                        Arguments.of(PROVIDER.parameters(), settings),
+                        Scene.of(RobotBench.WORLD.grid()),
+                        List.of(specs),
+                        1),
+                time);
+    }
+
+    private Map<String, Object> armed() {
+        return Map.of("port", port(), "armed", true);
+    }
+
+    private void drive(DriveBase base, Twist2d velocity, Duration time) {
+        long end = System.nanoTime() + time.toNanos();
+        while (System.nanoTime() < end) {
+            on(this.time, () -> {
+                base.command(velocity);
+                return true;
+            });
+            LockSupport.parkNanos(50_000_000);
+        }
+    }
+
+    @Test
+    void drivesARobotThatSharesNothingButSockets() {
+        Robot robot = discover(armed(), spec()).getFirst();
+        DriveBase base = robot.require(DriveBase.class);
+        drive(base, Twist2d.drive(0.4, 0), Duration.ofSeconds(1));
+        assertThat(truth().x()).isGreaterThan(RobotBench.START.x() + 0.15);
+        assertThat(on(
+                        time,
+                        () -> robot.require(LaserScanner.class)
+                                .latest()
+                                .orElseThrow()
+                                .value()
+                                .count()))
+                .isEqualTo(682);
+        assertThat(robot.devices())
+                .extracting(Device::info)
+                .allSatisfy(info -> assertThat(info.driver()).isEqualTo("player"));
+    }
+
+    @Test
+    void nothingMovesBeforeItIsArmed() {
+        Robot robot = discover(Map.of("port", port()), spec()).getFirst();
+        DriveBase base = robot.require(DriveBase.class);
+        assertThat(on(time, base::enabled)).isFalse();
+        drive(base, Twist2d.drive(0.4, 0), Duration.ofMillis(500));
+        assertThat(truth()).isEqualTo(RobotBench.START);
+        on(time, () -> {
+            base.enable(true);
+            return true;
+        });
+        drive(base, Twist2d.drive(0.4, 0), Duration.ofMillis(700));
+        assertThat(truth()).isNotEqualTo(RobotBench.START);
+    }
+
+    @Test
+    void whoeverCommandsNoMoreHasItStop() {
+        Robot robot = discover(armed(), spec()).getFirst();
+        drive(robot.require(DriveBase.class), Twist2d.drive(0.4, 0), Duration.ofSeconds(1));
+        until(() -> robot.require(DriveBase.class)
+                .latest()
+                .orElseThrow()
+                .value()
+                .velocity()
+                .equals(Twist2d.STOP));
+        Pose2d stood = truth();
+        LockSupport.parkNanos(300_000_000);
+        assertThat(truth()).isEqualTo(stood);
+    }
+
+    @Test
+    void aServerThatIsKilledIsLostAndFoundAgain() {
+        Robot robot = discover(armed(), spec()).getFirst();
+        int port = port();
+        DriveBase base = robot.require(DriveBase.class);
+        drive(base, Twist2d.drive(0.2, 0), Duration.ofMillis(300));
+        on(theirTime, () -> {
+            bridge.close();
+            return true;
+        });
+        until(() -> robot.devices().stream().allMatch(device -> device.health() instanceof Health.Lost));
+        assertThat(on(time, () -> changes.getLast())).isInstanceOf(Change.Gone.class);
+        drive(base, Twist2d.drive(0.4, 0), Duration.ofMillis(300)); // of no use, and harms nothing
+        until(() -> changes.size() == 1); // it is gone once
+        Pose2d stood = truth();
+        serve(port);
+        until(() -> robot.devices().stream().allMatch(device -> device.health().isOk()));
+        assertThat(on(time, () -> changes.getLast())).isEqualTo(new Change.Appeared(robot));
+        assertThat(truth()).as("what was wanted before is forgotten").isEqualTo(stood);
+        drive(base, Twist2d.drive(0.4, 0), Duration.ofMillis(700));
+        assertThat(truth()).isNotEqualTo(stood);
+    }
+
+    @Test
+    void withoutAServerItSaysSo() throws IOException {
+        int nobody;
+        try (var free = new ServerSocket(0)) {
+            nobody = free.getLocalPort();
+        }
+        assertThatThrownBy(() -> discover(Map.of("port", nobody), spec()))
+                .cause()
+                .hasMessage("There is no Player server at (localhost:%d): Connection refused".formatted(nobody));
+    }
+
+    @Test
+    void aServerThatLacksADeviceIsNamedWithWhatItHas() {
+        assertThatThrownBy(() -> discover(
+                        armed(), spec("r1", "pioneer2dx", Map.of("laser", "urg04lx", "camera", "blob-camera"))))
+                .cause()
+                .hasMessageContaining("Robot (r1) has no device for its (camera): (localhost:" + port() + ") has ")
+                .hasMessageContaining("position2d:0");
+    }
+
+    @Test
+    void robotsThatCantBeAreRefusedBeforeAnythingStarts() {
+        assertThatExceptionOfType(InvalidRobots.class)
+                .isThrownBy(() -> create(Map.of("servers", "nonsense"), spec()))
+                .withMessageContaining("(nonsense) is no server.");
+        assertThatExceptionOfType(InvalidRobots.class)
+                .isThrownBy(() ->
+                        create(Map.of("servers", "a:1"), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
+                .withMessageContaining("(servers) names 1 robots, but there are 2.");
+        assertThatExceptionOfType(InvalidRobots.class)
+                .isThrownBy(() -> create(
+                        Map.of("servers", "a:1,a:1"), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
+                .withMessageContaining("Robots (r1) and (r2) are both at (a:1).");
+        assertThatExceptionOfType(InvalidRobots.class)
+                .isThrownBy(() ->
+                        create(Map.of("port", 65535), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
+                .withMessageContaining("There are no (2) ports from (65535) on.");
+        assertThatExceptionOfType(InvalidRobots.class)
+                .isThrownBy(() -> create(Map.of(), spec("r1", "pioneer2dx", Map.of("light", "beacon"))))
+                .withMessageContaining("(beacon)");
+    }
+}
