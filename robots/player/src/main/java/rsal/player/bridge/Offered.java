@@ -31,7 +31,7 @@ abstract class Offered implements Served {
     private final int index;
     private final DeviceInfo device;
     private final Scheduler scheduler;
-    private final Map<Integer, Packet> commands = new LinkedHashMap<>(); // by subtype; guarded by itself
+    private final Map<Integer, Packet> commands = new LinkedHashMap<>(); // by subtype, newest last; guarded by itself
     private @Nullable Port port;
     private int users;
 
@@ -132,7 +132,7 @@ abstract class Offered implements Served {
     }
 
     @Override
-    public final CompletionStage<Answer> ask(Packet request) {
+    public CompletionStage<Answer> ask(Packet request) {
         var result = new CompletableFuture<Answer>();
         scheduler.execute(() -> {
             try {
@@ -150,6 +150,7 @@ abstract class Offered implements Served {
         boolean first;
         synchronized (commands) {
             first = commands.isEmpty();
+            commands.remove(command.header().subtype()); // it stands behind older ones of other kinds
             commands.put(command.header().subtype(), command);
         }
         if (first) {

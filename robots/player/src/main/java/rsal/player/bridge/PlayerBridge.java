@@ -25,7 +25,13 @@ final class PlayerBridge implements Bridge {
         var ports = new ArrayList<OfferedPort>();
         try {
             for (Robot robot : lent.robots()) {
-                ports.add(new OfferedPort(after(at, ports.size()), Offers.of(robot, scheduler), scheduler));
+                var offers = new ArrayList<Offered>();
+                if (ports.isEmpty()) {
+                    lent.simulation().ifPresent(truth -> offers.add(new OfferedSimulation(0, truth, scheduler)));
+                }
+                offers.addAll(Offers.of(robot, scheduler));
+                offers.add(new OfferedMap(0, lent.map(), "rsal", scheduler));
+                ports.add(new OfferedPort(after(at, ports.size()), offers, scheduler));
             }
         } catch (IOException | RuntimeException e) {
             ports.forEach(OfferedPort::close);

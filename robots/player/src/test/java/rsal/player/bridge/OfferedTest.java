@@ -56,4 +56,13 @@ class OfferedTest {
         scheduler.runPending();
         assertThat(obeyed).hasSize(3);
     }
+
+    @Test
+    void theNewestIsDoneLast() {
+        offered.command(command(1, 1));
+        offered.command(command(2, 2));
+        offered.command(command(1, 3));
+        scheduler.runPending();
+        assertThat(obeyed).extracting(packet -> packet.header().subtype()).containsExactly(2, 1);
+    }
 }

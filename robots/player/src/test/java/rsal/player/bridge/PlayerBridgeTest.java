@@ -4,36 +4,39 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
-import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CompletionStage;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.TimeUnit;
-import java.util.function.BooleanSupplier;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import java.util.zip.InflaterInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.LaserScan;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
-import rsal.player.client.Connection;
 import rsal.player.message.Blobfinder;
 import rsal.player.message.Bumper;
+import rsal.player.message.Chars;
 import rsal.player.message.Fiducial;
 import rsal.player.message.Gripper;
 import rsal.player.message.Interface;
 import rsal.player.message.Laser;
+import rsal.player.message.Maps;
 import rsal.player.message.Pose;
+import rsal.player.message.Pose3;
 import rsal.player.message.Position2d;
 import rsal.player.message.Power;
 import rsal.player.message.Ranger;
+import rsal.player.message.Session;
+import rsal.player.message.Simulation;
 import rsal.player.message.Sonar;
 import rsal.player.wire.Address;
 import rsal.player.wire.Kind;
@@ -43,16 +46,11 @@ import rsal.system.Bridge.Offer;
 import rsal.system.BridgeProvider.Lent;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
-import rsal.testkit.contract.RobotBench;
 
 /// A simulated robot as a Player client sees it, over a socket.
 @Timeout(60)
-class PlayerBridgeTest extends RobotBench {
-    private static final Address BASE = Address.of(Interface.POSITION2D.code(), 0);
-
-    private final Map<Integer, Packet> newest = new ConcurrentHashMap<>(); // by interface
-    private PlayerBridge bridge;
-    private Connection client;
+class PlayerBridgeTest extends BridgeBench {
+    private static final Pose3 NOWHERE = new Pose3(0, 0, 0, 0, 0, 0);
 
     @Override
     protected RobotSystemProvider provider() {
@@ -72,63 +70,6 @@ class PlayerBridgeTest extends RobotBench {
                 "battery", "small-battery",
                 "bumper", "pioneer2dx-bumpers",
                 "fiducials", "fiducials360");
-    }
-
-    @BeforeEach
-    void open() throws IOException {
-        bridge = PlayerBridge.open(
-                new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                new Lent(List.of(robot()), WORLD.grid(), system().simulation()),
-                run);
-        client = Connection.open(
-                new InetSocketAddress(
-                        InetAddress.getLoopbackAddress(),
-                        bridge.offers().getFirst().port()),
-                Duration.ofSeconds(5),
-                packet -> newest.put(packet.header().address().interf(), packet));
-    }
-
-    @AfterEach
-    void close() {
-        client.close();
-        bridge.close();
-    }
-
-    /// Lets simulated time pass until something is so.
-    private void until(BooleanSupplier isSo) throws InterruptedException {
-        for (int step = 0; step < 3000 && !isSo.getAsBoolean(); step++) {
-            run.advance(STEP);
-            TimeUnit.MILLISECONDS.sleep(2); // for the network
-        }
-        assertThat(isSo.getAsBoolean()).isTrue();
-    }
-
-    private <T> T answer(CompletionStage<T> stage) throws InterruptedException {
-        var future = stage.toCompletableFuture();
-        until(future::isDone);
-        return future.join();
-    }
-
-    private void subscribe(Interface interf) throws InterruptedException {
-        answer(client.subscribe(Address.of(interf.code(), 0)));
-        until(() -> newest.containsKey(interf.code()));
-    }
-
-    private <T extends Record> T told(Interface interf, Class<T> type) throws IOException, InterruptedException {
-        if (!newest.containsKey(interf.code())) {
-            subscribe(interf);
-        }
-        return newest.get(interf.code()).body(type);
-    }
-
-    private <T extends Record> T asked(Interface interf, int subtype, Class<T> type)
-            throws IOException, InterruptedException {
-        Packet request = Packet.of(Address.of(interf.code(), 0), Kind.REQUEST, subtype, 0);
-        return answer(client.ask(request)).body(type);
-    }
-
-    private void command(int subtype, Record body) {
-        client.command(Packet.of(BASE, Kind.COMMAND, subtype, 0, body));
     }
 
     private PlayerBridge both(RobotSystem two, int port) throws IOException {
@@ -171,7 +112,7 @@ class PlayerBridgeTest extends RobotBench {
 
     @Test
     void allOfItsDevicesAreListed() throws InterruptedException {
-        assertThat(answer(client.devices()))
+        assertThat(answer(client().devices()))
                 .extracting(Address::interf)
                 .containsExactlyInAnyOrder(
                         Interface.POSITION2D.code(),
@@ -183,8 +124,10 @@ class PlayerBridgeTest extends RobotBench {
                         Interface.GRIPPER.code(),
                         Interface.POWER.code(),
                         Interface.BUMPER.code(),
-                        Interface.FIDUCIAL.code());
-        assertThat(answer(client.driver(BASE))).isEqualTo("sim");
+                        Interface.FIDUCIAL.code(),
+                        Interface.SIMULATION.code(),
+                        Interface.MAP.code());
+        assertThat(answer(client().driver(BASE))).isEqualTo("sim");
     }
 
     @Test
@@ -196,7 +139,7 @@ class PlayerBridgeTest extends RobotBench {
         assertThat(state.velocity().x()).isCloseTo(0.3, within(0.01));
         assertThat(state.stall()).isZero();
         assertThat(state.odomFromBase().x()).isBetween(1.5, 2.5);
-        client.close();
+        client().close();
         var base = robot().require(DriveBase.class);
         until(() -> base.latest().orElseThrow().value().velocity().speed() == 0);
     }
@@ -205,9 +148,9 @@ class PlayerBridgeTest extends RobotBench {
     void velocitiesThatAreNoNumbersAreLeftOut() throws Exception {
         subscribe(Interface.POSITION2D);
         command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(Double.NaN, 0, 0), 1));
-        command(Position2d.CAR, new Position2d.Car(0.3, 0)); // not offered
+        command(Position2d.CAR, new Position2d.Car(0.3, 0)); // it is none
         advance(2);
-        answer(client.devices()); // whatever came before it has been read
+        answer(client().devices()); // whatever came before it has been read
         advance(1);
         assertThat(truth()).isEqualTo(START);
     }
@@ -216,16 +159,16 @@ class PlayerBridgeTest extends RobotBench {
     void odometryIsSetAndMotorsAreSwitched() throws Exception {
         subscribe(Interface.POSITION2D);
         var set = new Position2d.Odometry(new Pose(3, 4, 1));
-        answer(client.ask(Packet.of(BASE, Kind.REQUEST, Position2d.SET_ODOMETRY, 0, set)));
+        answer(client().ask(Packet.of(BASE, Kind.REQUEST, Position2d.SET_ODOMETRY, 0, set)));
         until(() -> robot().require(DriveBase.class)
                 .latest()
                 .orElseThrow()
                 .value()
                 .odomFromBase()
                 .isNear(new Pose2d(3, 4, 1), 1e-9, 1e-9));
-        answer(client.ask(Packet.of(BASE, Kind.REQUEST, Position2d.MOTORS, 0, new Position2d.Motors(0))));
+        answer(client().ask(Packet.of(BASE, Kind.REQUEST, Position2d.MOTORS, 0, new Position2d.Motors(0))));
         assertThat(robot().require(DriveBase.class).enabled()).isFalse();
-        answer(client.ask(Packet.of(BASE, Kind.REQUEST, Position2d.RESET_ODOMETRY, 0)));
+        answer(client().ask(Packet.of(BASE, Kind.REQUEST, Position2d.RESET_ODOMETRY, 0)));
         advance(0.2);
         assertThat(robot().require(DriveBase.class)
                         .latest()
@@ -284,17 +227,122 @@ class PlayerBridgeTest extends RobotBench {
     void aGripperClosesAndOpens() throws Exception {
         subscribe(Interface.GRIPPER);
         assertThat(told(Interface.GRIPPER, Gripper.State.class).state()).isEqualTo(1);
-        client.command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.CLOSE, 0));
+        client().command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.CLOSE, 0));
         until(() -> gripper() == 2);
-        client.command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.OPEN, 0));
+        client().command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.OPEN, 0));
         until(() -> gripper() == 1);
     }
 
     private int gripper() {
-        try {
-            return told(Interface.GRIPPER, Gripper.State.class).state();
-        } catch (IOException | InterruptedException e) {
-            throw new AssertionError(e);
+        return newest(Interface.GRIPPER, Gripper.State.class).state();
+    }
+
+    @Test
+    void theTruthIsToldAndRobotsArePlaced() throws Exception {
+        var name = Chars.of("r1");
+        var at = ask(Interface.SIMULATION, Simulation.POSE, new Simulation.Placed(name, new Pose(0, 0, 0)))
+                .body(Simulation.Placed.class);
+        assertThat(Chars.text(at.name())).isEqualTo("r1");
+        assertThat(at.pose()).isEqualTo(new Pose(START.x(), START.y(), START.theta()));
+        Pose2d a = WORLD.pose('a', 0);
+        ask(Interface.SIMULATION, Simulation.SET_POSE, new Simulation.Placed(name, new Pose(a.x(), a.y(), 1)));
+        assertThat(truth()).isEqualTo(new Pose2d(a.x(), a.y(), 1));
+        var in3d = ask(Interface.SIMULATION, Simulation.POSE3, new Simulation.Placed3(name, NOWHERE, 0))
+                .body(Simulation.Placed3.class);
+        assertThat(in3d.pose()).isEqualTo(new Pose3(a.x(), a.y(), 0, 0, 0, 1));
+        assertThat(in3d.time()).isPositive();
+        var start = new Pose3(START.x(), START.y(), 0, 0, 0, 0);
+        ask(Interface.SIMULATION, Simulation.SET_POSE3, new Simulation.Placed3(name, start, 0));
+        assertThat(truth()).isEqualTo(START);
+    }
+
+    @Test
+    void whatIsNotThereIsNotPlacedNorAnythingInAWall() throws Exception {
+        var nobody = Chars.of("nobody");
+        refused(Interface.SIMULATION, Simulation.POSE, new Simulation.Placed(nobody, new Pose(0, 0, 0)));
+        refused(Interface.SIMULATION, Simulation.SET_POSE, new Simulation.Placed(nobody, new Pose(1, 1, 0)));
+        var outside = new Simulation.Placed(Chars.of("r1"), new Pose(1e300, 0, Double.NaN));
+        refused(Interface.SIMULATION, Simulation.SET_POSE, outside);
+        Pose2d wall = new Pose2d(0, 0, 0);
+        refused(
+                Interface.SIMULATION,
+                Simulation.SET_POSE,
+                new Simulation.Placed(Chars.of("r1"), new Pose(wall.x(), wall.y(), 0)));
+        refused(
+                Interface.SIMULATION,
+                Simulation.PROPERTY,
+                new Simulation.Property(Chars.of("r1"), Chars.of("color"), 0, new byte[16]));
+        assertThat(truth()).isEqualTo(START);
+        var known = new Session.Capability(Kind.REQUEST.code(), Simulation.SET_POSE3);
+        assertThat(ask(Interface.SIMULATION, 255, known).header().kind()).isEqualTo(Kind.ACK);
+    }
+
+    @Test
+    void theMapComesInTiles() throws Exception {
+        var extent = asked(Interface.MAP, Maps.INFO, Maps.Extent.class);
+        OccupancyGrid map = WORLD.grid();
+        assertThat(extent)
+                .isEqualTo(
+                        new Maps.Extent(0.25f, map.width(), map.height(), new Pose(map.originX(), map.originY(), 0)));
+        int side = 20;
+        var seen = new byte[map.width() * map.height()];
+        for (int row = 0; row < map.height(); row += side) {
+            for (int column = 0; column < map.width(); column += side) {
+                Maps.Tile tile = tile(column, row, side, side);
+                byte[] cells = unpacked(tile.cells(), side * side);
+                for (int i = 0; i < cells.length; i++) {
+                    int x = column + i % side;
+                    int y = row + i / side;
+                    if (map.contains(x, y)) {
+                        seen[y * map.width() + x] = cells[i];
+                    } else {
+                        assertThat(cells[i]).isZero();
+                    }
+                }
+            }
         }
+        for (int i = 0; i < seen.length; i++) {
+            assertThat(seen[i]).isEqualTo((byte) (map.cells()[i] == OccupancyGrid.FREE ? -1 : 1));
+        }
+    }
+
+    private Maps.Tile tile(int column, int row, int width, int height) throws IOException, InterruptedException {
+        var asked = new Maps.Tile(column, row, width, height, 0, 0, new byte[0]);
+        return ask(Interface.MAP, Maps.TILE, asked).body(Maps.Tile.class);
+    }
+
+    private static byte[] unpacked(byte[] packed, int size) throws IOException {
+        try (var zip = new InflaterInputStream(new ByteArrayInputStream(packed))) {
+            byte[] cells = zip.readAllBytes();
+            assertThat(cells).hasSize(size);
+            return cells;
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 5", "5, 0", "-5, -5", "100000, 100000", "2147483647, 2147483647", "-2147483648, -1"})
+    void tilesOfNoSizeOrTooLargeAreRefused(int width, int height) {
+        refused(Interface.MAP, Maps.TILE, new Maps.Tile(0, 0, width, height, 0, 0, new byte[0]));
+    }
+
+    @Test
+    void tilesFromAnywhereElseAreUnknown() throws Exception {
+        Maps.Tile tile = tile(Integer.MAX_VALUE - 1, Integer.MIN_VALUE, 3, 3);
+        assertThat(unpacked(tile.cells(), 9)).containsOnly(0);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void whoeverBabblesDisturbsNobody(long seed) throws Exception {
+        subscribe(Interface.POSITION2D);
+        babble(seed);
+        assertThat(truth().isFinite()).isTrue();
+        robot().require(DriveBase.class).enable(true);
+        assertThat(answer(client().driver(BASE))).isEqualTo("sim");
+        run.advance(STEP);
+        robot().devices()
+                .forEach(device -> assertThat(device.health().isOk())
+                        .as(device.info().id())
+                        .isTrue());
     }
 }

@@ -1,0 +1,112 @@
+package rsal.player.bridge;
+
+import java.io.ByteArrayOutputStream;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.zip.Deflater;
+import java.util.zip.DeflaterOutputStream;
+import rsal.data.OccupancyGrid;
+import rsal.device.DeviceInfo;
+import rsal.device.Subscription;
+import rsal.player.message.Interface;
+import rsal.player.message.Maps;
+import rsal.player.message.Pose;
+import rsal.player.wire.Kind;
+import rsal.player.wire.MalformedException;
+import rsal.player.wire.Packet;
+import rsal.time.Scheduler;
+
+/// What robots know of the world that have been told, as `map`.
+final class OfferedMap extends Offered {
+    private static final int OCCUPIED = 1;
+    private static final int LARGEST = 8_000_000; // cells; Player's messages hold no more
+    private static final int USUAL = 640; // cells that Player's clients ask for, each way
+
+    private final OccupancyGrid map;
+
+    /// @param driver as clients are told
+    OfferedMap(int index, OccupancyGrid map, String driver, Scheduler scheduler) {
+        super(Interface.MAP, index, new DeviceInfo("", "map", driver), scheduler);
+        this.map = map;
+    }
+
+    @Override
+    Subscription listen() {
+        return () -> {};
+    }
+
+    @Override
+    public boolean understands(Kind kind, int subtype) {
+        return kind == Kind.REQUEST && (subtype == Maps.INFO || subtype == Maps.TILE);
+    }
+
+    /// At once, on the thread of whoever asks: a map never changes, and to pack a large one takes a while.
+    @Override
+    public CompletionStage<Answer> ask(Packet request) {
+        try {
+            return CompletableFuture.completedStage(answer(request).orElseGet(Answer.Refused::new));
+        } catch (MalformedException e) {
+            return CompletableFuture.completedStage(new Answer.Refused());
+        }
+    }
+
+    @Override
+    Optional<Answer> answer(Packet request) throws MalformedException {
+        return switch (request.header().subtype()) {
+            case Maps.INFO ->
+                Optional.of(new Answer.Told(new Maps.Extent(
+                        (float) map.resolution(),
+                        map.width(),
+                        map.height(),
+                        new Pose(map.originX(), map.originY(), 0))));
+            case Maps.TILE -> tile(request.body(Maps.Tile.class));
+            default -> Optional.empty();
+        };
+    }
+
+    private Optional<Answer> tile(Maps.Tile asked) {
+        long count = (long) asked.width() * asked.height();
+        boolean inBounds = asked.width() > 0
+                && asked.height() > 0
+                && count <= Math.min(LARGEST, Math.max(USUAL * USUAL, map.cells().length));
+        if (!inBounds) {
+            return Optional.empty();
+        }
+        byte[] packed = packed(cells(asked));
+        return Optional.of(new Answer.Told(new Maps.Tile(
+                asked.column(), asked.row(), asked.width(), asked.height(), packed.length, OCCUPIED, packed)));
+    }
+
+    private byte[] cells(Maps.Tile tile) {
+        var cells = new byte[tile.width() * tile.height()];
+        for (int row = 0; row < tile.height(); row++) {
+            for (int column = 0; column < tile.width(); column++) {
+                cells[row * tile.width() + column] = cell(tile.column() + column, tile.row() + row);
+            }
+        }
+        return cells;
+    }
+
+    private byte cell(int column, int row) {
+        return (byte)
+                switch (map.at(column, row)) {
+                    case OccupancyGrid.FREE -> -OCCUPIED;
+                    case OccupancyGrid.OCCUPIED -> OCCUPIED;
+                    default -> 0;
+                };
+    }
+
+    private static byte[] packed(byte[] cells) {
+        var bytes = new ByteArrayOutputStream();
+        var deflater = new Deflater(Deflater.BEST_SPEED);
+        try (var zip = new DeflaterOutputStream(bytes, deflater)) {
+            zip.write(cells);
+        } catch (java.io.IOException e) {
+            throw new AssertionError("Memory can be written to.", e);
+        } finally {
+            deflater.end();
+        }
+        return bytes.toByteArray();
+    }
+}
