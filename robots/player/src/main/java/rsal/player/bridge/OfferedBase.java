@@ -2,7 +2,7 @@ package rsal.player.bridge;
 
 import java.time.Duration;
 import java.util.Optional;
-import rsal.data.Footprint;
+import rsal.data.Interval;
 import rsal.data.Odometry;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -18,34 +18,45 @@ import rsal.player.message.Position2d;
 import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Drive;
+import rsal.robot.RobotModel.Steering;
 import rsal.time.Scheduler;
 
-/// A base as `position2d`. A velocity holds until the next one, as Player's clients expect, and ours do not: it is said
-/// again and again, until no client is left.
-final class OfferedBase extends Offered {
+/// A base as `position2d`. What a client wants holds until it wants something else, as Player's clients expect, and
+/// ours do not: it is said again and again, until no client is left.
+final class OfferedBase extends Offered implements Reins.Holder {
     private static final Duration AGAIN = Duration.ofMillis(100);
 
     private final DriveBase base;
-    private final Footprint footprint;
-    private final double height;
-    private Optional<Twist2d> wanted = Optional.empty();
+    private final RobotModel model;
+    private final Reins reins;
+    private Optional<Wish> wanted = Optional.empty();
 
-    /// @param height of the robot [m]
-    OfferedBase(int index, DriveBase base, Footprint footprint, double height, Scheduler scheduler) {
+    OfferedBase(int index, DriveBase base, RobotModel model, Reins reins, Scheduler scheduler) {
         super(Interface.POSITION2D, index, base.info(), scheduler);
         this.base = base;
-        this.footprint = footprint;
-        this.height = height;
+        this.model = model;
+        this.reins = reins;
     }
 
     @Override
     Subscription listen() {
-        var repeating = scheduler().every(AGAIN, () -> wanted.ifPresent(base::command));
+        var repeating = scheduler().every(AGAIN, this::drive);
         Subscription telling = base.subscribe(this::tell);
         return () -> {
             repeating.cancel();
             telling.cancel();
         };
+    }
+
+    private void drive() {
+        Optional<Odometry> odometry = base.latest().map(Stamped::value);
+        if (wanted.isPresent() && odometry.isPresent()) {
+            Optional<Twist2d> next = wanted.get().now(odometry.get());
+            base.command(next.orElse(Twist2d.STOP));
+            wanted = wanted.filter(_ -> next.isPresent());
+        }
     }
 
     private void tell(Stamped<Odometry> reading) {
@@ -63,10 +74,20 @@ final class OfferedBase extends Offered {
     @Override
     public boolean understands(Kind kind, int subtype) {
         return switch (kind) {
-            case COMMAND -> subtype == Position2d.VELOCITY;
+            case COMMAND ->
+                switch (subtype) {
+                    case Position2d.VELOCITY -> true;
+                    case Position2d.GOAL, Position2d.VELOCITY_HEADING -> drives().turnsInPlace();
+                    case Position2d.CAR -> drives().steering() instanceof Steering.Car;
+                    default -> false;
+                };
             case REQUEST -> subtype >= Position2d.GEOMETRY && subtype <= Position2d.RESET_ODOMETRY;
             default -> false;
         };
+    }
+
+    private Drive drives() {
+        return model.drive();
     }
 
     @Override
@@ -80,7 +101,7 @@ final class OfferedBase extends Offered {
                 wanted = wanted.filter(_ -> on);
                 base.enable(on);
             }
-            case Position2d.VELOCITY_MODE, Position2d.POSITION_MODE -> {} // there is one way only
+            case Position2d.VELOCITY_MODE, Position2d.POSITION_MODE -> {} // what it is told says which
             case Position2d.SET_ODOMETRY -> {
                 Pose2d odomFromBase =
                         pose(request.body(Position2d.Odometry.class).odomFromBase());
@@ -98,23 +119,67 @@ final class OfferedBase extends Offered {
     }
 
     private Position2d.Geometry geometry() {
-        double minX = footprint.corners().stream().mapToDouble(Point2d::x).min().orElseThrow();
-        double maxX = footprint.corners().stream().mapToDouble(Point2d::x).max().orElseThrow();
-        double minY = footprint.corners().stream().mapToDouble(Point2d::y).min().orElseThrow();
-        double maxY = footprint.corners().stream().mapToDouble(Point2d::y).max().orElseThrow();
+        var corners = model.footprint().corners();
+        double minX = corners.stream().mapToDouble(Point2d::x).min().orElseThrow();
+        double maxX = corners.stream().mapToDouble(Point2d::x).max().orElseThrow();
+        double minY = corners.stream().mapToDouble(Point2d::y).min().orElseThrow();
+        double maxY = corners.stream().mapToDouble(Point2d::y).max().orElseThrow();
         return new Position2d.Geometry(
                 new Pose3((minX + maxX) / 2, (minY + maxY) / 2, 0, 0, 0, 0),
-                new Box3(maxY - minY, maxX - minX, height));
+                new Box3(maxY - minY, maxX - minX, model.body().top()));
     }
 
     @Override
     void obey(Packet command) throws MalformedException {
-        if (command.header().subtype() == Position2d.VELOCITY) {
-            Pose velocity = command.body(Position2d.Velocity.class).velocity();
-            var twist = new Twist2d(velocity.x(), velocity.y(), velocity.theta());
-            base.command(twist); // refuses what is not finite
-            wanted = Optional.of(twist);
+        if (understands(Kind.COMMAND, command.header().subtype())) {
+            Wish wish = wish(command);
+            reins.take(this);
+            wanted = Optional.of(wish);
+            drive();
         }
+    }
+
+    /// @throws IllegalArgumentException when it is not finite
+    private Wish wish(Packet command) throws MalformedException {
+        return switch (command.header().subtype()) {
+            case Position2d.GOAL -> {
+                Pose2d goal = pose(command.body(Position2d.Goal.class).odomFromGoal());
+                yield Steps.to(finite(goal, goal.isFinite()), drives());
+            }
+            case Position2d.VELOCITY_HEADING -> {
+                var told = command.body(Position2d.VelocityHeading.class);
+                boolean isFinite = Double.isFinite(told.velocity()) && Double.isFinite(told.heading());
+                yield Steps.along(finite(told, isFinite).velocity(), told.heading(), drives());
+            }
+            case Position2d.CAR -> constant(steered(command.body(Position2d.Car.class)));
+            default -> {
+                Pose velocity = command.body(Position2d.Velocity.class).velocity();
+                yield constant(new Twist2d(velocity.x(), velocity.y(), velocity.theta()));
+            }
+        };
+    }
+
+    private Twist2d steered(Position2d.Car told) {
+        var car = (Steering.Car) drives().steering();
+        double angle = Interval.around0(car.maxSteeringAngle()).clamp(told.steering());
+        return Twist2d.drive(told.velocity(), told.velocity() * Math.tan(angle) / car.wheelbase());
+    }
+
+    private static Wish constant(Twist2d velocity) {
+        Optional<Twist2d> always = Optional.of(finite(velocity, velocity.isFinite()));
+        return _ -> always;
+    }
+
+    private static <T> T finite(T value, boolean isFinite) {
+        if (!isFinite) {
+            throw new IllegalArgumentException("A base can't do (%s).".formatted(value));
+        }
+        return value;
+    }
+
+    @Override
+    public void letGo() {
+        wanted = Optional.empty();
     }
 
     @Override

@@ -11,7 +11,9 @@ import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
-/// A gripper as `gripper`: its paddles; STORE and RETRIEVE, which say nothing of a lift, move that up and down.
+/// A gripper as `gripper`: its paddles, and STOP for these and the lift; STORE and RETRIEVE, which say nothing of a
+/// lift,
+/// move that up and down.
 final class OfferedGripper extends OfferedSensor<GripperState> {
     private static final int OPEN = 1;
     private static final int CLOSED = 2;
@@ -20,11 +22,11 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     private static final int OUTER = 8;
     private static final int BEAMS = 2;
 
-    private final rsal.device.Gripper gripper;
+    private final Jaws jaws;
 
-    OfferedGripper(int index, rsal.device.Gripper gripper, Scheduler scheduler) {
+    OfferedGripper(int index, rsal.device.Gripper gripper, Jaws jaws, Scheduler scheduler) {
         super(Interface.GRIPPER, index, gripper, scheduler);
-        this.gripper = gripper;
+        this.jaws = jaws;
     }
 
     @Override
@@ -48,7 +50,7 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     @Override
     public boolean understands(Kind kind, int subtype) {
         return switch (kind) {
-            case COMMAND -> subtype >= Gripper.OPEN && subtype <= Gripper.RETRIEVE && subtype != Gripper.STOP;
+            case COMMAND -> subtype >= Gripper.OPEN && subtype <= Gripper.RETRIEVE;
             case REQUEST -> subtype == Gripper.GEOMETRY;
             default -> false;
         };
@@ -57,10 +59,11 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     @Override
     void obey(Packet command) {
         switch (command.header().subtype()) {
-            case Gripper.OPEN -> gripper.open();
-            case Gripper.CLOSE -> gripper.close();
-            case Gripper.STORE -> gripper.lift();
-            case Gripper.RETRIEVE -> gripper.lower();
+            case Gripper.OPEN -> jaws.open();
+            case Gripper.CLOSE -> jaws.close();
+            case Gripper.STOP -> jaws.stop();
+            case Gripper.STORE -> jaws.lift();
+            case Gripper.RETRIEVE -> jaws.lower();
             default -> {}
         }
     }

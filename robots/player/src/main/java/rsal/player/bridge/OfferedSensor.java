@@ -9,6 +9,7 @@ import rsal.device.Sensor;
 import rsal.device.Subscription;
 import rsal.player.message.Interface;
 import rsal.player.wire.Kind;
+import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
@@ -32,7 +33,7 @@ abstract class OfferedSensor<T> extends Offered {
     }
 
     @Override
-    final Subscription listen() {
+    Subscription listen() {
         return sensor.subscribe(this::tell);
     }
 
@@ -41,7 +42,7 @@ abstract class OfferedSensor<T> extends Offered {
 
     /// Nothing, before it has measured once.
     @Override
-    Optional<Answer> answer(Packet request) {
+    Optional<Answer> answer(Packet request) throws MalformedException {
         int subtype = request.header().subtype();
         return sensor.latest()
                 .filter(_ -> understands(Kind.REQUEST, subtype))

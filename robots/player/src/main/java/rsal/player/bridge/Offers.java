@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import rsal.device.Actuator;
 import rsal.device.Battery;
 import rsal.device.BlobFinder;
 import rsal.device.Bumper;
@@ -16,6 +17,7 @@ import rsal.device.LaserScanner;
 import rsal.device.SonarArray;
 import rsal.player.message.Interface;
 import rsal.robot.Robot;
+import rsal.robot.RobotModel.Part;
 import rsal.time.Scheduler;
 
 /// What of a robot is offered: each device under the interfaces that Player has for it, counted from 0 in its order.
@@ -24,6 +26,7 @@ final class Offers {
     private final Scheduler scheduler;
     private final Map<Interface, Integer> next = new EnumMap<>(Interface.class);
     private final List<Offered> offers = new ArrayList<>();
+    private final Reins reins = new Reins();
 
     private Offers(Robot robot, Scheduler scheduler) {
         this.robot = robot;
@@ -45,12 +48,7 @@ final class Offers {
     private void add(Device device) {
         switch (device) {
             case DriveBase base ->
-                offers.add(new OfferedBase(
-                        index(Interface.POSITION2D),
-                        base,
-                        robot.model().footprint(),
-                        robot.model().body().top(),
-                        scheduler));
+                offers.add(new OfferedBase(index(Interface.POSITION2D), base, robot.model(), reins, scheduler));
             case LaserScanner laser -> {
                 offers.add(new OfferedLaser(Interface.RANGER, index(Interface.RANGER), laser, scheduler));
                 offers.add(new OfferedLaser(Interface.LASER, index(Interface.LASER), laser, scheduler));
@@ -63,8 +61,19 @@ final class Offers {
             case Bumper bumper -> offers.add(new OfferedBumpers(index(Interface.BUMPER), bumper, scheduler));
             case BlobFinder camera -> offers.add(new OfferedCamera(index(Interface.BLOBFINDER), camera, scheduler));
             case FiducialFinder finder -> offers.add(new OfferedMarkers(index(Interface.FIDUCIAL), finder, scheduler));
-            case Gripper gripper -> offers.add(new OfferedGripper(index(Interface.GRIPPER), gripper, scheduler));
-            default -> {} // Player has nothing like it, or it is not offered yet
+            case Gripper gripper -> addGripper(gripper);
+            case Actuator actuator -> offers.add(new OfferedActuator(index(Interface.ACTARRAY), actuator, scheduler));
+            default -> {} // Player has nothing like it
+        }
+    }
+
+    private void addGripper(Gripper gripper) {
+        var jaws = new Jaws(gripper);
+        offers.add(new OfferedGripper(index(Interface.GRIPPER), gripper, jaws, scheduler));
+        offers.add(new OfferedBeams(index(Interface.DIO), gripper, scheduler));
+        Part part = robot.model().sensors().get(gripper.info().name());
+        if (part instanceof Part.Gripper made && made.hasLift()) {
+            offers.add(new OfferedLift(index(Interface.ACTARRAY), gripper, jaws, scheduler));
         }
     }
 }

@@ -22,9 +22,11 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
+import rsal.player.message.Actarray;
 import rsal.player.message.Blobfinder;
 import rsal.player.message.Bumper;
 import rsal.player.message.Chars;
+import rsal.player.message.Dio;
 import rsal.player.message.Fiducial;
 import rsal.player.message.Gripper;
 import rsal.player.message.Interface;
@@ -126,7 +128,9 @@ class PlayerBridgeTest extends BridgeBench {
                         Interface.BUMPER.code(),
                         Interface.FIDUCIAL.code(),
                         Interface.SIMULATION.code(),
-                        Interface.MAP.code());
+                        Interface.MAP.code(),
+                        Interface.ACTARRAY.code(), // lift
+                        Interface.DIO.code());
         assertThat(answer(client().driver(BASE))).isEqualTo("sim");
     }
 
@@ -148,6 +152,8 @@ class PlayerBridgeTest extends BridgeBench {
     void velocitiesThatAreNoNumbersAreLeftOut() throws Exception {
         subscribe(Interface.POSITION2D);
         command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(Double.NaN, 0, 0), 1));
+        command(Position2d.GOAL, new Position2d.Goal(new Pose(1, Double.NaN, 0), new Pose(0, 0, 0), 1));
+        command(Position2d.VELOCITY_HEADING, new Position2d.VelocityHeading(Double.POSITIVE_INFINITY, 0));
         command(Position2d.CAR, new Position2d.Car(0.3, 0)); // it is none
         advance(2);
         answer(client().devices()); // whatever came before it has been read
@@ -221,6 +227,66 @@ class PlayerBridgeTest extends BridgeBench {
                 .hasSameSizeAs(bumpers.pressed());
         assertThat(told(Interface.BLOBFINDER, Blobfinder.Blobs.class).blobs()).isEmpty();
         assertThat(told(Interface.FIDUCIAL, Fiducial.Markers.class).markers()).isEmpty();
+    }
+
+    private Pose2d odometry() {
+        return robot().require(DriveBase.class).latest().orElseThrow().value().odomFromBase();
+    }
+
+    @Test
+    void turnsDrivesAndTurnsToAGoalOfItsOdometry() throws Exception {
+        var reset = new Position2d.Odometry(new Pose(5, 5, Math.PI / 2));
+        ask(Interface.POSITION2D, Position2d.SET_ODOMETRY, reset);
+        var goal = new Pose2d(6, 6, -2);
+        var told = new Position2d.Goal(new Pose(goal.x(), goal.y(), goal.theta()), new Pose(0, 0, 0), 1);
+        command(Position2d.GOAL, told);
+        until(() -> odometry().isNear(goal, 0.03, Math.toRadians(3)));
+        assertThat(truth().x()).isCloseTo(START.x() + 1, within(0.1));
+        assertThat(truth().y()).isCloseTo(START.y() - 1, within(0.1));
+        advance(2);
+        assertThat(odometry().isNear(goal, 0.03, Math.toRadians(3))).isTrue();
+        command(Position2d.GOAL, told);
+        until(() -> odometry().isNear(goal, 0.03, Math.toRadians(3)));
+        command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(0, 0, 0.5), 1)); // ends it
+        until(() -> Math.abs(odometry().theta() - goal.theta()) > 1);
+    }
+
+    @Test
+    void drivesAlongAHeading() throws Exception {
+        command(Position2d.VELOCITY_HEADING, new Position2d.VelocityHeading(0.3, -0.5));
+        until(() -> truth().distanceTo(START) > 2);
+        assertThat(odometry().theta()).isCloseTo(-0.5, within(0.05));
+    }
+
+    @Test
+    void aGripperStopsInBetweenAndItsLiftAndBeamsAreOffered() throws Exception {
+        subscribe(Interface.GRIPPER);
+        client().command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.CLOSE, 0));
+        until(() -> gripper() == 3);
+        client().command(Packet.of(Address.of(Interface.GRIPPER.code(), 0), Kind.COMMAND, Gripper.STOP, 0));
+        answer(client().devices());
+        advance(10);
+        assertThat(robot().require(rsal.device.Gripper.class)
+                        .latest()
+                        .orElseThrow()
+                        .value()
+                        .closed())
+                .isStrictlyBetween(0.01, 0.99);
+        var up = new Actarray.Position(0, 1);
+        client().command(Packet.of(Address.of(Interface.ACTARRAY.code(), 0), Kind.COMMAND, Actarray.POSITION, 0, up));
+        until(() -> lift().position() == 1 && lift().state() == 1);
+        var down = new Actarray.Speed(0, -1);
+        client().command(Packet.of(Address.of(Interface.ACTARRAY.code(), 0), Kind.COMMAND, Actarray.SPEED, 0, down));
+        until(() -> lift().position() == 0);
+        var limits = asked(Interface.ACTARRAY, Actarray.GEOMETRY, Actarray.Geometry.class)
+                .joints();
+        assertThat(limits).hasSize(1);
+        assertThat(limits.getFirst().max()).isEqualTo(1);
+        assertThat(told(Interface.DIO, Dio.Values.class)).isEqualTo(new Dio.Values(4, 0));
+    }
+
+    private Actarray.Joint lift() {
+        return newest(Interface.ACTARRAY, Actarray.State.class).joints().getFirst();
     }
 
     @Test
