@@ -14,6 +14,9 @@ import rsal.device.DriveBase;
 import rsal.device.FiducialFinder;
 import rsal.device.Gripper;
 import rsal.device.LaserScanner;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.device.Navigator.Tolerance;
 import rsal.device.SonarArray;
 import rsal.player.message.Interface;
 import rsal.robot.Robot;
@@ -63,6 +66,16 @@ final class Offers {
             case FiducialFinder finder -> offers.add(new OfferedMarkers(index(Interface.FIDUCIAL), finder, scheduler));
             case Gripper gripper -> addGripper(gripper);
             case Actuator actuator -> offers.add(new OfferedActuator(index(Interface.ACTARRAY), actuator, scheduler));
+            case Localizer localizer ->
+                offers.add(new OfferedLocalizer(index(Interface.LOCALIZE), localizer, scheduler));
+            case Navigator navigator ->
+                offers.add(new OfferedNavigator(
+                        index(Interface.PLANNER),
+                        navigator,
+                        robot.find(Localizer.class),
+                        Tolerance.DEFAULT,
+                        reins,
+                        scheduler));
             default -> {} // Player has nothing like it
         }
     }

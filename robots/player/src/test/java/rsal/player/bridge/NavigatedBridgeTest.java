@@ -1,0 +1,194 @@
+package rsal.player.bridge;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Pose2d;
+import rsal.device.DriveBase;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.player.message.Interface;
+import rsal.player.message.Localize;
+import rsal.player.message.Planner;
+import rsal.player.message.Pose;
+import rsal.player.message.Position2d;
+import rsal.player.wire.Address;
+import rsal.player.wire.Kind;
+import rsal.player.wire.Packet;
+import rsal.robot.DeviceDriver;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.fake.FakeLocalizer;
+import rsal.testkit.fake.FakeNavigator;
+import rsal.testkit.fake.FakeProvider;
+
+/// A robot that knows where it is and gets about by itself, as a Player client sees it.
+@Timeout(60)
+class NavigatedBridgeTest extends BridgeBench {
+    private static final double[] SURE = {0.04, 0.09, 0.01, 0.01, 0.002, 0.001};
+    private static final Pose2d A = WORLD.pose('a', 0);
+    private static final Pose2d B = WORLD.pose('b', 0);
+
+    @Override
+    protected RobotSystemProvider provider() {
+        return new FakeProvider();
+    }
+
+    @Override
+    protected List<DeviceDriver> drivers() {
+        return List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver());
+    }
+
+    private static Pose wire(Pose2d pose) {
+        return new Pose(pose.x(), pose.y(), pose.theta());
+    }
+
+    private void goal(Pose2d goal) {
+        client().command(Packet.of(
+                Address.of(Interface.PLANNER.code(), 0), Kind.COMMAND, Planner.GOAL, 0, new Planner.Place(wire(goal))));
+    }
+
+    private Planner.State state() {
+        return newest(Interface.PLANNER, Planner.State.class);
+    }
+
+    private Navigator navigator() {
+        return robot().require(Navigator.class);
+    }
+
+    private void enable(int on) throws InterruptedException {
+        ask(Interface.PLANNER, Planner.ENABLE, new Planner.Enable(on));
+    }
+
+    @Test
+    void whereItIsIsToldAndCanBeSet() throws Exception {
+        var told = told(Interface.LOCALIZE, Localize.Hypotheses.class).hypotheses();
+        assertThat(told).hasSize(1);
+        assertThat(told.getFirst().mapFromBase()).isEqualTo(wire(START));
+        assertThat(told.getFirst().weight()).isEqualTo(1);
+        ask(Interface.LOCALIZE, Localize.SET_POSE, new Localize.SetPose(wire(A), SURE));
+        ask(Interface.LOCALIZE, Localize.SET_POSE, new Localize.SetPose(wire(B), SURE));
+        var localizer = robot().require(Localizer.class);
+        until(() -> localizer.latest().orElseThrow().value().mapFromBase().isNear(B, 1e-6, 1e-6));
+        until(() -> newest(Interface.LOCALIZE, Localize.Hypotheses.class)
+                .hypotheses()
+                .getFirst()
+                .mapFromBase()
+                .equals(wire(B)));
+        assertThat(newest(Interface.LOCALIZE, Localize.Hypotheses.class)
+                        .hypotheses()
+                        .getFirst()
+                        .covariance())
+                .containsExactly(SURE);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "NaN, 0, 1, 1, 1, 0",
+        "1e300, 0, 1, 1, 1, 0",
+        "0, 0, -1, 1, 1, 0",
+        "0, 0, 1, Infinity, 1, 0",
+        "0, 0, 1, 1, NaN, 0",
+        "0, 0, 1e-300, 1, 1, 1e100",
+    })
+    void whatNobodyCanBelieveIsRefused(double x, double y, double xx, double yy, double aa, double xy) {
+        var covariance = new double[] {xx, yy, aa, xy, 0, 0};
+        refused(Interface.LOCALIZE, Localize.SET_POSE, new Localize.SetPose(new Pose(x, y, 0), covariance));
+    }
+
+    @Test
+    void itGoesWhereAClientWantsItAndTellsOfIt() throws Exception {
+        assertThat(state())
+                .isEqualTo(new Planner.State(0, 0, wire(START), new Pose(0, 0, 0), new Pose(0, 0, 0), -1, 0));
+        goal(A);
+        until(() -> state().valid() == 1);
+        assertThat(state().mapFromGoal()).isEqualTo(wire(A));
+        assertThat(state().waypointIndex()).isZero();
+        assertThat(state().done()).isZero();
+        var ways = asked(Interface.PLANNER, Planner.WAYPOINTS, Planner.Waypoints.class);
+        assertThat(ways.distance()).isBetween(1.0, START.distanceTo(A) + 0.01);
+        assertThat(ways.waypoints().getLast()).isEqualTo(new Pose(A.x(), A.y(), 0));
+        until(() -> state().done() == 1);
+        assertThat(state().waypointIndex()).isEqualTo(-1);
+        assertThat(state().mapFromBase().x()).isCloseTo(A.x(), within(0.5));
+        goal(WORLD.pose('x', 0)); // nothing leads there
+        until(() -> state().done() == 0);
+        assertThat(state().valid()).isZero();
+    }
+
+    @Test
+    void theSameGoalAgainIsNoneAndOneThatIsNoNumberNeither() throws Exception {
+        for (int i = 0; i < 5; i++) {
+            goal(A);
+            goal(new Pose2d(Double.NaN, 0, 0));
+            answer(client().devices());
+            advance(0.2);
+        }
+        goal(A);
+        until(() -> navigator().goal().isPresent());
+        assertThat(robot().require(FakeNavigator.class).goals()).containsOnlyOnce(A);
+    }
+
+    @Test
+    void itWaitsWhileAClientWantsThat() throws Exception {
+        goal(A);
+        until(() -> state().valid() == 1);
+        enable(0);
+        assertThat(navigator().paused()).isTrue();
+        advance(1);
+        Pose2d before = truth();
+        advance(5);
+        assertThat(truth()).isEqualTo(before);
+        enable(1);
+        until(() -> state().done() == 1);
+    }
+
+    @Test
+    void whoPausesAndLeavesKeepsNobodyWaiting() throws Exception {
+        subscribe(Interface.PLANNER);
+        navigator().goTo(B); // an agent's
+        enable(0);
+        client().close();
+        until(() -> !navigator().paused());
+        assertThat(navigator().goal()).contains(B);
+    }
+
+    @Test
+    void aClientsGoalEndsWhenItIsGone() throws Exception {
+        goal(A);
+        until(() -> navigator().goal().isPresent());
+        client().close();
+        until(() -> navigator().goal().isEmpty());
+    }
+
+    @Test
+    void whoeverCommandsLastDrives() throws Exception {
+        goal(A);
+        until(() -> navigator().goal().isPresent());
+        command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(0, 0, 0.5), 1));
+        until(() -> navigator().goal().isEmpty());
+        goal(B);
+        until(() -> state().done() == 1);
+        assertThat(truth().isNear(B, 0.5, 0.3)).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void whoeverBabblesDisturbsNobody(long seed) throws Exception {
+        subscribe(Interface.POSITION2D);
+        babble(seed);
+        assertThat(truth().isFinite()).isTrue();
+        robot().require(DriveBase.class).enable(true);
+        assertThat(answer(client().driver(BASE))).isEqualTo("fake");
+        run.advance(STEP);
+        robot().devices()
+                .forEach(device -> assertThat(device.health().isOk())
+                        .as(device.info().id())
+                        .isTrue());
+    }
+}
