@@ -106,11 +106,30 @@ record ShownScenario(
     /// @param clock `simulated` or `wall`
     record Run(long seed, String clock) {}
 
-    /// Robots of one role are alike.
+    /// Robots of one role that are alike; those of a role whose members differ are several of these.
     ///
+    /// @param mrs their robot system, with its settings that are not the usual ones: `player, host=lab`; empty when
+    /// it is the scenario's
     /// @param devices in the order in which they are made
     record Role(
-            String role, List<String> ids, String model, List<String> sensors, List<Start> starts, List<Made> devices) {
+            String role,
+            List<String> ids,
+            Optional<String> mrs,
+            String model,
+            List<String> sensors,
+            List<Start> starts,
+            List<Made> devices) {
+        private Role of(List<PlannedRobot> robots) {
+            return new Role(
+                    role,
+                    robots.stream().map(robot -> robot.spec().id()).toList(),
+                    mrs,
+                    model,
+                    sensors,
+                    robots.stream().map(Start::of).toList(),
+                    devices);
+        }
+
         /// @param pose `[x, y, degrees]` in the map; empty when the robot system chooses
         record Start(String robot, Optional<List<Double>> pose) {
             static Start of(PlannedRobot robot) {
@@ -211,26 +230,27 @@ record ShownScenario(
     }
 
     private static List<Role> roles(RunPlan plan) {
-        var byRole = new LinkedHashMap<String, List<PlannedRobot>>();
+        var alike = new LinkedHashMap<Role, List<PlannedRobot>>();
         for (PlannedRobot robot : plan.robots()) {
-            byRole.computeIfAbsent(robot.spec().role(), _ -> new ArrayList<>()).add(robot);
+            alike.computeIfAbsent(role(robot, plan), _ -> new ArrayList<>()).add(robot);
         }
-        return byRole.entrySet().stream()
-                .map(entry -> role(entry.getKey(), entry.getValue()))
+        return alike.entrySet().stream()
+                .map(entry -> entry.getKey().of(entry.getValue()))
                 .toList();
     }
 
-    private static Role role(String name, List<PlannedRobot> robots) {
-        PlannedRobot first = robots.getFirst();
+    /// What a robot has in common with those that are like it.
+    private static Role role(PlannedRobot robot, RunPlan plan) {
         return new Role(
-                name,
-                robots.stream().map(r -> r.spec().id()).toList(),
-                first.spec().model().name(),
-                first.spec().model().sensors().entrySet().stream()
+                robot.spec().role(),
+                List.of(),
+                Optional.of(robot.mrs()).filter(mrs -> !mrs.equals(plan.mrs())).map(RunPlan.Mrs::words),
+                robot.spec().model().name(),
+                robot.spec().model().sensors().entrySet().stream()
                         .map(sensor -> sensor.getKey() + " " + sensor.getValue().name())
                         .toList(),
-                robots.stream().map(Role.Start::of).toList(),
-                first.drivers().stream().map(Role.Made::of).toList());
+                List.of(),
+                robot.drivers().stream().map(Role.Made::of).toList());
     }
 
     private static double rounded(double value) {

@@ -3,7 +3,12 @@ package rsal.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -26,5 +31,28 @@ class ShowTest {
                 .startsWith(name + ": a type of agents\n")
                 .doesNotContain("Measures");
         assertThat(show("show", name, "--json")).startsWith("{\"scenario\":\"%s\"".formatted(name));
+    }
+
+    @Test
+    void robotsOfOneRoleMayDiffer(@TempDir Path folder) throws IOException {
+        Path file = Files.writeString(folder.resolve("two.yaml"), """
+                rsal: 1
+                scenario: two
+                world: {map: office}
+                robots:
+                  rover:
+                    model: pioneer2dx
+                    mrs: {sensorNoise: 0}
+                    members:
+                      - {name: ann, pose: [-12, -1, 0]}
+                      - {name: bea, pose: [-8, -1, 0], model: pioneer3at}
+                """);
+        assertThat(show("show", file.toString()))
+                .containsPattern("rover +1 × pioneer2dx")
+                .containsPattern("rover +1 × pioneer3at")
+                .containsPattern("mrs: sim, sensorNoise=0.0 +ann\n")
+                .containsPattern("mrs: sim, sensorNoise=0.0 +bea\n");
+        assertThat(show("show", file.toString(), "--json"))
+                .contains("\"ids\":[\"bea\"],\"mrs\":\"sim, sensorNoise=0.0\",\"model\":\"pioneer3at\"");
     }
 }

@@ -17,9 +17,11 @@ import rsal.device.DriveBase;
 import rsal.fault.Fault;
 import rsal.fault.FaultInjection;
 import rsal.fault.SensorFaults;
+import rsal.robot.RobotSpec;
 import rsal.scenario.PlannedFault.OfMessages;
 import rsal.scenario.PlannedFault.OfRobot;
 import rsal.scenario.PlannedFault.Target;
+import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.settings.Arguments;
@@ -84,13 +86,14 @@ final class FaultReader {
         return drafts.stream().map(Draft::fault).toList();
     }
 
-    /// Lets the robot system say which faults it can't have.
-    void check(RobotSystem system, String key) {
+    /// Lets a robot system say which faults its robots can't have.
+    void check(RobotSystem system, Mrs mrs) {
+        var own = mrs.own(robots).stream().map(RobotSpec::id).toList();
         for (Draft draft : drafts) {
             Section section = draft.section;
             for (Target target : draft.fault.targets()) {
-                if (target instanceof OfRobot broken && !isSoftware(broken)) {
-                    Optional<String> refusal = refusal(system, key, broken);
+                if (target instanceof OfRobot broken && own.contains(broken.robot()) && !isSoftware(broken)) {
+                    Optional<String> refusal = refusal(system, mrs, broken);
                     if (refusal.isPresent()) {
                         section.problem(
                                 "kind",
@@ -103,10 +106,10 @@ final class FaultReader {
         }
     }
 
-    private static Optional<String> refusal(RobotSystem system, String key, OfRobot broken) {
+    private static Optional<String> refusal(RobotSystem system, Mrs mrs, OfRobot broken) {
         Optional<FaultInjection> faults = system.faults();
         return faults.isEmpty()
-                ? Optional.of("Robot system (%s) can't break robots on purpose.".formatted(key))
+                ? Optional.of("%s can't break robots on purpose.".formatted(mrs.name()))
                 : faults.get().refusal(broken.robot(), broken.device(), broken.fault());
     }
 

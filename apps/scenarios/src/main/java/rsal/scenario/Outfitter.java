@@ -12,6 +12,7 @@ import rsal.device.RangeSensor;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
+import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.RunPlan.Spare;
@@ -35,8 +36,8 @@ final class Outfitter {
     }
 
     /// @param drivers of the devices that it has anyway: what replaces one of those is made like it
-    PlannedRobot robot(RobotSpec spec, List<PlannedDevice> drivers) {
-        return new PlannedRobot(spec, drivers, new Spares(pilot(spec, drivers), navigation(spec, drivers)));
+    PlannedRobot robot(RobotSpec spec, Mrs mrs, List<PlannedDevice> drivers) {
+        return new PlannedRobot(spec, mrs, drivers, new Spares(pilot(spec, drivers), navigation(spec, drivers)));
     }
 
     private Spare pilot(RobotSpec spec, List<PlannedDevice> drivers) {
@@ -116,6 +117,6 @@ final class Outfitter {
         }
         return drivers.size() == robot.drivers().size()
                 ? robot
-                : new PlannedRobot(robot.spec(), drivers, robot.spares());
+                : new PlannedRobot(robot.spec(), robot.mrs(), drivers, robot.spares());
     }
 }

@@ -10,8 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
@@ -38,14 +36,12 @@ import rsal.settings.Section;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
 import rsal.system.RobotSystem;
-import rsal.system.RobotSystemProvider;
 import rsal.system.RobotSystemProvider.InvalidRobots;
 import rsal.time.LockstepScheduler;
 
 /// Reads a scenario with one configuration and its arguments filled in. Goes on after a mistake as far as that
 /// makes sense, so that all of them are reported together.
 final class PlanReader {
-    private static final String STEP = "step"; // of robot systems that have one
     private static final String INSTEAD = "wander";
     private static final Duration DEFAULT_STEP = Duration.ofMillis(100);
 
@@ -86,22 +82,27 @@ final class PlanReader {
         double speed = options.speed().orElse(written);
         clockSection.done();
 
-        World world = new WorldReader(catalog, scenario.files(), seeds, problems).read(root.section("world"));
+        var worldReader = new WorldReader(catalog, scenario.files(), seeds, problems);
+        World world = worldReader.read(root.section("world"));
         Optional<Duration> worldStep = world.scene().flatMap(Scene::step);
-        Optional<Mrs> mrs = mrs(root.section("mrs"), clock, seeds, worldStep);
+        var systems = new SystemReader(root.section(SystemReader.KEY), catalog, clock, seeds, worldStep);
+        Optional<Mrs> mrs = systems.scenarios();
         Optional<Mas> mas = mas(root.section("mas"), clock);
 
         Optional<OccupancyGrid> map = world.scene().map(Scene::map);
-        var robotReader = new RobotReader(catalog, scenario.files(), map, seeds, problems);
+        var robotReader = new RobotReader(catalog, systems, scenario.files(), map, seeds, problems);
         List<RobotSpec> brought = world.scene().map(Scene::robots).orElse(List.of());
-        List<Role> roles = new ArrayList<>(world.roles());
+        List<Role> roles = new ArrayList<>();
+        if (world.scene().isPresent() && mrs.isPresent()) {
+            roles.addAll(worldReader.roles(world.scene().get(), root.section("world"), mrs.get()));
+        }
         boolean mayHaveRobots = root.section("world").mapping().find("file").isPresent();
         if (world.scene().isPresent() || root.has("robots") || !mayHaveRobots) {
             roles.addAll(robotReader.read(root.section("robots"), brought, !scenario.isWorld()));
         }
         List<PlannedRobot> bare =
                 roles.stream().flatMap(role -> role.robots().stream()).toList();
-        var names = new RobotNames(roles, mayHaveRobots && world.scene().isEmpty());
+        var names = new RobotNames(roles, mayHaveRobots && (world.scene().isEmpty() || mrs.isEmpty()));
         Set<String> inWorld = world.scene().stream()
                 .flatMap(scene -> scene.things().stream())
                 .map(Entity::name)
@@ -132,13 +133,7 @@ final class PlanReader {
         root.done();
 
         if (world.scene().isPresent() && mrs.isPresent() && roles.stream().allMatch(Role::complete)) {
-            checkRobots(
-                    mrs.get().provider(),
-                    mrs.get().config(world.scene().get(), robots),
-                    roles,
-                    faultReader,
-                    root.locationOf("things"),
-                    things);
+            checkRobots(world.scene().get(), mrs.get(), robots, roles, faultReader, root.locationOf("things"), things);
         }
         problems.throwIfAny();
         return new RunPlan(
@@ -159,7 +154,7 @@ final class PlanReader {
                 communication,
                 faults,
                 speed,
-                step(mrs.get().settings()),
+                step(mrs.get(), robots),
                 stops,
                 measures);
     }
@@ -245,66 +240,14 @@ final class PlanReader {
         return (Double) clock.value(Format.SPEED).orElse(1.0);
     }
 
-    private Optional<Mrs> mrs(Section section, Clock clock, Seeds seeds, Optional<Duration> worldStep) {
-        return backEnd(
-                        "robot system",
-                        section,
-                        Format.DEFAULT_MRS,
-                        catalog.systems(),
-                        clock,
-                        RobotSystemProvider::followsSchedulerTime,
-                        RobotSystemProvider::parameters)
-                .map(chosen -> new Mrs(
-                        chosen.provider,
-                        section.has(STEP) ? chosen.settings : inSteps(chosen, worldStep),
-                        seeds.of("mrs")));
-    }
-
-    /// The settings with the world's own step, if there are such.
-    private static Arguments inSteps(BackEnd<RobotSystemProvider> chosen, Optional<Duration> worldStep) {
-        List<Parameter> parameters = chosen.provider.parameters();
-        if (worldStep.isEmpty() || parameters.stream().noneMatch(p -> p.name().equals(STEP))) {
-            return chosen.settings;
-        }
-        var values = new LinkedHashMap<>(chosen.settings.asMap());
-        values.put(STEP, worldStep.get().toNanos() / 1e9);
-        return Arguments.of(parameters, values);
-    }
-
     private Optional<Mas> mas(Section section, Clock clock) {
-        return backEnd(
-                        "multi-agent system",
-                        section,
-                        Format.DEFAULT_MAS,
-                        catalog.hosts(),
-                        clock,
-                        AgentHostProvider::followsSchedulerTime,
-                        AgentHostProvider::parameters)
-                .map(chosen -> new Mas(chosen.provider, chosen.settings));
-    }
-
-    private record BackEnd<P>(P provider, Arguments settings) {}
-
-    private <P> Optional<BackEnd<P>> backEnd(
-            String what,
-            Section section,
-            String fallback,
-            Map<String, P> known,
-            Clock clock,
-            Predicate<P> followsTime,
-            Function<P, List<Parameter>> parameters) {
-        String key = section.text("use", fallback);
-        Optional<P> provider = Catalog.find(what, known, key, section.locationOf("use"), problems);
-        if (provider.isEmpty()) {
-            return Optional.empty();
-        }
-        if (clock == Clock.SIMULATED && !followsTime.test(provider.get())) {
-            section.problem(
-                    "use",
-                    "The %s (%s) can't follow simulated time, which (run.clock.mode) asks for.".formatted(what, key),
-                    "Set run.clock.mode to wall, or use another %s.".formatted(what));
-        }
-        return settings(section, parameters.apply(provider.get())).map(s -> new BackEnd<>(provider.get(), s));
+        var kind = new BackEnd.Kind<>(
+                "multi-agent system",
+                Format.DEFAULT_MAS,
+                catalog.hosts(),
+                AgentHostProvider::followsSchedulerTime,
+                AgentHostProvider::parameters);
+        return BackEnd.read(kind, section, "", clock).map(chosen -> new Mas(chosen.provider(), chosen.settings()));
     }
 
     /// All that is set in a section, when it is right.
@@ -317,8 +260,14 @@ final class PlanReader {
                 : Optional.empty();
     }
 
-    private static Duration step(Arguments mrs) {
-        return mrs.asMap().containsKey(STEP) ? mrs.seconds(STEP) : DEFAULT_STEP;
+    /// That of the first robot system that has one.
+    private static Duration step(Mrs mrs, List<PlannedRobot> robots) {
+        return RunPlan.systems(mrs, robots).stream()
+                .map(Mrs::settings)
+                .filter(settings -> settings.asMap().containsKey(SystemReader.STEP))
+                .map(settings -> settings.seconds(SystemReader.STEP))
+                .findFirst()
+                .orElse(DEFAULT_STEP);
     }
 
     /// Agents that drive robots instead of the programs that the world names.
@@ -513,7 +462,7 @@ final class PlanReader {
                                 wearers,
                                 marker,
                                 robot.spec().id(),
-                                role.section().locationOf(Format.FIDUCIAL.name())));
+                                role.placeOf(robot.spec().id(), Format.FIDUCIAL.name())));
             }
         }
         for (PlannedThings.PlannedThing thing :
@@ -535,50 +484,55 @@ final class PlanReader {
         }
     }
 
-    /// Lets the robot system say what it thinks of the robots, their faults and things, without starting it.
+    /// Lets the robot systems say what they think of their robots, of faults and things, without starting them.
+    ///
+    /// @param mrs the scenario's
     private void checkRobots(
-            RobotSystemProvider provider,
-            RobotSystemProvider.Config config,
+            Scene scene,
+            Mrs mrs,
+            List<PlannedRobot> robots,
             List<Role> roles,
             FaultReader faults,
             Location thingsAt,
             List<PlannedThings> things) {
-        try (RobotSystem system = provider.create(config, new LockstepScheduler())) {
-            faults.check(system, provider.key());
-            if (!things.isEmpty() && system.simulation().isEmpty()) {
-                problems.add(
-                        thingsAt,
-                        "Robot system (%s) simulates no world that (things) could be put into."
-                                .formatted(provider.key()),
-                        "Leave (things) out, or use robot system (sim).");
-            }
-        } catch (InvalidRobots e) {
-            for (InvalidRobots.Problem problem : e.problems()) {
-                Location at = roles.stream()
-                        .filter(role -> role.robots().stream()
-                                .anyMatch(robot -> robot.spec().id().equals(problem.robot())))
-                        .map(role -> placeOf(role, problem))
-                        .findFirst()
-                        .orElse(scenario.location());
-                problems.add(at, "Robot (%s): %s".formatted(problem.robot(), problem.message()), "");
+        var simulated = new ArrayList<Mrs>();
+        boolean refused = false;
+        for (Mrs each : RunPlan.systems(mrs, robots)) {
+            try (RobotSystem system = each.provider().create(each.config(scene, robots), new LockstepScheduler())) {
+                faults.check(system, each);
+                system.simulation().ifPresent(_ -> simulated.add(each));
+            } catch (InvalidRobots e) {
+                refused = true; // and may simulate or not
+                for (InvalidRobots.Problem problem : e.problems()) {
+                    problems.add(
+                            placeOf(problem.robot(), problem.setting(), roles),
+                            "Robot (%s): %s".formatted(problem.robot(), problem.message()),
+                            "");
+                }
             }
         }
+        if (!things.isEmpty() && simulated.isEmpty() && !refused) {
+            problems.add(
+                    thingsAt,
+                    "%s simulates no world that (things) could be put into.".formatted(mrs.name()),
+                    "Leave (things) out, or use robot system (sim).");
+        }
+        simulated.stream().skip(1).forEach(other -> {
+            String robot = other.own(robots).getFirst().id();
+            problems.add(
+                    placeOf(robot, SystemReader.KEY, roles),
+                    "Robot (%s) would be in another simulated world than those of %s; a run has one."
+                            .formatted(robot, simulated.getFirst().words()),
+                    "Give all simulated robots the same (mrs).");
+        });
     }
 
-    /// Where a robot's setting is written: in a list of one for each robot, its own.
-    private static Location placeOf(Role role, InvalidRobots.Problem problem) {
-        int robot = role.robots().stream()
-                .map(planned -> planned.spec().id())
-                .toList()
-                .indexOf(problem.robot());
-        return role.section()
-                .mapping()
-                .find(problem.setting())
-                .filter(Value.Sequence.class::isInstance)
-                .map(value -> ((Value.Sequence) value).items())
-                .filter(items -> items.size() > robot && items.stream().allMatch(Value.Sequence.class::isInstance))
-                .map(items -> items.get(robot).location())
-                .orElse(role.section().locationOf(problem.setting()));
+    private Location placeOf(String robot, String setting, List<Role> roles) {
+        return roles.stream()
+                .filter(role -> role.has(robot))
+                .findFirst()
+                .map(role -> role.placeOf(robot, setting))
+                .orElse(scenario.location());
     }
 
     /// Robots and agents can't be called what means something else.

@@ -2,7 +2,10 @@ package rsal.scenario;
 
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.regex.Pattern;
@@ -14,24 +17,38 @@ import rsal.robot.RobotColors;
 import rsal.robot.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.scenario.DeviceReader.Equipment;
+import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.settings.FileSource;
+import rsal.settings.Location;
 import rsal.settings.Problems;
 import rsal.settings.Section;
+import rsal.settings.Value;
 
 /// Reads the robots of a scenario: what they are, what they carry, where they start.
 final class RobotReader {
+    static final String MEMBERS = "members";
+    static final String OPEN = "auto"; // poses
+
     private static final Pattern COLOR = Pattern.compile("#[0-9a-fA-F]{6}");
 
     private final DeviceReader devices;
+    private final SystemReader systems;
     private final Outfitter outfitter;
     private final Optional<OccupancyGrid> map;
     private final Seeds seeds;
     private final Problems problems;
     private final List<Pose2d> taken = new ArrayList<>();
 
-    RobotReader(Catalog catalog, FileSource files, Optional<OccupancyGrid> map, Seeds seeds, Problems problems) {
+    RobotReader(
+            Catalog catalog,
+            SystemReader systems,
+            FileSource files,
+            Optional<OccupancyGrid> map,
+            Seeds seeds,
+            Problems problems) {
+        this.systems = systems;
         this.devices = new DeviceReader(catalog, new RobotModels(files), problems);
         this.outfitter = new Outfitter(catalog, seeds);
         this.map = map;
@@ -44,16 +61,59 @@ final class RobotReader {
         return List.copyOf(taken);
     }
 
-    /// Robots of one kind.
+    /// Robots that a scenario calls by one name.
     ///
+    /// @param settings of each, by id
     /// @param has types of the devices that each of them has
     /// @param complete false when a mistake left something out
     record Role(
             String name,
-            Section section,
             List<PlannedRobot> robots,
+            Map<String, Section> settings,
             List<Class<? extends Device>> has,
             boolean complete) {
+        /// Robots that have the same settings.
+        static Role of(
+                String name,
+                Section settings,
+                List<PlannedRobot> robots,
+                List<Class<? extends Device>> has,
+                boolean complete) {
+            var byId = new LinkedHashMap<String, Section>();
+            robots.forEach(robot -> byId.put(robot.spec().id(), settings));
+            return new Role(name, robots, byId, has, complete);
+        }
+
+        /// These and others.
+        Role and(Role more) {
+            var all = new ArrayList<>(robots);
+            all.addAll(more.robots);
+            var byId = new LinkedHashMap<>(settings);
+            byId.putAll(more.settings);
+            var both = has.stream().filter(more.has::contains).toList();
+            return new Role(name, all, byId, both, complete && more.complete);
+        }
+
+        boolean has(String robot) {
+            return settings.containsKey(robot);
+        }
+
+        /// Where something is written about one of its robots: in a list of one for each, its own.
+        Location placeOf(String robot, String key) {
+            Section own = Objects.requireNonNull(settings.get(robot));
+            var alike = settings.keySet().stream()
+                    .filter(id -> own.equals(settings.get(id)))
+                    .toList();
+            return own.mapping()
+                    .find(key)
+                    .filter(Value.Sequence.class::isInstance)
+                    .map(value -> ((Value.Sequence) value).items())
+                    .filter(items -> items.size() > alike.indexOf(robot)
+                            && items.stream().allMatch(Value.Sequence.class::isInstance))
+                    .map(items -> items.get(alike.indexOf(robot)).location())
+                    .orElse(own.locationOf(key));
+        }
+
         List<Class<? extends Device>> missing(List<Class<? extends Device>> needs) {
             return DeviceReader.missing(has, needs);
         }
@@ -63,8 +123,9 @@ final class RobotReader {
     /// @param needed whether there must be any at all
     List<Role> read(Section robots, List<RobotSpec> others, boolean needed) {
         var drafts = new ArrayList<Draft>();
+        int role = 0;
         for (String name : robots.names()) {
-            drafts.add(draft(name, robots.section(name), drafts.size()));
+            drafts.addAll(drafts(name, robots.section(name), RobotColors.of(role++)));
         }
         robots.done();
         if (needed && drafts.isEmpty() && others.isEmpty()) {
@@ -78,9 +139,11 @@ final class RobotReader {
         for (Draft draft : drafts) {
             taken.addAll(draft.start.fixed()); // before any free place is chosen
         }
-        return drafts.stream()
-                .map(draft -> role(draft, draft.complete && !tooMany))
-                .toList();
+        var roles = new LinkedHashMap<String, Role>();
+        for (Draft draft : drafts) {
+            roles.merge(draft.name, role(draft, draft.complete && !tooMany), Role::and);
+        }
+        return List.copyOf(roles.values());
     }
 
     /// @return whether there are too many to go on with
@@ -94,7 +157,9 @@ final class RobotReader {
         }
         if (ids.stream().distinct().count() != ids.size()) {
             robots.problem(
-                    robots.location(), "Two robots have the same name among %s.".formatted(ids), "Rename a role.");
+                    robots.location(),
+                    "Two robots have the same name among %s.".formatted(ids),
+                    "Rename a role, or one of its members.");
         }
         checkOthers(robots, drafts, others);
         return ids.size() > Format.MAX_ROBOTS;
@@ -114,35 +179,97 @@ final class RobotReader {
         }
     }
 
-    /// A role as far as it can be read by itself.
+    /// Robots of a role with the same settings, as far as they can be read by themselves.
     ///
+    /// @param name of the role
+    /// @param mrs empty when it can't be read
     private record Draft(
             String name,
             Section section,
             List<String> ids,
+            Optional<Mrs> mrs,
             Equipment equipment,
             Start start,
             String color,
             int firstMarker,
             boolean complete) {}
 
-    private Draft draft(String name, Section section, int index) {
-        int before = problems.all().size();
+    private List<Draft> drafts(String name, Section section, String color) {
         if (!PlanReader.isName(name)) {
             section.problem(section.location(), "(%s) can't be the role of robots.".formatted(name), "");
         }
-        List<String> ids = Start.names(name, section);
+        return section.has(MEMBERS)
+                ? members(name, section, color)
+                : List.of(draft(name, section, Start.names(name, section), color, 0));
+    }
+
+    /// Those of a role that are named one by one: each has what the role says, and says itself what is otherwise.
+    private List<Draft> members(String name, Section section, String color) {
+        if (section.has("count")) {
+            section.problem(
+                    "count",
+                    "(%s) can't be said where robots are named one by one.".formatted(section.path("count")),
+                    "Leave it out: there are as many as (members).");
+        }
+        Value.Mapping common = section.mapping().without(MEMBERS).without("count");
+        if (common.find("pose").filter(RobotReader::isListOfPoses).isPresent()) {
+            section.problem(
+                    "pose",
+                    "(%s) can't be a list of poses where robots are named one by one.".formatted(section.path("pose")),
+                    "Write (pose) into (members).");
+            common = common.without("pose");
+        }
+        var drafts = new ArrayList<Draft>();
+        for (Section member : Format.groups(section, MEMBERS)) {
+            String id = member.text("name", name + "-" + (drafts.size() + 1));
+            if (!PlanReader.isName(id)) {
+                member.problem("name", "(%s) can't be the name of a robot.".formatted(id), "");
+            }
+            Value.Mapping own = common.merge(member.mapping().without("name"));
+            var settings = new Value.Mapping(member.location(), own.entries(), own.keys());
+            int number = member.has(Format.FIDUCIAL.name()) ? 0 : drafts.size();
+            drafts.add(draft(name, new Section(section.path(MEMBERS), settings, problems), List.of(id), color, number));
+        }
+        if (drafts.isEmpty()) {
+            section.problem(MEMBERS, "(%s) has none.".formatted(section.path(MEMBERS)), "Maybe (count: 1)?");
+        }
+        return drafts;
+    }
+
+    private static boolean isListOfPoses(Value pose) {
+        return pose instanceof Value.Sequence several
+                && several.items().stream().anyMatch(Value.Sequence.class::isInstance);
+    }
+
+    /// @param usual color
+    /// @param number of the first of them in their role, from 0
+    private Draft draft(String name, Section section, List<String> ids, String usual, int number) {
+        int before = problems.all().size();
+        Optional<Mrs> mrs = systems.of(section, "robot%s (%s)".formatted(ids.size() > 1 ? "s" : "", words(ids)));
         Equipment equipment = devices.read(section);
-        Start start = Start.read(section, ids.size(), "robots");
-        String color = section.text("color", RobotColors.of(index));
+        Start start = isLeftOpen(section) ? Start.OPEN : Start.read(section, ids.size(), "robots");
+        String color = section.text("color", usual);
         if (!COLOR.matcher(color).matches()) {
             section.problem(
                     "color", "(%s) must be like #1f77b4, not (%s).".formatted(section.path("color"), color), "");
         }
-        int firstMarker = Math.toIntExact((Long) section.value(Format.FIDUCIAL).orElse(0L));
+        int marker = Math.toIntExact((Long) section.value(Format.FIDUCIAL).orElse(0L));
+        int firstMarker = marker == 0 ? 0 : marker + number;
         section.done();
-        boolean complete = problems.all().size() == before;
-        return new Draft(name, section, ids, equipment, start, color, firstMarker, complete);
+        boolean complete = problems.all().size() == before && mrs.isPresent();
+        return new Draft(name, section, ids, mrs, equipment, start, color, firstMarker, complete);
+    }
+
+    /// Whether it is the robot system or the localizer that knows where they are.
+    private static boolean isLeftOpen(Section section) {
+        return section.find("pose")
+                .filter(pose ->
+                        pose instanceof Value.Scalar scalar && scalar.value().equals(OPEN))
+                .isPresent();
+    }
+
+    private static String words(List<String> ids) {
+        return ids.size() > 1 ? ids.getFirst() + " to " + ids.getLast() : ids.getFirst();
     }
 
     private Role role(Draft draft, boolean readable) {
@@ -167,7 +294,7 @@ final class RobotReader {
             }
             robots.add(robot(draft, i, mapFromBase));
         }
-        return new Role(draft.name, draft.section, robots, draft.equipment.has(), complete);
+        return Role.of(draft.name, draft.section, robots, draft.equipment.has(), complete);
     }
 
     private PlannedRobot robot(Draft draft, int number, Optional<Pose2d> mapFromBase) {
@@ -177,6 +304,7 @@ final class RobotReader {
                 new RobotSpec(id, draft.name, draft.equipment.model().orElseThrow(), mapFromBase, draft.color, marker);
         return outfitter.robot(
                 spec,
+                draft.mrs.orElseThrow(),
                 draft.equipment.drivers().stream()
                         .map(d -> new PlannedDevice(
                                 d.name(), d.driver(), d.options(), seeds.of("device/" + id + "/" + d.name())))

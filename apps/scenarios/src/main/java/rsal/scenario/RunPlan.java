@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.data.OccupancyGrid;
@@ -27,6 +29,7 @@ import rsal.system.RobotSystemProvider;
 /// @param seed all randomness of the run comes from it
 /// @param mapName what the scenario calls its map or world
 /// @param scene where it takes place
+/// @param mrs where robots come from that name no other robot system
 /// @param things that are put into the world
 /// @param agents in the order in which they start
 /// @param with the scenario and its configuration that joins it (`distribution:found`): its agents without a robot
@@ -73,12 +76,28 @@ public record RunPlan(
         return Notes.of(this);
     }
 
+    /// The robot systems that take part: the scenario's, then those that robots name, in their order. The
+    /// scenario's does so, too, when no robot is of it, as its world may be of use; unless robots are of one of
+    /// its kind.
+    public List<Mrs> systems() {
+        return systems(mrs, robots);
+    }
+
+    static List<Mrs> systems(Mrs mrs, List<PlannedRobot> robots) {
+        List<Mrs> named = robots.stream().map(PlannedRobot::mrs).distinct().toList();
+        boolean takesPart = named.contains(mrs)
+                || named.stream().noneMatch(other -> other.provider().equals(mrs.provider()));
+        return Stream.concat(Stream.of(mrs).filter(_ -> takesPart), named.stream())
+                .distinct()
+                .toList();
+    }
+
     /// What robots that have been told, planners and people know of the world.
     public OccupancyGrid map() {
         return scene.map();
     }
 
-    /// The multi-robot system: where robots come from.
+    /// A multi-robot system: where robots come from. Those with the same provider and settings are one.
     ///
     /// @param seed of its own randomness
     public record Mrs(RobotSystemProvider provider, Arguments settings, long seed) {
@@ -87,10 +106,30 @@ public record RunPlan(
             return "Robot system (%s)".formatted(provider.key());
         }
 
+        /// With its settings, as far as they are not the usual ones: `player, host=lab`.
+        public String words() {
+            Map<String, Object> usual = new LinkedHashMap<>();
+            provider.parameters()
+                    .forEach(parameter -> parameter.fallback().ifPresent(value -> usual.put(parameter.name(), value)));
+            return settings.asMap().entrySet().stream()
+                    .filter(setting -> !setting.getValue().equals(usual.get(setting.getKey())))
+                    .map(setting -> ", " + setting.getKey() + "=" + setting.getValue())
+                    .collect(Collectors.joining("", provider.key(), ""));
+        }
+
+        /// Those robots that are its own.
+        public List<RobotSpec> own(List<PlannedRobot> robots) {
+            return robots.stream()
+                    .filter(robot -> robot.mrs().equals(this))
+                    .map(PlannedRobot::spec)
+                    .toList();
+        }
+
         /// What its provider asks for to make it.
+        ///
+        /// @param robots of all systems
         public RobotSystemProvider.Config config(Scene scene, List<PlannedRobot> robots) {
-            return new RobotSystemProvider.Config(
-                    settings, scene, robots.stream().map(PlannedRobot::spec).toList(), seed);
+            return new RobotSystemProvider.Config(settings, scene, own(robots), seed);
         }
     }
 
@@ -104,9 +143,10 @@ public record RunPlan(
         WALL
     }
 
+    /// @param mrs where it comes from
     /// @param drivers of its software devices, in the order in which they are made
     /// @param spares what it can be given besides, when somebody wants it
-    public record PlannedRobot(RobotSpec spec, List<PlannedDevice> drivers, Spares spares) {
+    public record PlannedRobot(RobotSpec spec, Mrs mrs, List<PlannedDevice> drivers, Spares spares) {
         public PlannedRobot {
             drivers = List.copyOf(drivers);
         }

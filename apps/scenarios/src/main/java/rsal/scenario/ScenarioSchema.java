@@ -122,7 +122,7 @@ public final class ScenarioSchema {
                 "world",
                 world(partial),
                 "robots",
-                named(robot(partial)),
+                named(role(partial)),
                 "things",
                 named(thing(partial)),
                 "agents",
@@ -132,7 +132,7 @@ public final class ScenarioSchema {
                 "mas",
                 backEnd(partial, Format.DEFAULT_MAS, parameters(catalog.hosts(), AgentHostProvider::parameters)),
                 "mrs",
-                backEnd(partial, Format.DEFAULT_MRS, parameters(catalog.systems(), RobotSystemProvider::parameters)),
+                systems(partial),
                 "communication",
                 communication(),
                 "faults",
@@ -141,6 +141,10 @@ public final class ScenarioSchema {
                 run(),
                 "measure",
                 list(measure()));
+    }
+
+    private Map<String, Object> systems(boolean partial) {
+        return backEnd(partial, Format.DEFAULT_MRS, parameters(catalog.systems(), RobotSystemProvider::parameters));
     }
 
     private static Map<String, Object> joined() {
@@ -189,25 +193,57 @@ public final class ScenarioSchema {
                 "A map that comes with the program, or the YAML file of a map in ROS's format.");
     }
 
+    /// Robots that are counted, or named one by one: then each may say what else it has than its role.
+    private Map<String, Object> role(boolean partial) {
+        Map<String, Object> member =
+                group(with(fields("name", described(name(), "Id of the robot.")), robot(true)), List.of());
+        Map<String, Object> role = group(
+                with(
+                        fields("count", parameter(Format.COUNT)),
+                        with(
+                                robot(partial),
+                                fields(
+                                        RobotReader.MEMBERS,
+                                        described(
+                                                list(member),
+                                                "Robots one by one, each with what it has otherwise than its role.")))),
+                List.of());
+        if (!partial) {
+            role.put(
+                    "anyOf",
+                    List.of(fields("required", List.of("model")), fields("required", List.of(RobotReader.MEMBERS))));
+        }
+        return role;
+    }
+
     private Map<String, Object> robot(boolean partial) {
-        return group(
-                fields(
-                        "count", parameter(Format.COUNT),
-                        "model",
-                                described(
-                                        anyOf(List.of(
-                                                enumeration(catalog.models()),
-                                                fields("type", "string", "pattern", "\\.ya?ml$"),
-                                                reference())),
-                                        "What kind of robot it is."),
-                        "pose",
-                                described(
-                                        poses(partial),
-                                        "Where they start: [x, y, degrees], a list of those, or somewhere free."),
-                        "color", described(color(), "How people see them."),
-                        "fiducial", parameter(Format.FIDUCIAL),
-                        "devices", devices(partial)),
-                partial ? List.of() : List.of("model"));
+        return fields(
+                "model",
+                described(
+                        anyOf(List.of(
+                                enumeration(catalog.models()),
+                                fields("type", "string", "pattern", "\\.ya?ml$"),
+                                reference())),
+                        "What kind of robot it is."),
+                "pose",
+                described(
+                        anyOf(List.of(poses(partial), fields("const", RobotReader.OPEN))),
+                        "Where they start: [x, y, degrees], a list of those, somewhere free, or auto"
+                                + " where the robot system or the localizer knows."),
+                "color",
+                described(color(), "How people see them."),
+                "fiducial",
+                parameter(Format.FIDUCIAL),
+                SystemReader.KEY,
+                described(
+                        systems(true),
+                        "Which robot system they are of, or what they have of the scenario's otherwise."),
+                "devices",
+                devices(partial));
+    }
+
+    private static Map<String, Object> name() {
+        return orReference(fields("type", "string", "pattern", "^" + Format.NAME.pattern() + "$"));
     }
 
     private static Map<String, Object> thing(boolean partial) {

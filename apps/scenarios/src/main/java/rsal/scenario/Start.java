@@ -18,6 +18,9 @@ import rsal.settings.Value;
 /// @param fixed as many as there are of them, or none
 /// @param free where to look for places; empty when there are poses, or nothing is said
 record Start(List<Pose2d> fixed, Optional<Free> free) {
+    /// Nothing is said.
+    static final Start OPEN = new Start(List.of(), Optional.empty());
+
     /// @param count of them
     /// @param what they are, for messages: `robots`
     static Start read(Section section, int count, String what) {

@@ -12,6 +12,7 @@ import rsal.map.Maps;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RobotReader.Role;
+import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scene.Scene;
 import rsal.scene.SceneFormat;
@@ -43,8 +44,7 @@ final class WorldReader {
 
     /// @param name as the scenario calls it
     /// @param scene empty when it can't be read
-    /// @param roles of the robots that it brings along, those of one make together
-    record World(String name, Optional<Scene> scene, List<Role> roles) {}
+    record World(String name, Optional<Scene> scene) {}
 
     World read(Section world) {
         boolean map = world.has("map");
@@ -55,22 +55,22 @@ final class WorldReader {
                     world.location(),
                     map ? "(world) has both a (map) and a (file)." : "(world.map) is missing, or (world.file).",
                     "Write {map: office}, or {file: hall.world.yaml}.");
-            return new World("", Optional.empty(), List.of());
+            return new World("", Optional.empty());
         }
         String name = world.text(map ? "map" : "file");
         Location at = world.locationOf(map ? "map" : "file");
         Optional<Touch> touch = touch(world);
         world.done();
         if (name.isEmpty()) {
-            return new World("", Optional.empty(), List.of());
+            return new World("", Optional.empty());
         }
         try {
             Scene read = map ? Scene.of(new Maps(files).read(name, at)) : scene(name, at);
             Scene scene = touch.map(read::with).orElse(read);
-            return new World(name, Optional.of(scene), roles(scene, world));
+            return new World(name, Optional.of(scene));
         } catch (InvalidSettings e) {
             e.problems().forEach(problems::add);
-            return new World(name, Optional.empty(), List.of());
+            return new World(name, Optional.empty());
         }
     }
 
@@ -93,22 +93,26 @@ final class WorldReader {
         return format.read(path, files, seeds.of("world"));
     }
 
-    private List<Role> roles(Scene scene, Section world) {
+    /// Of the robots that a world brings along, those of one make together.
+    ///
+    /// @param world where it is named
+    /// @param mrs of all of them
+    List<Role> roles(Scene scene, Section world, Mrs mrs) {
         var byMake = new LinkedHashMap<String, List<RobotSpec>>();
         scene.robots()
                 .forEach(spec -> byMake.computeIfAbsent(spec.role(), _ -> new ArrayList<>())
                         .add(spec));
         return byMake.entrySet().stream()
-                .map(entry -> role(entry.getKey(), entry.getValue(), world))
+                .map(entry -> role(entry.getKey(), entry.getValue(), world, mrs))
                 .toList();
     }
 
-    private Role role(String name, List<RobotSpec> specs, Section world) {
+    private Role role(String name, List<RobotSpec> specs, Section world, Mrs mrs) {
         var robots = new ArrayList<PlannedRobot>();
         for (RobotSpec spec : specs) {
-            robots.add(outfitter.robot(spec, List.of()));
+            robots.add(outfitter.robot(spec, mrs, List.of()));
         }
-        return new Role(name, world, robots, inCommon(robots), true);
+        return Role.of(name, world, robots, inCommon(robots), true);
     }
 
     /// Types of the devices that all of them have or can be given.

@@ -95,6 +95,16 @@ public final class Arguments {
     }
 
     @Override
+    public boolean equals(Object other) {
+        return other instanceof Arguments arguments && values.equals(arguments.values);
+    }
+
+    @Override
+    public int hashCode() {
+        return values.hashCode();
+    }
+
+    @Override
     public String toString() {
         return values.toString();
     }

@@ -50,7 +50,7 @@ public final class Problems {
     /// @throws InvalidSettings when there is any
     public void throwIfAny() {
         if (!problems.isEmpty()) {
-            throw new InvalidSettings(problems);
+            throw new InvalidSettings(problems.stream().distinct().toList()); // many may have read the same place
         }
     }
 }

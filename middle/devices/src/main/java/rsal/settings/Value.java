@@ -59,15 +59,16 @@ public sealed interface Value {
             return "a group of " + entries.size() + " settings";
         }
 
-        /// This with `over` laid on top: groups merge key by key, all else is replaced; so is a group that says it
-        /// is of another `type`, as the options of one make no sense for another.
+        /// This with `over` laid on top: groups are [#overlaid], all else is replaced.
         public Mapping merge(Mapping over) {
             var merged = new LinkedHashMap<>(entries);
             var places = new LinkedHashMap<>(keys);
             over.entries.forEach((key, value) -> {
-                Value below = merged.get(key);
-                boolean merges = below instanceof Mapping a && value instanceof Mapping b && !b.isOfAnotherType(a);
-                merged.put(key, merges && below instanceof Mapping a ? a.merge((Mapping) value) : value);
+                merged.merge(
+                        key,
+                        value,
+                        (below, above) ->
+                                below instanceof Mapping a && above instanceof Mapping b ? a.overlaid(b) : above);
                 Location place = over.keys.get(key);
                 if (place != null) {
                     places.put(key, place);
@@ -76,9 +77,15 @@ public sealed interface Value {
             return new Mapping(location, merged, places);
         }
 
-        private boolean isOfAnotherType(Mapping below) {
-            return find("type")
-                    .flatMap(own -> below.find("type").filter(other -> !isSame(own, other)))
+        /// This with `over` laid on top key by key; but when that says it is of another `type`, or makes `use` of
+        /// another thing, that alone, as the options of one make no sense for another.
+        public Mapping overlaid(Mapping over) {
+            return over.differs("type", this) || over.differs("use", this) ? over : merge(over);
+        }
+
+        private boolean differs(String key, Mapping below) {
+            return find(key)
+                    .flatMap(own -> below.find(key).filter(other -> !isSame(own, other)))
                     .isPresent();
         }
 

@@ -27,8 +27,10 @@ final class Newcomers {
     private final Set<String> agentNames = new HashSet<>();
     private final Map<String, String> expected = new HashMap<>(); // whom those who are to come are made after
     private final List<PlannedRobot> planned;
+    private final RunPlan.Mrs scenarios;
 
     Newcomers(RunPlan plan) {
+        scenarios = plan.mrs();
         planned = plan.robots();
         for (PlannedRobot robot : planned) {
             robots.put(robot.spec().id(), robot);
@@ -80,7 +82,7 @@ final class Newcomers {
         Spares spares = example.map(PlannedRobot::spares)
                 .map(one -> new Spares(spareLike(one.pilot(), id), spareLike(one.navigation(), id)))
                 .orElse(Spares.none("No robot like it was planned."));
-        var made = new PlannedRobot(spec, drivers, spares);
+        var made = new PlannedRobot(spec, example.map(PlannedRobot::mrs).orElse(scenarios), drivers, spares);
         robots.put(id, made);
         example.ifPresent(one -> agents.put(id, agentsLike(one.spec().id(), id)));
         return made;

@@ -1,0 +1,43 @@
+package rsal.scenario;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import rsal.scenario.RunPlan.Clock;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.settings.Section;
+
+/// What robots come from or agents run on: who makes it, and how it is set.
+record BackEnd<P>(P provider, Arguments settings) {
+    /// One of a kind.
+    ///
+    /// @param what it is, for messages: `robot system`
+    /// @param known by key
+    record Kind<P>(
+            String what,
+            String fallback,
+            Map<String, P> known,
+            Predicate<P> followsTime,
+            Function<P, List<Parameter>> parameters) {}
+
+    /// @param whose it is, for messages: ` of robot (hunter)`; empty when it is that of the scenario
+    static <P> Optional<BackEnd<P>> read(Kind<P> kind, Section section, String whose, Clock clock) {
+        String key = section.text("use", kind.fallback);
+        Optional<P> provider = Catalog.find(kind.what, kind.known, key, section.locationOf("use"), section.problems());
+        if (provider.isEmpty()) {
+            return Optional.empty();
+        }
+        if (clock == Clock.SIMULATED && !kind.followsTime.test(provider.get())) {
+            section.problem(
+                    "use",
+                    "The %s (%s)%s can't follow simulated time, which (run.clock.mode) asks for."
+                            .formatted(kind.what, key, whose),
+                    "Set run.clock.mode to wall, or use another %s.".formatted(kind.what));
+        }
+        return PlanReader.settings(section, kind.parameters.apply(provider.get()))
+                .map(settings -> new BackEnd<>(provider.get(), settings));
+    }
+}

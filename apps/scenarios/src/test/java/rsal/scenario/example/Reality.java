@@ -1,0 +1,76 @@
+package rsal.scenario.example;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
+import rsal.device.SimulationControl;
+import rsal.device.Subscription;
+import rsal.robot.Robot;
+import rsal.settings.Parameter;
+import rsal.system.RobotSystem;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.fake.FakeProvider;
+import rsal.time.Scheduler;
+
+/// Robots that nobody knows the truth about, as real ones are.
+public class Reality implements RobotSystemProvider {
+    private static final Parameter HOST = Parameter.text("host", "localhost", "Where they are.");
+    private static final Parameter PORT = Parameter.integer("port", 6665, 1, 65535, "", "Where they listen.");
+
+    @Override
+    public String key() {
+        return "reality";
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return true;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of(HOST, PORT);
+    }
+
+    @Override
+    public RobotSystem create(Config config, Scheduler scheduler) {
+        String host = config.settings().text("host");
+        if (host.equals("nowhere")) {
+            throw new IllegalStateException("Nobody is there.");
+        }
+        return new Robots(new FakeProvider().create(config, scheduler), host);
+    }
+
+    /// What hosts are called that fail: `away` has robots that are not found, `silent` is never done with looking.
+    private record Robots(RobotSystem fakes, String host) implements RobotSystem {
+        @Override
+        public CompletionStage<List<Robot>> discover() {
+            return switch (host) {
+                case "away" -> CompletableFuture.failedFuture(new IllegalStateException("Nobody answers."));
+                case "empty" -> fakes.discover().thenApply(_ -> List.of());
+                case "silent" -> new CompletableFuture<>();
+                default -> fakes.discover();
+            };
+        }
+
+        @Override
+        public Subscription onChange(Consumer<? super Change> listener) {
+            return fakes.onChange(listener);
+        }
+
+        @Override
+        public Optional<SimulationControl> simulation() {
+            return Optional.empty();
+        }
+
+        @Override
+        public void close() {
+            fakes.close();
+            if (host.equals("stuck")) {
+                throw new IllegalStateException("Nobody lets go.");
+            }
+        }
+    }
+}
