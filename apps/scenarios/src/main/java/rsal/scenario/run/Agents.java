@@ -31,7 +31,6 @@ import rsal.agent.message.Watch;
 import rsal.agent.protocol.Act;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
-import rsal.device.Localizer;
 import rsal.device.SimulationControl;
 import rsal.scenario.Communication;
 import rsal.scenario.RunPlan;
@@ -49,6 +48,7 @@ final class Agents implements AutoCloseable {
     private final Observer observer;
     private final Faults faults;
     private final Team team;
+    private final Whereabouts where;
     private final Traffic traffic;
     private final Turns turns;
     private final Map<String, PlannedAgent> started = new HashMap<>(); // by name
@@ -67,6 +67,7 @@ final class Agents implements AutoCloseable {
             Observer observer,
             Faults faults,
             Team team,
+            Whereabouts where,
             Traffic traffic,
             Turns turns) {
         this.plan = plan;
@@ -75,6 +76,7 @@ final class Agents implements AutoCloseable {
         this.observer = observer;
         this.faults = faults;
         this.team = team;
+        this.where = where;
         this.traffic = traffic;
         this.talks = new Talks(scheduler.instant());
         this.turns = turns;
@@ -89,17 +91,17 @@ final class Agents implements AutoCloseable {
         var agents = new Society(scheduler, host, simulation, turns);
         society = Optional.of(agents);
         agents.reserve(Topics.ALL);
-        agents.onMessage(message -> heard(message, simulation));
+        agents.onMessage(this::heard);
         agents.onChange(this::changed);
-        agents.deliverBy(new Post(plan.communication().map(limits -> radio(limits, simulation)), faults, traffic));
+        agents.deliverBy(new Post(plan.communication().map(this::radio), faults, traffic));
     }
 
-    private Radio radio(Communication limits, Optional<SimulationControl> simulation) {
+    private Radio radio(Communication limits) {
         return new Radio(
                 limits,
                 plan.map(),
                 this::robotOf,
-                robot -> mapFromRobot(robot, simulation).map(pose -> new Point2d(pose.x(), pose.y())));
+                robot -> where.mapFromBase(robot).map(pose -> new Point2d(pose.x(), pose.y())));
     }
 
     /// Empty when it has none.
@@ -107,16 +109,6 @@ final class Agents implements AutoCloseable {
         return Optional.ofNullable(started.get(agent))
                 .flatMap(PlannedAgent::robot)
                 .orElse("");
-    }
-
-    /// Where a robot really is, or where it believes to be where nobody knows the truth.
-    private Optional<Pose2d> mapFromRobot(String robot, Optional<SimulationControl> simulation) {
-        return simulation.isPresent()
-                ? simulation.get().truth(robot)
-                : team.robot(robot)
-                        .flatMap(team::localizer)
-                        .flatMap(Localizer::latest)
-                        .map(estimate -> estimate.value().mapFromBase());
     }
 
     boolean isGathered() {
@@ -156,7 +148,7 @@ final class Agents implements AutoCloseable {
         society.orElseThrow().publish("operator", NewGoal.TOPIC, new NewGoal(robot, mapFromGoal));
     }
 
-    private void heard(Message<?> message, Optional<SimulationControl> simulation) {
+    private void heard(Message<?> message) {
         if (closed || faults.isSilent(message.sender())) {
             return;
         }
@@ -188,7 +180,7 @@ final class Agents implements AutoCloseable {
             }
             case Caught caught -> {
                 journal.event("caught", message.sender(), words);
-                observer.heard(caught, simulation);
+                observer.heard(caught, where);
             }
             case Watch watch -> {
                 journal.event("message", message.sender(), words);
@@ -196,7 +188,7 @@ final class Agents implements AutoCloseable {
             }
             case Visited visited -> {
                 journal.event("message", message.sender(), words);
-                observer.heard(visited, simulation);
+                observer.heard(visited, where);
             }
             case VictimFound found -> {
                 journal.event("message", message.sender(), words);

@@ -106,16 +106,16 @@ final class Observer implements Facts {
     ///
     /// @param robots by id, as far as they are there
     /// @return how the run ends, if it is over
-    Optional<String> look(Optional<SimulationControl> simulation, Map<String, Robot> robots) {
+    Optional<String> look(Optional<SimulationControl> simulation, Whereabouts where, Map<String, Robot> robots) {
         simulation.ifPresent(truth -> noteContacts(truth.contacts()));
         if (depots.areThere()) {
             simulation.ifPresent(truth -> depots.look(truth.things()));
         }
         if (reached.isWanted()) {
-            simulation.ifPresent(truth -> reached.look(truth.things(), there(truth), time()));
+            simulation.ifPresent(truth -> reached.look(truth.things(), there(where), time()));
         }
         records.forEach((id, own) -> {
-            simulation.flatMap(truth -> truth.truth(id)).ifPresent(mapFromBase -> noteTruth(id, own, mapFromBase));
+            where.truth(id).ifPresent(mapFromBase -> noteTruth(id, own, mapFromBase));
             Optional.ofNullable(robots.get(id))
                     .flatMap(robot -> robot.find(Localizer.class))
                     .flatMap(Localizer::latest)
@@ -126,7 +126,7 @@ final class Observer implements Facts {
                     .ifPresent(battery -> own.charged(battery.value().level()));
             Optional.ofNullable(robots.get(id))
                     .flatMap(robot -> robot.find(Mapper.class))
-                    .ifPresent(mapper -> noteMap(id, mapper, simulation.flatMap(truth -> truth.truth(id))));
+                    .ifPresent(mapper -> noteMap(id, mapper, where.mapFromBase(id)));
         });
         parade.look(clock.instant());
         exploring.keySet().removeIf(robot -> started.contains(robot) && !robots.containsKey(robot));
@@ -135,9 +135,9 @@ final class Observer implements Facts {
         return ending();
     }
 
-    private List<Reached.There> there(SimulationControl truth) {
+    private List<Reached.There> there(Whereabouts where) {
         var there = new ArrayList<Reached.There>();
-        records.forEach((id, own) -> truth.truth(id)
+        records.forEach((id, own) -> where.mapFromBase(id)
                 .filter(_ -> !gone.contains(id))
                 .ifPresent(mapFromBase -> there.add(new Reached.There(id, own.role(), mapFromBase))));
         return there;
@@ -221,14 +221,14 @@ final class Observer implements Facts {
         }
     }
 
-    /// A prey says that it has been caught. The first time counts, and is compared with the truth.
-    void heard(Caught said, Optional<SimulationControl> simulation) {
+    /// A prey says that it has been caught. The first time counts, and is compared with where both are.
+    void heard(Caught said, Whereabouts where) {
         RobotRecord prey = records.get(said.prey());
         if (prey == null || !caught.add(said.prey())) {
             return;
         }
-        Optional<Pose2d> mapFromPrey = simulation.flatMap(truth -> truth.truth(said.prey()));
-        Optional<Pose2d> mapFromHunter = simulation.flatMap(truth -> truth.truth(said.hunter()));
+        Optional<Pose2d> mapFromPrey = where.mapFromBase(said.prey());
+        Optional<Pose2d> mapFromHunter = where.mapFromBase(said.hunter());
         if (mapFromPrey.isPresent() && mapFromHunter.isPresent()) {
             prey.caught(mapFromPrey.get().distanceTo(mapFromHunter.get()));
         }
@@ -239,10 +239,9 @@ final class Observer implements Facts {
         watched.watch(said.mapFromPlaces(), time());
     }
 
-    /// A robot has been where its team watches. Counts when that is the truth.
-    void heard(Visited said, Optional<SimulationControl> simulation) {
-        simulation
-                .flatMap(truth -> truth.truth(said.robot()))
+    /// A robot has been where its team watches. Counts when that is so.
+    void heard(Visited said, Whereabouts where) {
+        where.mapFromBase(said.robot())
                 .ifPresent(mapFromBase -> watched.visit(said.mapFromPlace(), mapFromBase, time()));
     }
 

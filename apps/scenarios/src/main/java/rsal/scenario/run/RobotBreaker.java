@@ -18,7 +18,7 @@ import rsal.scenario.PlannedFault;
 import rsal.scenario.PlannedFault.OfRobot;
 import rsal.system.RobotSystem;
 
-/// Breaks localizers by what it has put around them, and all else by what the robot system has for it.
+/// Breaks localizers by what it has put around them, and all else by what the robot systems have for it.
 final class RobotBreaker implements Faults.Breaker {
     private final RobotSystem system;
     private final Set<String> breaking; // all that faults can strike, by name

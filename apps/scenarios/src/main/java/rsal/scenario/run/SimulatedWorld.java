@@ -16,7 +16,6 @@ import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Standing;
 import rsal.robot.Robot;
 import rsal.scenario.RunPlan;
-import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 
 /// The world of a run as people see and change it, if it is simulated. Where there is only reality nobody knows the
@@ -26,7 +25,7 @@ final class SimulatedWorld {
     private static final Covariance2d PLACED_BY_HAND = Covariance2d.ofDeviations(0.1, 0.1, Math.toRadians(5));
 
     private final RunPlan plan;
-    private final RobotSystem system;
+    private final RobotSystems systems;
     private final Scheduler scheduler;
     private final Journal journal;
     private final Observer observer;
@@ -40,7 +39,7 @@ final class SimulatedWorld {
 
     SimulatedWorld(
             RunPlan plan,
-            RobotSystem system,
+            RobotSystems systems,
             Scheduler scheduler,
             Journal journal,
             Observer observer,
@@ -48,7 +47,7 @@ final class SimulatedWorld {
             Team team,
             Faults faults) {
         this.plan = plan;
-        this.system = system;
+        this.systems = systems;
         this.scheduler = scheduler;
         this.journal = journal;
         this.observer = observer;
@@ -59,17 +58,22 @@ final class SimulatedWorld {
 
     /// Where a robot really is, in the map frame.
     Optional<Pose2d> truth(String robot) {
-        return system.simulation().flatMap(truth -> truth.truth(robot));
+        return systems.truth(robot);
     }
 
     /// What a robot looks like.
     Optional<Solid> body(String robot) {
-        return system.simulation().flatMap(truth -> truth.body(robot));
+        return systems.body(robot);
+    }
+
+    /// Whether a robot is in it at all; others are real.
+    private boolean isSimulated(String robot) {
+        return systems.simulation(robot).isPresent();
     }
 
     /// Whether a robot is gone from it: what it believed there is not shown.
     boolean lacks(String robot) {
-        return system.simulation().filter(truth -> truth.truth(robot).isEmpty()).isPresent();
+        return isSimulated(robot) && systems.truth(robot).isEmpty();
     }
 
     /// Which robots were put elsewhere in it.
@@ -79,7 +83,7 @@ final class SimulatedWorld {
 
     /// What of it is no robot.
     List<Standing> things() {
-        return system.simulation().map(SimulationControl::things).orElse(List.of());
+        return systems.simulation().map(SimulationControl::things).orElse(List.of());
     }
 
     /// Puts a robot somewhere, in truth and in its own belief, or a thing.
@@ -96,7 +100,7 @@ final class SimulatedWorld {
         if (!mapFromBase.isFinite() || !map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))) {
             return new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromBase)));
         }
-        Optional<SimulationControl> simulation = system.simulation();
+        Optional<SimulationControl> simulation = systems.simulation(id);
         if (simulation.isPresent()
                 && simulation.get().place(id, mapFromBase) instanceof Placement.Refused(String why)) {
             return new Answer.Refused(why);
@@ -118,7 +122,7 @@ final class SimulatedWorld {
             return unknown(name);
         }
         return answer(
-                system.simulation().orElseThrow().place(name, mapFromThing),
+                systems.simulation().orElseThrow().place(name, mapFromThing),
                 name,
                 "placed at " + Words.of(mapFromThing),
                 new Answer.Done());
@@ -135,7 +139,7 @@ final class SimulatedWorld {
 
     /// Puts something new into the world.
     Answer add(Prop prop, Pose2d mapFromThing) {
-        Optional<SimulationControl> simulation = system.simulation();
+        Optional<SimulationControl> simulation = systems.simulation();
         if (simulation.isEmpty()) {
             return nothingSimulated();
         }
@@ -158,9 +162,12 @@ final class SimulatedWorld {
 
     /// Puts another robot into the world.
     Answer addRobot(String example, Pose2d mapFromBase) {
-        Optional<SimulationControl> simulation = system.simulation();
+        Optional<SimulationControl> simulation = systems.simulation();
         if (simulation.isEmpty()) {
             return nothingSimulated();
+        }
+        if (team.has(example) && !isSimulated(example)) {
+            return isReal(example, "no other like it can be added");
         }
         if (robotsAdded == MOST_ADDED) {
             return new Answer.Refused("%d robots were added already; that is enough for a run.".formatted(MOST_ADDED));
@@ -181,9 +188,12 @@ final class SimulatedWorld {
 
     /// Takes a robot or a thing out of the world.
     Answer remove(String entity) {
-        Optional<SimulationControl> simulation = system.simulation();
+        Optional<SimulationControl> simulation = systems.simulation();
         if (simulation.isEmpty()) {
             return nothingSimulated();
+        }
+        if (team.has(entity) && !isSimulated(entity)) {
+            return isReal(entity, "it can't be taken out of the simulated world");
         }
         if (!(team.has(entity)
                 ? removeRobot(simulation.get(), entity)
@@ -207,6 +217,10 @@ final class SimulatedWorld {
     /// Whether somebody takes a robot out of the world, or has done so.
     boolean isTakenOut(String robot) {
         return takenOut.contains(robot);
+    }
+
+    private static Answer isReal(String robot, String what) {
+        return new Answer.Refused("Robot (%s) is real: %s.".formatted(robot, what));
     }
 
     private Answer nothingSimulated() {

@@ -2,7 +2,6 @@ package rsal.scenario.run;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -17,16 +16,14 @@ import rsal.system.BridgeProvider.Lent;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
 
-/// Everything that takes part in a run, put together after the plan: the robots of the robot system, their
+/// Everything that takes part in a run, put together after the plan: the robots of the robot systems, their
 /// software devices, the agents. All calls on the run's thread.
 final class Stage implements AutoCloseable {
-    private static final Duration DISCOVERY_LIMIT = Duration.ofSeconds(10);
-
     private final RunPlan plan;
     private final Scheduler scheduler;
     private final Journal journal;
     private final Observer observer;
-    private final RobotSystem system;
+    private final RobotSystems systems;
     private final Newcomers newcomers;
     private final RobotBreaker breaker;
     private final Traffic traffic;
@@ -37,10 +34,11 @@ final class Stage implements AutoCloseable {
     private final Orders orders;
     private final RobotViews robotViews;
     private final Team team = new Team();
+    private final Whereabouts where;
     private final List<Bridge> bridges = new ArrayList<>();
     private boolean closed;
 
-    /// Makes the robot system; nothing moves yet.
+    /// Makes the robot systems; nothing moves yet.
     ///
     /// @param turns where is counted which agents are at work
     Stage(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Turns turns) {
@@ -49,30 +47,24 @@ final class Stage implements AutoCloseable {
         this.journal = journal;
         this.observer = observer;
         this.newcomers = new Newcomers(plan);
-        String name = plan.mrs().name();
-        this.system = RunBroken.blaming(
-                name,
-                () -> plan.mrs()
-                        .provider()
-                        .create(plan.mrs().config(plan.scene(), plan.robots()), new GuardedScheduler(name, scheduler)));
-        this.breaker = new RobotBreaker(system, plan.faults());
+        this.systems = new RobotSystems(plan, scheduler);
+        this.where = new Whereabouts(systems, team);
+        this.breaker = new RobotBreaker(systems, plan.faults());
         this.traffic = new Traffic(journal, observer, plan.communication().isPresent());
         this.faults = new Faults(plan, scheduler, journal, observer, traffic, breaker);
-        this.world = new SimulatedWorld(plan, system, scheduler, journal, observer, newcomers, team, faults);
+        this.world = new SimulatedWorld(plan, systems, scheduler, journal, observer, newcomers, team, faults);
         this.equipper = new Equipper(plan, scheduler, journal, breaker, world, team);
-        this.agents = new Agents(plan, scheduler, journal, observer, faults, team, traffic, turns);
+        this.agents = new Agents(plan, scheduler, journal, observer, faults, team, where, traffic, turns);
         this.orders = new Orders(plan.map(), journal, faults, world, team, agents);
         this.robotViews = new RobotViews(team, world, faults);
     }
 
     /// Finds the robots and, once they are there, begins.
     void begin() {
-        String name = plan.mrs().name();
-        scheduler
-                .within(DISCOVERY_LIMIT, RunBroken.blaming(name, system::discover))
+        systems.discover()
                 .whenComplete((found, error) -> scheduler.execute(() -> {
-                    if (error != null) {
-                        throw new RunBroken(name, error);
+                    if (error instanceof RunBroken broken) {
+                        throw broken;
                     }
                     assemble(found);
                 }));
@@ -81,19 +73,14 @@ final class Stage implements AutoCloseable {
     private void assemble(List<Robot> found) {
         for (PlannedRobot planned : plan.robots()) {
             String id = planned.spec().id();
-            Robot robot = found.stream()
-                    .filter(r -> r.id().equals(id))
+            found.stream()
+                    .filter(robot -> robot.id().equals(id))
                     .findFirst()
-                    .orElseThrow(() -> new RunBroken("%s has no robot (%s); it has %s."
-                            .formatted(
-                                    plan.mrs().name(),
-                                    id,
-                                    found.stream().map(Robot::id).toList())));
-            equipper.equip(robot, planned);
+                    .ifPresent(robot -> equipper.equip(robot, planned));
         }
-        system.onChange(this::changed);
-        agents.gather(system.simulation());
-        system.simulation().ifPresent(new Arrivals(plan, scheduler, journal)::begin);
+        systems.onChange(this::changed);
+        agents.gather(systems.simulation());
+        systems.simulation().ifPresent(new Arrivals(plan, scheduler, journal)::begin);
         faults.begin();
         plan.agents().forEach(agents::start);
         journal.event(
@@ -156,7 +143,7 @@ final class Stage implements AutoCloseable {
     ///
     /// @return how the run ends, if it is over
     Optional<String> observe() {
-        return observer.look(system.simulation(), team.robots());
+        return observer.look(systems.simulation(), where, team.robots());
     }
 
     /// Whether robots and agents are there.
@@ -186,7 +173,7 @@ final class Stage implements AutoCloseable {
 
     Answer bridge(BridgeProvider provider, InetSocketAddress at) {
         try {
-            var lent = new Lent(List.copyOf(team.robots().values()), plan.map(), system.simulation());
+            var lent = new Lent(List.copyOf(team.robots().values()), plan.map(), systems.simulation());
             Bridge bridge = provider.open(at, lent, scheduler);
             bridges.add(bridge);
             return new Answer.Bridged(bridge.offers());
@@ -229,7 +216,7 @@ final class Stage implements AutoCloseable {
         closed = true;
         bridges.forEach(Bridge::close);
         equipper.close();
-        try (system) {
+        try (systems) {
             agents.close();
         }
     }

@@ -1,20 +1,25 @@
 package rsal.scenario.example;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import rsal.data.OccupancyGrid;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.Robot;
+import rsal.scene.Scene;
 import rsal.settings.Parameter;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.fake.FakeProvider;
+import rsal.time.LockstepScheduler;
 import rsal.time.Scheduler;
 
-/// Robots that nobody knows the truth about, as real ones are.
+/// Robots that nobody knows the truth about, as real ones are, in a hall without walls: reality is not as the map
+/// has it, and fakes look at each wall with each beam.
 public class Reality implements RobotSystemProvider {
     private static final Parameter HOST = Parameter.text("host", "localhost", "Where they are.");
     private static final Parameter PORT = Parameter.integer("port", 6665, 1, 65535, "", "Where they listen.");
@@ -36,14 +41,23 @@ public class Reality implements RobotSystemProvider {
 
     @Override
     public RobotSystem create(Config config, Scheduler scheduler) {
-        String host = config.settings().text("host");
+        boolean planning = scheduler instanceof LockstepScheduler; // whoever only checks a plan has his own
+        String host = planning ? "" : config.settings().text("host");
         if (host.equals("nowhere")) {
             throw new IllegalStateException("Nobody is there.");
         }
-        return new Robots(new FakeProvider().create(config, scheduler), host);
+        var there = new Config(config.settings(), Scene.of(hall()), config.robots(), config.seed());
+        return new Robots(new FakeProvider().create(there, scheduler), host);
     }
 
-    /// What hosts are called that fail: `away` has robots that are not found, `silent` is never done with looking.
+    private static OccupancyGrid hall() {
+        var cells = new byte[64 * 64];
+        Arrays.fill(cells, OccupancyGrid.FREE);
+        return new OccupancyGrid(64, 64, 1, -32, -32, cells);
+    }
+
+    /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for them,
+    /// and `stuck` can't let go of them; all others are fine
     private record Robots(RobotSystem fakes, String host) implements RobotSystem {
         @Override
         public CompletionStage<List<Robot>> discover() {

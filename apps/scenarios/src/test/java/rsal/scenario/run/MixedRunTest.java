@@ -1,0 +1,152 @@
+package rsal.scenario.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.data.Pose2d;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+
+/// Runs with robots of several systems: some simulated, some as if they were real.
+@Timeout(60)
+class MixedRunTest {
+    private static final String MIXED = """
+            rsal: 1
+            scenario: mixed
+            world: {map: office}
+            robots:
+              prey:
+                model: pioneer2dx
+                pose: [-12, -1, 180]
+                devices: {laser: urg04lx, localizer: {type: truthful}}
+              hunter:
+                model: pioneer3at
+                devices: {laser: urg04lx, localizer: {type: truthful, error: 0.25}}
+                members:
+                  - {name: real, pose: [-8, -1, 0], mrs: {use: reality, host: lab}}
+                  - {name: virtual, pose: [-4, -1, 0]}
+            agents:
+              run: {type: wanderer, robot: prey, args: {caughtAfter: 4, by: real, speed: 0}}
+              chase: {type: wanderer, robot: hunter}
+            mrs: {odometryNoise: 0}
+            run:
+              seed: 7
+              clock: {speed: max}
+              stop: [{when: time >= 5, outcome: success}]
+            measure:
+              - {name: caughtAt, from: max(captureDistance)}
+              - {name: error, from: max(poseError), per: robot}
+              - {name: way, from: distance, per: robot}
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private RunPlan plan(String text) {
+        return Runs.plan(folder, text, RunOptions.NONE);
+    }
+
+    private static RobotView view(LiveRun run, String robot) {
+        return run.snapshot().robots().stream()
+                .filter(view -> view.id().equals(robot))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static Answer answer(CompletionStage<Answer> stage) {
+        return stage.toCompletableFuture().orTimeout(10, TimeUnit.SECONDS).join();
+    }
+
+    @Test
+    void robotsOfAllSystemsTakePart() {
+        try (var run = LiveRun.start(plan(MIXED))) {
+            assertThat(Runs.result(run).outcome()).isEqualTo("success");
+            assertThat(run.events(0)).extracting(RunEvent::text).contains("3 robots, 3 agents");
+            for (String robot : new String[] {"real", "virtual"}) {
+                RobotView view = view(run, robot);
+                assertThat(view.scan()).isPresent();
+                assertThat(view.estimate()).isPresent();
+                assertThat(view.odometry().orElseThrow().value().odomFromBase().distanceTo(Pose2d.ORIGIN))
+                        .isGreaterThan(0.5);
+            }
+            assertThat(view(run, "virtual").truth()).isPresent();
+            assertThat(view(run, "real").truth()).isEmpty();
+        }
+    }
+
+    @Test
+    void theSameSeedGivesTheSameRun() {
+        RunResult once = Runs.result(plan(MIXED));
+        assertThat(Runs.result(plan(MIXED)).eventHash()).isEqualTo(once.eventHash());
+    }
+
+    @Test
+    void theTruthIsMeasuredWhereThereIsOneElseWhatRobotsBelieve() {
+        try (var run = LiveRun.start(plan(MIXED))) {
+            RunResult result = Runs.result(run);
+            assertThat(result.measures().get("error.virtual").orElseThrow()).isCloseTo(0.25, within(0.01));
+            assertThat(result.measures().get("error.real")).isEmpty();
+            assertThat(result.measures().get("way.virtual").orElseThrow()).isGreaterThan(1);
+            assertThat(result.measures().get("way.real")).isEmpty();
+            Pose2d believed = view(run, "real").estimate().orElseThrow().value().mapFromBase();
+            assertThat(result.measures().get("caughtAt").orElseThrow())
+                    .as("a second before")
+                    .isCloseTo(believed.distanceTo(new Pose2d(-12, -1, 0)), within(0.4));
+        }
+    }
+
+    @Test
+    void realRobotsArePlacedInTheirOwnBeliefOnly() {
+        try (var run = LiveRun.start(plan(MIXED.replace("speed: max", "speed: 1")))) {
+            Pose2d there = new Pose2d(-2, -1, 0);
+            assertThat(answer(run.place("real", there))).isEqualTo(new Answer.Done());
+            assertThat(answer(run.remove("real")))
+                    .isEqualTo(
+                            new Answer.Refused("Robot (real) is real: it can't be taken out of the simulated world."));
+            assertThat(answer(run.addRobot("real", there)))
+                    .isEqualTo(new Answer.Refused("Robot (real) is real: no other like it can be added."));
+            assertThat(answer(run.addRobot("virtual", there))).isEqualTo(new Answer.Added("hunter-1"));
+        }
+    }
+
+    private RunBroken broken(String text) {
+        return catchThrowableOfType(RunBroken.class, () -> Runs.result(plan(text)));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            nowhere | Robot system (reality) of real failed: Nobody is there.
+            away    | Robot system (reality) of real failed: Nobody answers.
+            empty   | Robot system (reality) of real has no robot (real); it has [].
+            silent  | Robot system (reality) of real failed: No answer within PT10S.
+            """)
+    void aSystemThatFailsIsNamedWithItsRobots(String host, String words) {
+        assertThat(broken(MIXED.replace("host: lab", "host: " + host).replace("time >= 5", "time >= 20")))
+                .hasMessage(words);
+    }
+
+    @Test
+    void systemsAreLetGoOfInReverseOrderWhateverBecomesOfOthers() {
+        String stuck = MIXED.replace("host: lab", "host: stuck")
+                .replace("virtual, pose: [-4, -1, 0]", "virtual, pose: [-4, -1, 0], mrs: {use: reality, host: %s}");
+        RunBroken atTheEnd = broken(stuck.formatted("stuck, port: 7000"));
+        assertThat(atTheEnd).hasMessage("Robot system (reality) of virtual failed: Nobody lets go.");
+        assertThat(atTheEnd.getSuppressed())
+                .extracting(Throwable::getMessage)
+                .containsExactly("Robot system (reality) of real failed: Nobody lets go.");
+        RunBroken atTheStart = broken(stuck.formatted("nowhere"));
+        assertThat(atTheStart).hasMessage("Robot system (reality) of virtual failed: Nobody is there.");
+        assertThat(atTheStart.getSuppressed())
+                .extracting(Throwable::getMessage)
+                .containsExactly("Robot system (reality) of real failed: Nobody lets go.");
+    }
+}
