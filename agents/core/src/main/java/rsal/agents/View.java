@@ -9,7 +9,8 @@ import rsal.device.SimulationControl.Placement;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Moves stand-ins of robots in a simulated world to where the robots say they are: mixed reality. Needs no robot.
+/// Moves stand-ins of robots in a simulated world to where the robots say they are: mixed reality with robots
+/// that are not of this run; those that are can have a `proxy`. Needs no robot.
 public final class View extends Kind {
     private static final Parameter ROBOT = Parameter.robots(
             "robot", NewGoal.ALL, List.of(NewGoal.ALL), "Role of the robots to show, id of the one, or all.");
@@ -42,7 +43,7 @@ public final class View extends Kind {
     }
 
     private static void show(AgentContext self, SimulationControl simulation, String entity, PoseReport report) {
-        switch (simulation.place(entity, report.mapFromBase())) {
+        switch (simulation.placeAnyway(entity, report.mapFromBase())) {
             case Placement.Placed _ -> self.show(entity, Words.place(report.mapFromBase()));
             case Placement.Refused(String why) -> self.show(entity, "not placed: " + why);
         }

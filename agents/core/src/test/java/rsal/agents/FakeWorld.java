@@ -18,6 +18,7 @@ import rsal.device.SimulationControl;
 /// A world that holds names and poses, within 100 m of its origin, and discs to look at.
 final class FakeWorld extends DeviceCore implements SimulationControl {
     private static final double EDGE = 100; // m
+    static final double WALL = 50; // x [m]: nothing fits there
 
     final Map<String, Pose2d> things = new LinkedHashMap<>();
     private final List<Standing> discs = new ArrayList<>();
@@ -49,6 +50,13 @@ final class FakeWorld extends DeviceCore implements SimulationControl {
 
     @Override
     public Placement place(String entity, Pose2d mapFromEntity) {
+        return mapFromEntity.x() == WALL
+                ? new Placement.Refused("a wall is there")
+                : placeAnyway(entity, mapFromEntity);
+    }
+
+    @Override
+    public Placement placeAnyway(String entity, Pose2d mapFromEntity) {
         return things.replace(entity, mapFromEntity) == null
                 ? new Placement.Refused("no such thing")
                 : new Placement.Placed();

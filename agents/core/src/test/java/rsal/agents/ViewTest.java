@@ -21,6 +21,8 @@ class ViewTest {
         scene.report("r2", "rover", 3, 4);
         assertThat(world.things).containsEntry("proxy-r1", new Pose2d(1, 2, 0));
         assertThat(world.things).containsEntry("proxy-r2", new Pose2d(3, 4, 0));
+        scene.report("r2", "rover", FakeWorld.WALL, 4);
+        assertThat(world.things).containsEntry("proxy-r2", new Pose2d(FakeWorld.WALL, 4, 0));
     }
 
     @Test

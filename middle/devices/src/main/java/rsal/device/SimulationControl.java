@@ -18,9 +18,20 @@ public interface SimulationControl extends Device {
     /// Puts a thing somewhere, standing still. Odometry does not notice.
     Placement place(String entity, Pose2d mapFromEntity);
 
+    /// As [#place], but also where something is in the way: for stand-ins of what really is elsewhere, as reality
+    /// does not ask for room. Who overlaps it is stuck for as long.
+    default Placement placeAnyway(String entity, Pose2d mapFromEntity) {
+        return place(entity, mapFromEntity);
+    }
+
     /// Puts a new thing into the world.
     default Placement add(Thing thing) {
         return new Placement.Refused("(%s) can't be added: this world takes no things.".formatted(thing.name()));
+    }
+
+    /// As [#add], but also where something is in the way.
+    default Placement addAnyway(Thing thing) {
+        return add(thing);
     }
 
     /// Takes a thing out of the world; a robot stays.

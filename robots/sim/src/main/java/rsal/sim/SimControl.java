@@ -3,7 +3,9 @@ package rsal.sim;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiPredicate;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import rsal.data.Pose2d;
 import rsal.data.Prism;
 import rsal.data.Solid;
@@ -86,6 +88,16 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     @Override
     public Placement place(String entity, Pose2d mapFromEntity) {
+        return place(entity, mapFromEntity, this::put);
+    }
+
+    @Override
+    public Placement placeAnyway(String entity, Pose2d mapFromEntity) {
+        return place(entity, mapFromEntity, this::putAnyway);
+    }
+
+    /// @param putting says whether there was room
+    private Placement place(String entity, Pose2d mapFromEntity, BiPredicate<Body, Pose2d> putting) {
         Optional<Body> body = entity(entity);
         if (body.isEmpty()) {
             return new Placement.Refused(
@@ -95,7 +107,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         if (outside.isPresent()) {
             return outside.get();
         }
-        if (!put(body.get(), mapFromEntity)) {
+        if (!putting.test(body.get(), mapFromEntity)) {
             return inTheWay(entity, mapFromEntity);
         }
         team.find(entity).ifPresent(robot -> {
@@ -117,6 +129,17 @@ final class SimControl extends DeviceCore implements SimulationControl {
             }
         }
         return world.place(body, there);
+    }
+
+    private boolean putAnyway(Body body, Pose2d there) {
+        for (SimGripper gripper : team.grippers()) {
+            if (gripper.holds(body)) {
+                gripper.lose(body);
+                world.drop(body, 0);
+            }
+        }
+        world.put(body, there);
+        return true;
     }
 
     private static List<SimGripper> grippersOf(SimRobot robot) {
@@ -146,6 +169,16 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     @Override
     public Placement add(Thing thing) {
+        return add(thing, chunks -> world.hasRoom(chunks, thing.mapFromThing(), 0));
+    }
+
+    @Override
+    public Placement addAnyway(Thing thing) {
+        return add(thing, _ -> true);
+    }
+
+    /// @param room whether there is any for it
+    private Placement add(Thing thing, Predicate<List<Chunk>> room) {
         String name = thing.name();
         Optional<Placement> misnamed = misnamed(name);
         if (misnamed.isPresent()) {
@@ -161,7 +194,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         }
         List<Block> blocks = blocks(thing);
         List<Chunk> chunks = Chunk.of(blocks);
-        if (!world.hasRoom(chunks, thing.mapFromThing(), 0)) {
+        if (!room.test(chunks)) {
             return inTheWay(name, thing.mapFromThing());
         }
         things.add(world.add(name, chunks, thing.mapFromThing(), 0), blocks, thing.givingPower());

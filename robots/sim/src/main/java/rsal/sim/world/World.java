@@ -220,6 +220,12 @@ public final class World {
         return free;
     }
 
+    /// Puts a body somewhere, whether it has room or not.
+    public void put(Body body, Pose2d mapFromBase) {
+        body.figure.placeAt(mapFromBase, body.height());
+        arrive(body);
+    }
+
     /// Moves a body until it would touch something, or to the arc's end.
     ///
     /// @param arc from where the body is

@@ -57,6 +57,35 @@ public abstract class SimulationControlContract extends RobotBench {
     }
 
     @Test
+    void whatReallyIsSomewhereIsPlacedThereAlsoWhereThereIsNoRoom() {
+        Pose2d inWall = new Pose2d(0.1, 4, 0);
+        assertThat(simulation().placeAnyway("r1", inWall)).isEqualTo(new Placement.Placed());
+        assertThat(truth()).isEqualTo(inWall);
+        assertThat(simulation().addAnyway(thing("box", inWall).asObstacle())).isEqualTo(new Placement.Placed());
+        assertThat(simulation().truth("box")).contains(inWall);
+        Pose2d inRobot = START.compose(new Pose2d(0.05, 0, 0));
+        simulation().placeAnyway("r1", START);
+        assertThat(simulation().placeAnyway("box", inRobot)).isEqualTo(new Placement.Placed());
+        assertThat(simulation().truth("box")).contains(inRobot);
+        drive(Twist2d.drive(0.4, 0), 2);
+        assertThat(truth()).as("stuck").isEqualTo(START);
+        simulation().placeAnyway("box", inWall);
+        drive(Twist2d.drive(0.4, 0), 2);
+        assertThat(START.inverse().compose(truth()).x()).isGreaterThan(0.4);
+    }
+
+    @Test
+    void refusesToPlaceAnywayWhatIsNotThereOrNowhere() {
+        assertThat(simulation().placeAnyway("nobody", START)).isInstanceOf(Placement.Refused.class);
+        assertThat(simulation().placeAnyway("r1", new Pose2d(-3, 4, 0))).isInstanceOf(Placement.Refused.class);
+        assertThat(simulation().placeAnyway("r1", new Pose2d(Double.NaN, 4, 0))).isInstanceOf(Placement.Refused.class);
+        assertThat(simulation().addAnyway(thing("r1", START))).isInstanceOf(Placement.Refused.class);
+        assertThat(simulation().addAnyway(thing("box", new Pose2d(-3, 4, 0)))).isInstanceOf(Placement.Refused.class);
+        assertThat(simulation().entities()).containsExactly("r1");
+        assertThat(truth()).isEqualTo(START);
+    }
+
+    @Test
     void countsATouchOnceUntilItIsOver() {
         needs(Capability.WALLS);
         simulation()

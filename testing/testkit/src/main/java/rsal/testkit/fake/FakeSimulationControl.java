@@ -40,26 +40,44 @@ public final class FakeSimulationControl extends DeviceCore implements Simulatio
 
     @Override
     public Placement place(String entity, Pose2d mapFromEntity) {
+        return world.isFree(mapFromEntity.x(), mapFromEntity.y())
+                ? placeAnyway(entity, mapFromEntity)
+                : new Placement.Refused("A wall is there.");
+    }
+
+    @Override
+    public Placement placeAnyway(String entity, Pose2d mapFromEntity) {
         Optional<FakeDriveBase> base = base(entity);
         Optional<Thing> thing = things.find(entity);
         if (base.isEmpty() && thing.isEmpty()) {
             return new Placement.Refused("Nothing is called (%s).".formatted(entity));
         }
-        if (!world.isFree(mapFromEntity.x(), mapFromEntity.y())) {
-            return new Placement.Refused("A wall is there.");
+        if (isOutside(mapFromEntity)) {
+            return new Placement.Refused("That is outside.");
         }
         base.ifPresent(robot -> robot.place(mapFromEntity));
         thing.ifPresent(moved -> things.move(moved.name(), mapFromEntity));
         return new Placement.Placed();
     }
 
+    private boolean isOutside(Pose2d pose) {
+        return !pose.isFinite() || !world.contains(world.column(pose.x()), world.row(pose.y()));
+    }
+
     @Override
     public Placement add(Thing thing) {
+        return world.isFree(thing.mapFromThing().x(), thing.mapFromThing().y())
+                ? addAnyway(thing)
+                : new Placement.Refused("A wall is there.");
+    }
+
+    @Override
+    public Placement addAnyway(Thing thing) {
         if (entities().contains(thing.name())) {
             return new Placement.Refused("Something is called (%s) already.".formatted(thing.name()));
         }
-        if (!world.isFree(thing.mapFromThing().x(), thing.mapFromThing().y())) {
-            return new Placement.Refused("A wall is there.");
+        if (isOutside(thing.mapFromThing())) {
+            return new Placement.Refused("That is outside.");
         }
         things.add(thing);
         return new Placement.Placed();
