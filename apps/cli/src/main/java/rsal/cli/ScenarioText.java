@@ -73,7 +73,8 @@ final class ScenarioText {
         var table = new Table("  ");
         for (var role : roles) {
             table.row(role.role(), role.ids().size() + " × " + role.model(), String.join(", ", role.sensors()));
-            role.mrs().ifPresent(mrs -> table.row("", "mrs: " + mrs, String.join(", ", role.ids())));
+            String proxy = role.proxy() ? ", with a stand-in in the simulated world" : "";
+            role.mrs().ifPresent(mrs -> table.row("", "mrs: " + mrs, String.join(", ", role.ids()) + proxy));
             role.devices().forEach(device -> table.row("", device.name() + ": " + device.driver(), made(device)));
         }
         return table;

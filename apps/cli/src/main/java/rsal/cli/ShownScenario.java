@@ -108,13 +108,15 @@ record ShownScenario(
 
     /// Robots of one role that are alike; those of a role whose members differ are several of these.
     ///
-    /// @param mrs their robot system, with its settings that are not the usual ones: `player, host=lab`; empty when
-    /// it is the scenario's
+    /// @param mrs their robot system, with its settings that are not the usual ones: `player, host=lab`; empty
+    /// when it is the scenario's
+    /// @param proxy whether stand-ins of them are in the simulated world
     /// @param devices in the order in which they are made
     record Role(
             String role,
             List<String> ids,
             Optional<String> mrs,
+            boolean proxy,
             String model,
             List<String> sensors,
             List<Start> starts,
@@ -124,6 +126,7 @@ record ShownScenario(
                     role,
                     robots.stream().map(robot -> robot.spec().id()).toList(),
                     mrs,
+                    proxy,
                     model,
                     sensors,
                     robots.stream().map(Start::of).toList(),
@@ -245,6 +248,7 @@ record ShownScenario(
                 robot.spec().role(),
                 List.of(),
                 Optional.of(robot.mrs()).filter(mrs -> !mrs.equals(plan.mrs())).map(RunPlan.Mrs::words),
+                robot.proxy(),
                 robot.spec().model().name(),
                 robot.spec().model().sensors().entrySet().stream()
                         .map(sensor -> sensor.getKey() + " " + sensor.getValue().name())

@@ -53,6 +53,7 @@ class ShowTest {
                 .containsPattern("mrs: sim, sensorNoise=0.0 +ann\n")
                 .containsPattern("mrs: sim, sensorNoise=0.0 +bea\n");
         assertThat(show("show", file.toString(), "--json"))
-                .contains("\"ids\":[\"bea\"],\"mrs\":\"sim, sensorNoise=0.0\",\"model\":\"pioneer3at\"");
+                .contains(
+                        "\"ids\":[\"bea\"],\"mrs\":\"sim, sensorNoise=0.0\",\"proxy\":false,\"model\":\"pioneer3at\"");
     }
 }

@@ -37,6 +37,10 @@ final class Format {
 
     static final Parameter COUNT =
             Parameter.integer("count", 1, 1, MAX_ROBOTS, "", "How many there are; they are called role-1, role-2…");
+    static final Parameter PROXY = Parameter.flag(
+            "proxy",
+            false,
+            "Whether stand-ins of real robots are in the simulated world, where simulated ones see them.");
     static final Parameter CLEARANCE = Parameter.number(
             "clearance", 0.4, 0, 100, "m", "Distance to all that is not free, and half of that to other robots.");
     static final Parameter PASSAGE = required(Parameter.number(

@@ -37,7 +37,7 @@ final class Outfitter {
 
     /// @param drivers of the devices that it has anyway: what replaces one of those is made like it
     PlannedRobot robot(RobotSpec spec, Mrs mrs, List<PlannedDevice> drivers) {
-        return new PlannedRobot(spec, mrs, drivers, new Spares(pilot(spec, drivers), navigation(spec, drivers)));
+        return new PlannedRobot(spec, mrs, drivers, new Spares(pilot(spec, drivers), navigation(spec, drivers)), false);
     }
 
     private Spare pilot(RobotSpec spec, List<PlannedDevice> drivers) {
@@ -117,6 +117,6 @@ final class Outfitter {
         }
         return drivers.size() == robot.drivers().size()
                 ? robot
-                : new PlannedRobot(robot.spec(), robot.mrs(), drivers, robot.spares());
+                : new PlannedRobot(robot.spec(), robot.mrs(), drivers, robot.spares(), robot.proxy());
     }
 }

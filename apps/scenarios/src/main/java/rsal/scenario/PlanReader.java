@@ -517,6 +517,9 @@ final class PlanReader {
                     "%s simulates no world that (things) could be put into.".formatted(mrs.name()),
                     "Leave (things) out, or use robot system (sim).");
         }
+        if (!refused) {
+            checkProxies(robots, simulated, roles);
+        }
         simulated.stream().skip(1).forEach(other -> {
             String robot = other.own(robots).getFirst().id();
             problems.add(
@@ -525,6 +528,23 @@ final class PlanReader {
                             .formatted(robot, simulated.getFirst().words()),
                     "Give all simulated robots the same (mrs).");
         });
+    }
+
+    /// @param simulated systems
+    private void checkProxies(List<PlannedRobot> robots, List<Mrs> simulated, List<Role> roles) {
+        for (PlannedRobot robot : robots) {
+            String id = robot.spec().id();
+            Location at = placeOf(id, Format.PROXY.name(), roles);
+            if (robot.proxy() && simulated.contains(robot.mrs())) {
+                problems.add(
+                        at, "Robot (%s) is simulated itself and has no stand-in.".formatted(id), "Leave (proxy) out.");
+            } else if (robot.proxy() && simulated.isEmpty()) {
+                problems.add(
+                        at,
+                        "There is no simulated world for a stand-in of robot (%s).".formatted(id),
+                        "Leave (proxy) out, or let the scenario use robot system (sim).");
+            }
+        }
     }
 
     private Location placeOf(String robot, String setting, List<Role> roles) {

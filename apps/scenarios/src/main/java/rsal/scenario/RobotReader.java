@@ -192,6 +192,7 @@ final class RobotReader {
             Start start,
             String color,
             int firstMarker,
+            boolean proxy,
             boolean complete) {}
 
     private List<Draft> drafts(String name, Section section, String color) {
@@ -255,9 +256,10 @@ final class RobotReader {
         }
         int marker = Math.toIntExact((Long) section.value(Format.FIDUCIAL).orElse(0L));
         int firstMarker = marker == 0 ? 0 : marker + number;
+        boolean proxy = Boolean.TRUE.equals(section.value(Format.PROXY).orElse(false));
         section.done();
         boolean complete = problems.all().size() == before && mrs.isPresent();
-        return new Draft(name, section, ids, mrs, equipment, start, color, firstMarker, complete);
+        return new Draft(name, section, ids, mrs, equipment, start, color, firstMarker, proxy, complete);
     }
 
     /// Whether it is the robot system or the localizer that knows where they are.
@@ -302,12 +304,10 @@ final class RobotReader {
         OptionalInt marker = draft.firstMarker == 0 ? OptionalInt.empty() : OptionalInt.of(draft.firstMarker + number);
         var spec =
                 new RobotSpec(id, draft.name, draft.equipment.model().orElseThrow(), mapFromBase, draft.color, marker);
-        return outfitter.robot(
-                spec,
-                draft.mrs.orElseThrow(),
-                draft.equipment.drivers().stream()
-                        .map(d -> new PlannedDevice(
-                                d.name(), d.driver(), d.options(), seeds.of("device/" + id + "/" + d.name())))
-                        .toList());
+        List<PlannedDevice> drivers = draft.equipment.drivers().stream()
+                .map(d ->
+                        new PlannedDevice(d.name(), d.driver(), d.options(), seeds.of("device/" + id + "/" + d.name())))
+                .toList();
+        return outfitter.robot(spec, draft.mrs.orElseThrow(), drivers).withProxy(draft.proxy);
     }
 }

@@ -146,9 +146,15 @@ public record RunPlan(
     /// @param mrs where it comes from
     /// @param drivers of its software devices, in the order in which they are made
     /// @param spares what it can be given besides, when somebody wants it
-    public record PlannedRobot(RobotSpec spec, Mrs mrs, List<PlannedDevice> drivers, Spares spares) {
+    /// @param proxy whether a stand-in of it is in the simulated world, of which it is not itself
+    public record PlannedRobot(RobotSpec spec, Mrs mrs, List<PlannedDevice> drivers, Spares spares, boolean proxy) {
         public PlannedRobot {
             drivers = List.copyOf(drivers);
+        }
+
+        /// The same robot with a stand-in, or without one.
+        public PlannedRobot withProxy(boolean stands) {
+            return new PlannedRobot(spec, mrs, drivers, spares, stands);
         }
 
         /// Whether a device of that name is made from its others.

@@ -234,6 +234,8 @@ public final class ScenarioSchema {
                 described(color(), "How people see them."),
                 "fiducial",
                 parameter(Format.FIDUCIAL),
+                Format.PROXY.name(),
+                parameter(Format.PROXY),
                 SystemReader.KEY,
                 described(
                         systems(true),

@@ -249,6 +249,20 @@ class RobotSystemsTest {
                 .contains("Robot system (reality) can't break robots on purpose.");
     }
 
+    @Test
+    void realRobotsMayHaveStandInsWhereThereIsASimulatedWorld() {
+        String mixed = MIXED.replace("name: real3at,", "name: real3at, proxy: true,");
+        assertThat(plan(mixed).robots())
+                .filteredOn(PlannedRobot::proxy)
+                .extracting(robot -> robot.spec().id())
+                .containsExactly("real3at");
+        assertThat(mistakes(mixed.replace("name: virtual1", "name: virtual1, proxy: true")))
+                .contains("mixed.yaml:14:")
+                .contains("Robot (virtual1) is simulated itself and has no stand-in.");
+        assertThat(mistakes(mixed + "mrs: {use: reality}\n"))
+                .contains("There is no simulated world for a stand-in of robot (real3at).");
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             name: virtual1}  | name: real3at}               | Two robots have the same name

@@ -82,7 +82,12 @@ final class Newcomers {
         Spares spares = example.map(PlannedRobot::spares)
                 .map(one -> new Spares(spareLike(one.pilot(), id), spareLike(one.navigation(), id)))
                 .orElse(Spares.none("No robot like it was planned."));
-        var made = new PlannedRobot(spec, example.map(PlannedRobot::mrs).orElse(scenarios), drivers, spares);
+        var made = new PlannedRobot(
+                spec,
+                example.map(PlannedRobot::mrs).orElse(scenarios),
+                drivers,
+                spares,
+                example.map(PlannedRobot::proxy).orElse(false));
         robots.put(id, made);
         example.ifPresent(one -> agents.put(id, agentsLike(one.spec().id(), id)));
         return made;

@@ -25,6 +25,7 @@ final class SimulatedWorld {
     private static final Covariance2d PLACED_BY_HAND = Covariance2d.ofDeviations(0.1, 0.1, Math.toRadians(5));
 
     private final RunPlan plan;
+    private final boolean hasProxies;
     private final RobotSystems systems;
     private final Scheduler scheduler;
     private final Journal journal;
@@ -47,6 +48,7 @@ final class SimulatedWorld {
             Team team,
             Faults faults) {
         this.plan = plan;
+        this.hasProxies = plan.robots().stream().anyMatch(RunPlan.PlannedRobot::proxy);
         this.systems = systems;
         this.scheduler = scheduler;
         this.journal = journal;
@@ -81,9 +83,12 @@ final class SimulatedWorld {
         return placements;
     }
 
-    /// What of it is no robot.
+    /// What of it is no robot, nor stands in for one.
     List<Standing> things() {
-        return systems.simulation().map(SimulationControl::things).orElse(List.of());
+        List<Standing> all = systems.simulation().map(SimulationControl::things).orElse(List.of());
+        return hasProxies
+                ? all.stream().filter(thing -> !team.has(thing.name())).toList()
+                : all;
     }
 
     /// Puts a robot somewhere, in truth and in its own belief, or a thing.

@@ -30,6 +30,7 @@ final class Stage implements AutoCloseable {
     private final Faults faults;
     private final SimulatedWorld world;
     private final Equipper equipper;
+    private final Proxies proxies;
     private final Agents agents;
     private final Orders orders;
     private final RobotViews robotViews;
@@ -53,6 +54,7 @@ final class Stage implements AutoCloseable {
         this.traffic = new Traffic(journal, observer, plan.communication().isPresent());
         this.faults = new Faults(plan, scheduler, journal, observer, traffic, breaker);
         this.world = new SimulatedWorld(plan, systems, scheduler, journal, observer, newcomers, team, faults);
+        this.proxies = new Proxies(systems, team, where, scheduler, journal);
         this.equipper = new Equipper(plan, scheduler, journal, breaker, world, team);
         this.agents = new Agents(plan, scheduler, journal, observer, faults, team, where, traffic, turns);
         this.orders = new Orders(plan.map(), journal, faults, world, team, agents);
@@ -73,10 +75,7 @@ final class Stage implements AutoCloseable {
     private void assemble(List<Robot> found) {
         for (PlannedRobot planned : plan.robots()) {
             String id = planned.spec().id();
-            found.stream()
-                    .filter(robot -> robot.id().equals(id))
-                    .findFirst()
-                    .ifPresent(robot -> equipper.equip(robot, planned));
+            found.stream().filter(robot -> robot.id().equals(id)).findFirst().ifPresent(robot -> equip(robot, planned));
         }
         systems.onChange(this::changed);
         agents.gather(systems.simulation());
@@ -88,6 +87,11 @@ final class Stage implements AutoCloseable {
                 "",
                 "%d robots, %d agents"
                         .formatted(team.robots().size(), plan.agents().size()));
+    }
+
+    private void equip(Robot robot, PlannedRobot planned) {
+        equipper.equip(robot, planned);
+        proxies.join(planned);
     }
 
     private void changed(RobotSystem.Change change) {
@@ -123,7 +127,7 @@ final class Stage implements AutoCloseable {
         String id = robot.id();
         PlannedRobot planned = newcomers.plan(robot, world.truth(id));
         observer.joined(id, robot.role());
-        equipper.equip(robot, planned);
+        equip(robot, planned);
         orders.joined(id);
         if (agents.isGathered()) {
             newcomers.agents(id).forEach(agents::start);
@@ -133,6 +137,7 @@ final class Stage implements AutoCloseable {
     /// Lets go of all that a robot had.
     private void leave(String id) {
         team.leave(id);
+        proxies.leave(id);
         agents.leave(id);
         equipper.leave(id);
         breaker.leave(id);

@@ -2,7 +2,6 @@ package rsal.scenario.run;
 
 import java.util.Optional;
 import rsal.data.Pose2d;
-import rsal.data.PoseEstimate;
 import rsal.data.Stamped;
 import rsal.device.Localizer;
 
@@ -23,15 +22,18 @@ final class Whereabouts {
 
     /// Where a robot really is, or where a real one believes to be, in the map frame.
     Optional<Pose2d> mapFromBase(String robot) {
-        return systems.simulation(robot).isPresent() ? systems.truth(robot) : belief(robot);
+        return systems.simulation(robot).isPresent()
+                ? systems.truth(robot)
+                : belief(robot).map(Stamped::value);
     }
 
-    private Optional<Pose2d> belief(String robot) {
+    /// Where a robot believes to be, in the map frame.
+    Optional<Stamped<Pose2d>> belief(String robot) {
         return team.robot(robot)
                 .flatMap(team::localizer)
                 .flatMap(Localizer::latest)
                 .filter(estimate -> estimate.frame().equals(RobotRecord.WORLD))
-                .map(Stamped::value)
-                .map(PoseEstimate::mapFromBase);
+                .map(estimate -> new Stamped<>(
+                        estimate.time(), estimate.frame(), estimate.value().mapFromBase()));
     }
 }

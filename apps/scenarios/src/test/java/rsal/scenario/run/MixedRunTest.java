@@ -105,6 +105,23 @@ class MixedRunTest {
     }
 
     @Test
+    void standInsAreNothingThatPeopleSeeOrTheTruth() {
+        String stands = MIXED.replace("name: real,", "name: real, proxy: true,")
+                .replace("pose: [-4, -1, 0]", "pose: [-7, -1, 180]"); // in its way
+        try (var run = LiveRun.start(plan(stands))) {
+            RunResult result = Runs.result(run);
+            assertThat(run.events(0))
+                    .filteredOn(event -> event.kind().equals("collision"))
+                    .extracting(event -> event.subject() + " " + event.text())
+                    .contains("virtual ran into real");
+            assertThat(run.snapshot().things()).isEmpty();
+            assertThat(view(run, "real").truth()).isEmpty();
+            assertThat(result.measures().get("way.real")).isEmpty();
+            assertThat(Runs.result(plan(stands)).eventHash()).isEqualTo(result.eventHash());
+        }
+    }
+
+    @Test
     void realRobotsArePlacedInTheirOwnBeliefOnly() {
         try (var run = LiveRun.start(plan(MIXED.replace("speed: max", "speed: 1")))) {
             Pose2d there = new Pose2d(-2, -1, 0);
