@@ -110,6 +110,12 @@ export const texts = {
     devices: 'Devices',
     stalled: 'stalled',
     gone: 'gone',
+    realMark: '◆',
+    real: (proxy: boolean) =>
+      proxy ? 'real; simulated robots see a stand-in of it' : 'real: no simulation knows where it is',
+    seconds: (time: number) => `${time.toFixed(0)} s`,
+    silent: (time: number) => `silent for ${time.toFixed(0)} s`,
+    silentHint: 'Nobody tells where it is: maybe it is out of reach, or off',
     goneHint: 'A fault has taken it away: it senses nothing, hears nobody and can be told nothing',
     unknown: '–',
     send: 'Send on the map',

@@ -225,6 +225,11 @@ export interface Readings {
   readings: ReadingInfo[];
 }
 
+export interface RealDetails {
+  proxy: boolean;
+  silence: number | null;
+}
+
 export interface Receipt {
   frame: number | null;
   events: number | null;
@@ -258,6 +263,7 @@ export interface RobotDetails {
   behavior: string;
   driver: string;
   quality: string;
+  real: RealDetails | null;
   devices: DeviceDetails[];
   map: DrawnMap | null;
 }

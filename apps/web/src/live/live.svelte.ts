@@ -1,4 +1,12 @@
-import type { Details, EventInfo, RobotInfo, RunInfo, ServerMessage } from '../api/messages';
+import type {
+  Details,
+  EventInfo,
+  RealDetails,
+  RobotDetails,
+  RobotInfo,
+  RunInfo,
+  ServerMessage,
+} from '../api/messages';
 import { connect, type Listener } from './connection';
 import { withShades } from '../shades';
 import { decodeFrame, type Frame } from './frame';
@@ -100,10 +108,28 @@ class Live implements Listener {
     return (this.info?.robots ?? []).flatMap(({ id }, i) => (there === null || there.has(id) ? [i] : []));
   }
 
-  /** Indices of those that a fault has taken away; some of them stand where they were. */
-  get gone(): ReadonlySet<number> {
-    const gone = new Set(this.details?.robots.filter((robot) => robot.gone).map(({ id }) => id));
-    return new Set((this.info?.robots ?? []).flatMap(({ id }, i) => (gone.has(id) ? [i] : [])));
+  /** What the server has said of robots, by index. */
+  private get said(): [number, RobotDetails][] {
+    const details = new Map(this.details?.robots.map((robot) => [robot.id, robot]));
+    return (this.info?.robots ?? []).flatMap(({ id }, i) => {
+      const own = details.get(id);
+      return own ? [[i, own]] : [];
+    });
+  }
+
+  /**
+   * Indices of those that nobody hears of: a fault has taken them away, or they are real and silent. Some of them stand
+   * where they were.
+   */
+  get faded(): ReadonlySet<number> {
+    return new Set(
+      this.said.flatMap(([i, { gone, real }]) => (gone || typeof real?.silence === 'number' ? [i] : [])),
+    );
+  }
+
+  /** What there is to say of those that are real, by index. */
+  get real(): ReadonlyMap<number, RealDetails> {
+    return new Map(this.said.flatMap(([i, { real }]) => (real ? [[i, real]] : [])));
   }
 
   /** Whether it goes on by itself. */

@@ -1,4 +1,4 @@
-import type { RunInfo } from '../api/messages';
+import type { RealDetails, RunInfo } from '../api/messages';
 import type { Frame, MovedThing, Pose } from '../live/frame';
 import type { Things } from '../live/things';
 import type { Trails } from '../live/trails';
@@ -12,8 +12,10 @@ export interface Scene {
   frame: Frame;
   /** Where robots are drawn, in the order of the run's robots. */
   poses: (Pose | null)[];
-  /** Robots that a fault has taken away. */
-  gone: ReadonlySet<number>;
+  /** Robots that nobody hears of. */
+  faded: ReadonlySet<number>;
+  /** What there is to say of robots that are real. */
+  real: ReadonlyMap<number, RealDetails>;
   things: Things;
   /** Things that are elsewhere than was told, by number. */
   moved: ReadonlyMap<number, MovedThing>;

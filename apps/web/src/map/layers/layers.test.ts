@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { ellipse } from './estimates';
 import { poolCells } from './floor';
 import { gridStep } from './grid';
+import { nameOf } from './names';
 import { handleOf, radius } from './robots';
 import { strengthOf } from './scans';
 
@@ -43,6 +44,14 @@ describe('a robot', () => {
     const handle = handleOf({ x: 1, y: 1, heading: Math.PI / 2 }, footprint, 100);
     expect(handle.x).toBeCloseTo(1);
     expect(handle.y).toBeGreaterThan(1.3);
+  });
+});
+
+describe('the name of a robot', () => {
+  it('says whether it is real, and for how long it has been silent', () => {
+    expect(nameOf('ann', undefined)).toBe('ann');
+    expect(nameOf('ann', { proxy: true, silence: null })).toBe('ann ◆');
+    expect(nameOf('ann', { proxy: false, silence: 12 })).toBe('ann ◆ 12 s');
   });
 });
 

@@ -1,3 +1,5 @@
+import type { RealDetails } from '../../api/messages';
+import { texts } from '../../texts';
 import { placeLabels, type Box } from '../labels';
 import type { Layer } from '../scene';
 import { radius } from './robots';
@@ -6,12 +8,27 @@ const HEIGHT = 17;
 const PADDING = 5;
 const font = (bold: boolean) => `${bold ? 650 : 500} 12px system-ui, sans-serif`;
 
+/** A robot's name; of one that is real with a mark, and for how long it has been silent. */
+export function nameOf(id: string, real: RealDetails | undefined): string {
+  return [id, real && texts.robots.realMark, real?.silence && texts.robots.seconds(real.silence)]
+    .filter(Boolean)
+    .join(' ');
+}
+
 /** Names of robots, each in a frame of its robot's color. */
-export const drawNames: Layer = (context, { info, poses, view, palette, selected }) => {
+export const drawNames: Layer = (context, { info, poses, real, view, palette, selected }) => {
   const named = info.robots.flatMap(({ id, color, footprint }, i) => {
     const pose = poses[i];
     return pose
-      ? [{ id, color, pose, reach: radius(footprint, view.scale) * view.scale, bold: i === selected }]
+      ? [
+          {
+            name: nameOf(id, real.get(i)),
+            color,
+            pose,
+            reach: radius(footprint, view.scale) * view.scale,
+            bold: i === selected,
+          },
+        ]
       : [];
   });
   context.save();
@@ -19,18 +36,18 @@ export const drawNames: Layer = (context, { info, poses, view, palette, selected
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   const boxes = placeLabels(
-    named.map(({ id, pose, reach, bold }) => {
+    named.map(({ name, pose, reach, bold }) => {
       context.font = font(bold);
-      const width = context.measureText(id).width + 2 * PADDING;
+      const width = context.measureText(name).width + 2 * PADDING;
       return { x: pose.x * view.scale, y: -pose.y * view.scale, reach, width, height: HEIGHT };
     }),
   );
-  named.forEach(({ id, color, bold }, i) => {
+  named.forEach(({ name, color, bold }, i) => {
     const box = boxes[i]!;
     drawFrame(context, box, color, palette.halo, bold);
     context.font = font(bold);
     context.fillStyle = palette.text;
-    context.fillText(id, box.x + box.width / 2, box.y + box.height / 2 + 0.5);
+    context.fillText(name, box.x + box.width / 2, box.y + box.height / 2 + 0.5);
   });
   context.restore();
 };

@@ -9,8 +9,8 @@ import { enter } from './frames';
 
 /** A robot is drawn at least this long [px], so that it is seen on a large map. */
 const LEAST_PIXELS = 18;
-/** Of robots that a fault has taken away. */
-const GONE = '#8a93a1';
+/** Of robots that nobody hears of. */
+const FADED = '#8a93a1';
 const PADDLES = '#5b6576';
 /** Radius of a light, and of its shine [m]. */
 const LAMP = 0.05;
@@ -20,16 +20,16 @@ const LIGHT = 0.72;
 export const HANDLE_PIXELS = 5;
 
 /** Robots: outline and heading. */
-export const drawRobots: Layer = (context, { info, frame, poses, gone, view, palette, selected }) => {
+export const drawRobots: Layer = (context, { info, frame, poses, faded, view, palette, selected }) => {
   info.robots.forEach((robot, i) => {
     const pose = poses[i];
     if (!pose) {
       return;
     }
     const { color, footprint } = robot;
-    if (gone.has(i)) {
+    if (faded.has(i)) {
       context.globalAlpha = 0.6;
-      drawRobot(context, pose, { ...robot, color: GONE, pieces: [] }, view.scale, palette);
+      drawRobot(context, pose, { ...robot, color: FADED, pieces: [] }, view.scale, palette);
       context.globalAlpha = 1;
     } else {
       drawRobot(context, pose, robot, view.scale, palette, frame.robots[i]);

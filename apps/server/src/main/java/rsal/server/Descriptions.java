@@ -1,5 +1,6 @@
 package rsal.server;
 
+import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -46,6 +47,7 @@ import rsal.server.Messages.HearingInfo;
 import rsal.server.Messages.MapInfo;
 import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.MindInfo;
+import rsal.server.Messages.RealDetails;
 import rsal.server.Messages.RobotDetails;
 import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.SettingInfo;
@@ -57,6 +59,7 @@ import rsal.settings.Parameter;
 
 /// Puts a run into messages.
 final class Descriptions {
+    private static final Duration TOO_SILENT = Duration.ofSeconds(1);
     private static final int MOST_OF_A_MIND = 50; // beliefs, and goals
     private static final int MOST_OF_A_GOAL = 20; // plans, and steps
     private static final int MOST_WORDS = 200; // characters
@@ -266,8 +269,17 @@ final class Descriptions {
                 robot.estimate()
                         .map(estimate -> estimate.value().quality().name().toLowerCase(Locale.ROOT))
                         .orElse(""),
+                robot.real().map(Descriptions::real),
                 robot.devices().stream().map(Descriptions::device).toList(),
                 robot.map().map(Descriptions::drawn));
+    }
+
+    private static RealDetails real(RobotView.Real real) {
+        return new RealDetails(
+                real.proxy(),
+                real.silence()
+                        .filter(silence -> silence.compareTo(TOO_SILENT) > 0)
+                        .map(silence -> (double) silence.toSeconds()));
     }
 
     private static DrawnMap drawn(Stamped<OccupancyGrid> map) {

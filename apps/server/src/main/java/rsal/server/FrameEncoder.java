@@ -138,9 +138,11 @@ final class FrameEncoder {
                 | (robot.lit() ? LIT : 0);
     }
 
-    /// The truth where there is one, else what its localizer believes.
+    /// The truth where there is one, else what its localizer believes, or where its stand-in is.
     private static Optional<Pose2d> bestPose(RobotView robot) {
-        return robot.truth().or(() -> robot.estimate().map(e -> e.value().mapFromBase()));
+        return robot.truth()
+                .or(() -> robot.estimate().map(e -> e.value().mapFromBase()))
+                .or(() -> robot.real().flatMap(RobotView.Real::standIn));
     }
 
     /// What the robot's flags announce, in the order of the flags.

@@ -194,6 +194,7 @@ final class Messages {
     /// @param behavior what somebody told it to do, as an [Order] does; empty when nobody did
     /// @param driver who drives it, as [Drive] has it; empty when nobody does
     /// @param quality how sure its localizer is: `localized`, `ambiguous`, `lost`; empty when nothing tells
+    /// @param real what there is to say of one that is not simulated
     /// @param map that it has drawn itself so far
     record RobotDetails(
             String id,
@@ -202,8 +203,13 @@ final class Messages {
             String behavior,
             String driver,
             String quality,
+            Optional<RealDetails> real,
             List<DeviceDetails> devices,
             Optional<DrawnMap> map) {}
+
+    /// @param proxy whether a stand-in of it is in the simulated world
+    /// @param silence for how long nobody has told where it is, if that is longer than it should be [s]
+    record RealDetails(boolean proxy, Optional<Double> silence) {}
 
     /// Cells are at `/api/drawn/<run>?robot=<id>`, as those of [MapInfo], in which they lie row by row behind four
     /// little-endian numbers: width, height, origin x and y [mm]. Robots that explore together draw the same.

@@ -171,6 +171,7 @@ class FrameEncoderTest {
                 Optional.of(stamped(new GripperState(
                         GripperState.Paddles.CLOSED, 0.25, GripperState.Lift.DOWN, 0, false, false, true, true, true))),
                 true,
+                Optional.empty(),
                 List.of());
     }
 
@@ -220,6 +221,7 @@ class FrameEncoderTest {
                 "",
                 Optional.empty(),
                 false,
+                Optional.empty(),
                 List.of());
     }
 

@@ -67,11 +67,14 @@ final class Proxies {
                 .ifPresent(proxy -> systems.simulation().ifPresent(proxy::hide));
     }
 
-    /// Whether a stand-in stays where it is only as nobody has told for a while where its robot is.
-    boolean isStale(String robot) {
-        return Optional.ofNullable(proxies.get(robot))
-                .filter(proxy -> proxy.stale)
-                .isPresent();
+    /// Whether a robot is to have one.
+    boolean has(String robot) {
+        return proxies.containsKey(robot);
+    }
+
+    /// Where it is, in the map frame; empty when there is none now.
+    Optional<Pose2d> mapFromProxy(String robot) {
+        return has(robot) ? systems.simulation().flatMap(world -> world.truth(robot)) : Optional.empty();
     }
 
     private void beat(SimulationControl world) {

@@ -1,5 +1,6 @@
 package rsal.scenario.run;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.GripperState;
@@ -27,6 +28,7 @@ import rsal.data.Stamped;
 /// @param behavior what a person told it to do, as [LiveRun#behave] has it; empty when nobody did
 /// @param driver who drives it by keys, as [LiveRun#drive] has it; empty when nobody does
 /// @param lit whether its light shines
+/// @param real what there is to say of one that is not simulated; else empty
 public record RobotView(
         String id,
         String role,
@@ -47,8 +49,16 @@ public record RobotView(
         String driver,
         Optional<Stamped<GripperState>> gripper,
         boolean lit,
+        Optional<Real> real,
         List<DeviceView> devices) {
     public RobotView {
         devices = List.copyOf(devices);
     }
+
+    /// A robot of a system that does not simulate.
+    ///
+    /// @param proxy whether it is to have a stand-in in the simulated world
+    /// @param standIn where that is, in the map frame; empty while there is none
+    /// @param silence for how long nobody has told where it is; empty when nobody ever has
+    public record Real(boolean proxy, Optional<Pose2d> standIn, Optional<Duration> silence) {}
 }

@@ -1,5 +1,7 @@
 package rsal.scenario.run;
 
+import java.time.Duration;
+import java.time.InstantSource;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
@@ -24,11 +26,15 @@ final class RobotViews {
     private final Team team;
     private final SimulatedWorld world;
     private final Faults faults;
+    private final Proxies proxies;
+    private final InstantSource clock;
 
-    RobotViews(Team team, SimulatedWorld world, Faults faults) {
+    RobotViews(Team team, SimulatedWorld world, Faults faults, Proxies proxies, InstantSource clock) {
         this.team = team;
         this.world = world;
         this.faults = faults;
+        this.proxies = proxies;
+        this.clock = clock;
     }
 
     /// All that are there, in the order in which they came.
@@ -99,7 +105,21 @@ final class RobotViews {
                         .flatMap(Light::latest)
                         .filter(light -> light.value().lit())
                         .isPresent(),
+                world.isSimulated(id) ? Optional.empty() : Optional.of(real(robot)),
                 devices(robot, told).stream().map(DeviceView::of).toList());
+    }
+
+    private RobotView.Real real(Robot robot) {
+        return new RobotView.Real(
+                proxies.has(robot.id()),
+                proxies.mapFromProxy(robot.id()),
+                teller(robot).flatMap(Sensor::latest).map(newest -> Duration.between(newest.time(), clock.instant())));
+    }
+
+    /// Who tells where a robot is.
+    private Optional<? extends Sensor<?>> teller(Robot robot) {
+        Optional<Localizer> localizer = team.localizer(robot);
+        return localizer.isPresent() ? localizer : robot.find(DriveBase.class);
     }
 
     /// Its own, and those besides that are of another name.

@@ -69,7 +69,7 @@ final class SimulatedWorld {
     }
 
     /// Whether a robot is in it at all; others are real.
-    private boolean isSimulated(String robot) {
+    boolean isSimulated(String robot) {
         return systems.simulation(robot).isPresent();
     }
 

@@ -58,7 +58,7 @@ final class Stage implements AutoCloseable {
         this.equipper = new Equipper(plan, scheduler, journal, breaker, world, team);
         this.agents = new Agents(plan, scheduler, journal, observer, faults, team, where, traffic, turns);
         this.orders = new Orders(plan.map(), journal, faults, world, team, agents);
-        this.robotViews = new RobotViews(team, world, faults);
+        this.robotViews = new RobotViews(team, world, faults, proxies, scheduler);
     }
 
     /// Finds the robots and, once they are there, begins.

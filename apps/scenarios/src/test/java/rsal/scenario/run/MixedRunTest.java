@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -116,6 +117,11 @@ class MixedRunTest {
                     .contains("virtual ran into real");
             assertThat(run.snapshot().things()).isEmpty();
             assertThat(view(run, "real").truth()).isEmpty();
+            RobotView.Real real = view(run, "real").real().orElseThrow();
+            assertThat(real.proxy()).isTrue();
+            assertThat(real.standIn()).isPresent();
+            assertThat(real.silence().orElseThrow()).isLessThan(Duration.ofMillis(200));
+            assertThat(view(run, "virtual").real()).isEmpty();
             assertThat(result.measures().get("way.real")).isEmpty();
             assertThat(Runs.result(plan(stands)).eventHash()).isEqualTo(result.eventHash());
         }
@@ -132,6 +138,19 @@ class MixedRunTest {
             assertThat(answer(run.addRobot("real", there)))
                     .isEqualTo(new Answer.Refused("Robot (real) is real: no other like it can be added."));
             assertThat(answer(run.addRobot("virtual", there))).isEqualTo(new Answer.Added("hunter-1"));
+        }
+    }
+
+    @Test
+    void inRealTimeRobotsGoByTheirOwnClocks() {
+        String real = MIXED.replace("use: reality", "use: clockwork")
+                .replace("name: real,", "name: real, proxy: true,")
+                .replace("clock: {speed: max}", "clock: {mode: wall}")
+                .replace("time >= 5", "time >= 1");
+        try (var run = LiveRun.start(plan(real))) {
+            assertThat(Runs.result(run).outcome()).isEqualTo("success");
+            assertThat(view(run, "real").real().orElseThrow().standIn()).isPresent();
+            assertThat(view(run, "virtual").truth()).isPresent();
         }
     }
 
