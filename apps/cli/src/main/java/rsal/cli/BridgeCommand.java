@@ -18,6 +18,8 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Problem;
 import rsal.settings.Suggestion;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
@@ -27,7 +29,8 @@ import rsal.system.BridgeProvider;
         name = "bridge",
         description = {
             "Run a scenario or a world, and offer its robots to programs that speak another system's protocol.",
-            "'rsal bridge player WORLD' serves them to clients of Player. It goes on until the run ends, or Ctrl-C."
+            "'rsal bridge player WORLD' serves them to clients of Player, 'rsal bridge player FILE.cfg' what that says."
+                    + " It goes on until the run ends, or Ctrl-C."
         })
 final class BridgeCommand extends Subcommand {
     @Parameters(index = "0", paramLabel = "PROTOCOL", description = "player")
@@ -49,7 +52,7 @@ final class BridgeCommand extends Subcommand {
             paramLabel = "P",
             converter = RunCommand.Port.class,
             description = "Where to listen for the first robot, the others after it; 0: any ports that are free. Left"
-                    + " out: where the protocol's programs look (player: 6665).")
+                    + " out: where the protocol's programs look (player: 6665). The ports of a file move along.")
     private @Nullable Integer port;
 
     @Option(
@@ -65,6 +68,7 @@ final class BridgeCommand extends Subcommand {
         InetSocketAddress at = address(port == null ? provider.defaultPort() : port);
         ScenarioReference reference = ScenarioReference.parse(scenario);
         RunPlan plan = reference.load().plan(options(reference.configuration()));
+        checkServices(plan);
         tellNotes(plan);
         try (LiveRun run = LiveRun.start(plan)) {
             var ending = new ClosedAtExit(run);
@@ -72,6 +76,17 @@ final class BridgeCommand extends Subcommand {
             new Progress(err()).await(run);
             ending.checkNoSignal();
             return Exit.SUCCESS;
+        }
+    }
+
+    /// @throws InvalidSettings when its world's file asks for something that can't be offered
+    private static void checkServices(RunPlan plan) {
+        List<Problem> refusals = plan.scene().services().stream()
+                .flatMap(service -> service.refusal().stream())
+                .distinct()
+                .toList();
+        if (!refusals.isEmpty()) {
+            throw new InvalidSettings(refusals);
         }
     }
 

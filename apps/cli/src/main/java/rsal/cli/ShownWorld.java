@@ -36,11 +36,18 @@ record ShownWorld(
         List<Plan> walls,
         int things,
         List<Make> robots,
-        List<Service> services,
+        List<Served> services,
         List<ValidateCommand.Mistake> warnings,
         String image) {
 
     record Plan(int columns, int rows, double cell) {}
+
+    /// @param needs what its driver works with
+    record Served(String driver, int port, List<String> devices, List<String> needs, Optional<String> robot) {
+        static Served of(Service service) {
+            return new Served(service.driver(), service.port(), service.devices(), service.needs(), service.robot());
+        }
+    }
 
     /// Robots of one role and model.
     ///
@@ -74,7 +81,7 @@ record ShownWorld(
                         .toList(),
                 scene.things().size(),
                 makes(scene),
-                scene.services(),
+                scene.services().stream().map(Served::of).toList(),
                 ValidateCommand.Mistake.of(scene.warnings()),
                 image);
     }
@@ -154,7 +161,7 @@ record ShownWorld(
         }
         section(text, "Robots", moving);
         var offered = new Table("  ");
-        for (Service service : services) {
+        for (Served service : services) {
             offered.row(
                     String.valueOf(service.port()),
                     service.robot().orElse(""),

@@ -10,11 +10,13 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.zip.InflaterInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
@@ -103,6 +105,200 @@ class BridgeIT {
             Ended.signal("INT", process);
             assertThat(process.waitFor()).isEqualTo(130);
         }
+    }
+
+    private static final int SIMULATION = 31;
+    private static final int LOCALIZE = 25;
+    private static final int MAP = 42;
+    private static final int PLANNER = 44;
+    private static final int ACK = 4;
+
+    /// A room of 8 m × 6 m with a wall in it, and a robot in a corner.
+    private static final String WORLD = """
+            define wall model ( color "grey" )
+            wall ( name "south" pose [0 -3 0 0] size [8.2 0.2 0.5] )
+            wall ( name "north" pose [0 3 0 0] size [8.2 0.2 0.5] )
+            wall ( name "west" pose [-4 0 0 0] size [0.2 6 0.5] )
+            wall ( name "east" pose [4 0 0 0] size [0.2 6 0.5] )
+            wall ( name "between" pose [0 -1 0 0] size [0.2 4 0.5] )
+            wall ( name "box" pose [-3.2 2.3 0 0] size [0.8 0.6 0.5] )
+            define pioneer position (
+              size [0.44 0.38 0.22]
+              drive "diff"
+              localization "odom"
+              odom_error [0.01 0.01 0 0.01]
+              ranger ( sensor ( range [0 5.6] fov 240 samples 341 ) )
+            )
+            pioneer ( name "r0" pose [-2.5 -2 0 0] )
+            """;
+
+    /// Like the thesis's, with two servers in one file.
+    private static final String CONFIGURATION = """
+            driver ( name "stage" plugin "stageplugin" provides ["simulation:0"] worldfile "room.world" )
+            driver ( name "stage" provides ["position2d:0" "ranger:0"] model "r0" )
+            driver ( name "rangertolaser" requires ["ranger:0"] provides ["laser:0"] )
+            driver ( name "mapfile" provides ["map:0"] filename "room.png" resolution 0.05 )
+            driver
+            (
+              name "vfh"
+              provides ["6666:position2d:1"]
+              requires ["6665:position2d:0" "6665:laser:0"]
+              safety_dist_0ms 0.1
+              max_speed 0.4
+            )
+            driver
+            (
+              name "amcl"
+              provides ["6666:localize:0" "6666:position2d:2"]
+              requires ["odometry::6665:position2d:0" "6665:laser:0" "laser::6665:map:0"]
+              init_pose_var [0.2 0.2 10]
+              laser_max_beams 50
+            )
+            driver
+            (
+              name "wavefront"
+              provides ["6666:planner:0" ]
+              requires ["output::6666:position2d:1" "input::6666:position2d:2" "6665:map:0"]
+              safety_dist 0.15
+              distance_epsilon 0.3
+            )
+            driver ( name "mapfile" provides ["6666:map:0"] filename "room.png" resolution 0.05 )
+            """;
+
+    private static Message answer(DataInputStream from, int interf, int subtype) throws IOException {
+        for (int i = 0; i < 1000; i++) {
+            Message message = next(from);
+            if (message.interf == interf && message.type == ACK && message.subtype == subtype) {
+                return message;
+            }
+        }
+        throw new IOException("There is no answer.");
+    }
+
+    private static void subscribe(DataOutputStream to, int interf) throws IOException {
+        send(to, PLAYER, REQUEST, 3, bytes(body -> {
+            for (int number : new int[] {0, 0, interf, 0, 1, 0, 0}) {
+                body.writeInt(number);
+            }
+        }));
+    }
+
+    /// As `playernav` does: it asks for the map, watches where the robot is, and sends it somewhere.
+    @Test
+    void aConfigurationIsServedAsPlayernavWantsIt() throws Exception {
+        Files.writeString(folder.resolve("room.world"), WORLD);
+        Files.writeString(folder.resolve("room.cfg"), CONFIGURATION);
+        Process process =
+                new Rsal(folder).start("bridge", "player", "room.cfg", "--port", "0", "--json", "--speed", "10");
+        try (BufferedReader out = process.inputReader()) {
+            Map<String, Integer> ports = new LinkedHashMap<>();
+            JsonMapper.shared()
+                    .readTree(out.readLine())
+                    .get("offers")
+                    .forEach(offer -> ports.put(
+                            offer.get("name").asString(), offer.get("port").asInt()));
+            assertThat(ports.keySet())
+                    .containsExactlyInAnyOrder(
+                            "simulation:0",
+                            "position2d:0",
+                            "ranger:0",
+                            "laser:0",
+                            "map:0",
+                            "position2d:1",
+                            "localize:0",
+                            "position2d:2",
+                            "planner:0");
+            try (var socket = new Socket(InetAddress.getLoopbackAddress(), ports.get("planner:0"))) {
+                socket.setSoTimeout(30_000);
+                var from = new DataInputStream(socket.getInputStream());
+                var to = new DataOutputStream(socket.getOutputStream());
+                from.skipNBytes(32);
+                lookAtMap(from, to);
+                subscribe(to, LOCALIZE);
+                subscribe(to, PLANNER);
+                send(to, PLANNER, COMMAND, 1, bytes(body -> {
+                    body.writeDouble(2.5); // the other side of the wall
+                    body.writeDouble(-2);
+                    body.writeDouble(0);
+                }));
+                arrive(from);
+            }
+            try (var socket = new Socket(InetAddress.getLoopbackAddress(), ports.get("simulation:0"))) {
+                socket.setSoTimeout(30_000);
+                var from = new DataInputStream(socket.getInputStream());
+                var to = new DataOutputStream(socket.getOutputStream());
+                from.skipNBytes(32);
+                send(to, SIMULATION, REQUEST, 1, bytes(body -> {
+                    body.writeInt(3);
+                    body.writeInt(3);
+                    body.write(new byte[] {'r', '0', 0, 0});
+                    body.write(new byte[24]);
+                }));
+                Message where = answer(from, SIMULATION, 1);
+                where.body.skipNBytes(12);
+                assertThat(Math.hypot(where.body.readDouble() - 2.5, where.body.readDouble() + 2))
+                        .as("how far from its goal it really is")
+                        .isLessThan(0.6);
+            }
+        } finally {
+            Ended.signal("INT", process);
+            assertThat(process.waitFor()).isEqualTo(130);
+        }
+    }
+
+    private static void lookAtMap(DataInputStream from, DataOutputStream to) throws IOException {
+        send(to, MAP, REQUEST, 1, new byte[0]);
+        Message info = answer(from, MAP, 1);
+        float scale = info.body.readFloat();
+        int width = info.body.readInt();
+        int height = info.body.readInt();
+        assertThat(scale).isEqualTo(0.05f);
+        assertThat(width * scale).isBetween(8f, 10f);
+        assertThat(height * scale).isBetween(6f, 8f);
+        send(to, MAP, REQUEST, 2, bytes(body -> {
+            for (int number : new int[] {0, 0, width, height, 0, 0, 0}) {
+                body.writeInt(number);
+            }
+        }));
+        Message tile = answer(from, MAP, 2);
+        tile.body.skipNBytes(28);
+        byte[] cells = new InflaterInputStream(tile.body).readNBytes(width * height);
+        assertThat(cells).hasSize(width * height).contains(-1, 1);
+    }
+
+    /// Reads on until the planner says that the robot is there.
+    private static void arrive(DataInputStream from) throws IOException {
+        boolean believes = false;
+        boolean drove = false;
+        while (true) {
+            Message message = next(from);
+            believes |= message.interf == LOCALIZE && message.type == DATA;
+            if (message.interf == PLANNER && message.type == DATA) {
+                boolean valid = message.body.readInt() == 1;
+                boolean done = message.body.readInt() == 1;
+                drove |= valid && !done;
+                if (done) {
+                    assertThat(drove).as("it drove there").isTrue();
+                    assertThat(believes).as("its localizer told where it is").isTrue();
+                    return;
+                }
+            }
+        }
+    }
+
+    @Test
+    void whatAConfigurationAsksForAndNobodyHasIsRefusedWithItsPlace() throws Exception {
+        Files.writeString(folder.resolve("room.world"), WORLD);
+        Files.writeString(
+                folder.resolve("real.cfg"),
+                CONFIGURATION + "driver ( name \"p2os\" provides [\"6670:position2d:0\"] use_tcp 1 )\n");
+        Ended real = new Rsal(folder).run("bridge", "player", "real.cfg", "--port", "0");
+        assertThat(real.code()).isEqualTo(3);
+        assertThat(real.err()).contains("real.cfg:30:1: (p2os) can't be served here.", "It is for real robots.");
+        Files.writeString(folder.resolve("fast.cfg"), CONFIGURATION.replace("max_speed 0.4", "max_speed 400"));
+        Ended fast = new Rsal(folder).run("bridge", "player", "fast.cfg", "--port", "0");
+        assertThat(fast.code()).isEqualTo(3);
+        assertThat(fast.err()).contains("fast.cfg:11:13: ", "must be a number from 0.05 to 3 [m/s], not (400");
     }
 
     /// Whether odometry tells of the turn, in the next few hundred messages.

@@ -9,13 +9,16 @@ import java.util.Optional;
 import rsal.device.Device;
 import rsal.device.DriveBase;
 import rsal.map.Maps;
+import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Mrs;
+import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scene.Scene;
 import rsal.scene.SceneFormat;
+import rsal.scene.Service;
 import rsal.scene.Touch;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -103,16 +106,41 @@ final class WorldReader {
                 .forEach(spec -> byMake.computeIfAbsent(spec.role(), _ -> new ArrayList<>())
                         .add(spec));
         return byMake.entrySet().stream()
-                .map(entry -> role(entry.getKey(), entry.getValue(), world, mrs))
+                .map(entry -> role(entry.getKey(), entry.getValue(), scene, world, mrs))
                 .toList();
     }
 
-    private Role role(String name, List<RobotSpec> specs, Section world, Mrs mrs) {
+    private Role role(String name, List<RobotSpec> specs, Scene scene, Section world, Mrs mrs) {
         var robots = new ArrayList<PlannedRobot>();
         for (RobotSpec spec : specs) {
-            robots.add(outfitter.robot(spec, mrs, List.of()));
+            robots.add(outfitter.robot(spec, mrs, served(spec, scene)));
         }
         return Role.of(name, world, robots, inCommon(robots), true);
+    }
+
+    /// What a robot has to be given for what servers are asked to offer of it.
+    private List<PlannedDevice> served(RobotSpec spec, Scene scene) {
+        var devices = new ArrayList<PlannedDevice>();
+        for (Service service : scene.services()) {
+            if (service.robot().equals(Optional.of(spec.id()))) {
+                service.software()
+                        .forEach(wanted -> device(service, wanted, spec).ifPresent(devices::add));
+            }
+        }
+        return devices;
+    }
+
+    private Optional<PlannedDevice> device(Service service, Service.Software wanted, RobotSpec spec) {
+        Optional<DeviceDriver> driver =
+                Catalog.find("device driver", catalog.drivers(), wanted.driver(), service.location(), problems);
+        Optional<String> refusal = driver.flatMap(own -> own.refusal(spec.model()));
+        refusal.ifPresent(why -> problems.add(
+                service.location(), "(%s) can't work on robot (%s).".formatted(service.driver(), spec.id()), why));
+        var section = new Section(wanted.name(), wanted.settings(), problems);
+        return driver.filter(_ -> refusal.isEmpty())
+                .flatMap(own -> PlanReader.settings(section, own.parameters())
+                        .map(options -> new PlannedDevice(
+                                wanted.name(), own, options, seeds.of("device/" + spec.id() + "/" + wanted.name()))));
     }
 
     /// Types of the devices that all of them have or can be given.

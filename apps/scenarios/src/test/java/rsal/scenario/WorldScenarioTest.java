@@ -16,6 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.data.OccupancyGrid;
 import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scene.Touch;
 import rsal.settings.InvalidSettings;
@@ -254,5 +255,45 @@ class WorldScenarioTest {
         assertThatThrownBy(() -> planned(SCENARIO))
                 .isInstanceOf(InvalidSettings.class)
                 .hasMessageContaining("hall.world:1:");
+    }
+
+    private static final String SERVED = """
+            driver ( name "stage" plugin "stageplugin" provides ["simulation:0"] worldfile "hall.world" )
+            driver ( name "stage" provides ["position2d:0" "ranger:0"] model "r0" )
+            driver ( name "rangertolaser" requires ["ranger:0"] provides ["laser:0"] )
+            driver ( name "vfh" requires ["position2d:0" "laser:0"] provides ["position2d:1"] max_speed 0.3 )
+            driver ( name "amcl" requires ["position2d:0" "laser:0"] provides ["localize:0"] pf_max_samples 900 )
+            """;
+
+    private RunPlan served(String text) throws IOException {
+        return Scenario.load(Files.writeString(folder.resolve("hall.cfg"), text).toString())
+                .plan(RunOptions.NONE);
+    }
+
+    @Test
+    void robotsGetWhatAConfigurationHasServersMakeOfThem() throws IOException {
+        RunPlan plan = served(SERVED);
+        List<PlannedDevice> devices = plan.robots().getFirst().drivers();
+        assertThat(devices)
+                .extracting(PlannedDevice::name, device -> device.driver().key())
+                .startsWith(tuple("localizer", "amcl"), tuple("navigator", "navigator"));
+        assertThat(devices.getFirst().options().integer("maxParticles")).isEqualTo(900);
+        assertThat(devices.get(1).options().number("maxSpeed")).isEqualTo(0.3);
+        assertThat(devices.getFirst().seed()).isNotEqualTo(devices.get(1).seed());
+        assertThat(plan.robots().get(1).drivers()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "max_speed 0.3 | max_speed 300 | hall.cfg:4: | (navigator.maxSpeed) must be a number from 0.05 to 3 [m/s]",
+                "900 | \"many\" | hall.cfg:5: | (localizer.maxParticles) must be a whole number"
+            })
+    void whatItSetsIsChecked(String right, String wrong, String at, String message) {
+        assertThatThrownBy(() -> served(SERVED.replace(right, wrong)))
+                .isInstanceOf(InvalidSettings.class)
+                .hasMessageContaining(at)
+                .hasMessageContaining(message);
     }
 }

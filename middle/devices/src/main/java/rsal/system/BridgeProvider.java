@@ -7,6 +7,7 @@ import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.device.SimulationControl;
 import rsal.robot.Robot;
+import rsal.scene.Service;
 import rsal.time.Scheduler;
 
 /// A way to offer the robots of a run, whatever robot system they are of, to programs that speak another system's
@@ -32,9 +33,11 @@ public interface BridgeProvider {
     /// @param robots that are there now, with all their devices
     /// @param map what robots know of the world that have been told
     /// @param simulation the truth, where the world is a simulated one
-    record Lent(List<Robot> robots, OccupancyGrid map, Optional<SimulationControl> simulation) {
+    /// @param services that the world's file asks for; empty when it asks for none, which is for all there is
+    record Lent(List<Robot> robots, OccupancyGrid map, Optional<SimulationControl> simulation, List<Service> services) {
         public Lent {
             robots = List.copyOf(robots);
+            services = List.copyOf(services);
         }
     }
 }

@@ -178,7 +178,11 @@ final class Stage implements AutoCloseable {
 
     Answer bridge(BridgeProvider provider, InetSocketAddress at) {
         try {
-            var lent = new Lent(List.copyOf(team.robots().values()), plan.map(), systems.simulation());
+            var lent = new Lent(
+                    List.copyOf(team.robots().values()),
+                    plan.map(),
+                    systems.simulation(),
+                    plan.scene().services());
             Bridge bridge = provider.open(at, lent, scheduler);
             bridges.add(bridge);
             return new Answer.Bridged(bridge.offers());

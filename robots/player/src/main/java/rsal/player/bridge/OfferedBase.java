@@ -30,13 +30,16 @@ final class OfferedBase extends Offered implements Reins.Holder {
 
     private final DriveBase base;
     private final RobotModel model;
+    private final Optional<Guide> guide;
     private final Reins reins;
     private Optional<Wish> wanted = Optional.empty();
 
-    OfferedBase(int index, DriveBase base, RobotModel model, Reins reins, Scheduler scheduler) {
+    /// @param guide takes it to its goals; without one it minds nothing that is in the way
+    OfferedBase(int index, DriveBase base, RobotModel model, Optional<Guide> guide, Reins reins, Scheduler scheduler) {
         super(Interface.POSITION2D, index, base.info(), scheduler);
         this.base = base;
         this.model = model;
+        this.guide = guide;
         this.reins = reins;
     }
 
@@ -51,6 +54,7 @@ final class OfferedBase extends Offered implements Reins.Holder {
     }
 
     private void drive() {
+        guide.ifPresent(Guide::begin);
         Optional<Odometry> odometry = base.latest().map(Stamped::value);
         if (wanted.isPresent() && odometry.isPresent()) {
             Optional<Twist2d> next = wanted.get().now(odometry.get());
@@ -94,11 +98,13 @@ final class OfferedBase extends Offered implements Reins.Holder {
     Optional<Answer> answer(Packet request) throws MalformedException {
         switch (request.header().subtype()) {
             case Position2d.GEOMETRY -> {
-                return Optional.of(new Answer.Told(geometry()));
+                return Optional.of(new Answer.Told(geometry(model)));
             }
             case Position2d.MOTORS -> {
                 boolean on = request.body(Position2d.Motors.class).on() != 0;
-                wanted = wanted.filter(_ -> on);
+                if (!on) {
+                    letGo();
+                }
                 base.enable(on);
             }
             case Position2d.VELOCITY_MODE, Position2d.POSITION_MODE -> {} // what it is told says which
@@ -118,7 +124,7 @@ final class OfferedBase extends Offered implements Reins.Holder {
         return Optional.of(new Answer.Done());
     }
 
-    private Position2d.Geometry geometry() {
+    static Position2d.Geometry geometry(RobotModel model) {
         var corners = model.footprint().corners();
         double minX = corners.stream().mapToDouble(Point2d::x).min().orElseThrow();
         double maxX = corners.stream().mapToDouble(Point2d::x).max().orElseThrow();
@@ -131,21 +137,33 @@ final class OfferedBase extends Offered implements Reins.Holder {
 
     @Override
     void obey(Packet command) throws MalformedException {
-        if (understands(Kind.COMMAND, command.header().subtype())) {
+        int subtype = command.header().subtype();
+        if (!understands(Kind.COMMAND, subtype)) {
+            return;
+        }
+        if (subtype == Position2d.GOAL && guide.isPresent()) {
+            Pose2d goal = goal(command);
+            reins.take(this);
+            wanted = Optional.empty();
+            guide.get().goTo(goal);
+        } else {
             Wish wish = wish(command);
             reins.take(this);
+            guide.ifPresent(Guide::letGo);
             wanted = Optional.of(wish);
             drive();
         }
     }
 
+    private static Pose2d goal(Packet command) throws MalformedException {
+        Pose2d goal = pose(command.body(Position2d.Goal.class).odomFromGoal());
+        return finite(goal, goal.isFinite());
+    }
+
     /// @throws IllegalArgumentException when it is not finite
     private Wish wish(Packet command) throws MalformedException {
         return switch (command.header().subtype()) {
-            case Position2d.GOAL -> {
-                Pose2d goal = pose(command.body(Position2d.Goal.class).odomFromGoal());
-                yield Steps.to(finite(goal, goal.isFinite()), drives());
-            }
+            case Position2d.GOAL -> Steps.to(goal(command), drives());
             case Position2d.VELOCITY_HEADING -> {
                 var told = command.body(Position2d.VelocityHeading.class);
                 boolean isFinite = Double.isFinite(told.velocity()) && Double.isFinite(told.heading());
@@ -180,11 +198,12 @@ final class OfferedBase extends Offered implements Reins.Holder {
     @Override
     public void letGo() {
         wanted = Optional.empty();
+        guide.ifPresent(Guide::letGo);
     }
 
     @Override
     void idle() {
         wanted.ifPresent(_ -> base.command(Twist2d.STOP));
-        wanted = Optional.empty();
+        letGo();
     }
 }

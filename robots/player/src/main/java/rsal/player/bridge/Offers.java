@@ -3,8 +3,10 @@ package rsal.player.bridge;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rsal.device.Actuator;
 import rsal.device.Battery;
 import rsal.device.BlobFinder;
@@ -23,70 +25,117 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
 import rsal.time.Scheduler;
 
-/// What of a robot is offered: each device under the interfaces that Player has for it, counted from 0 in its order.
+/// What of a robot is offered: its devices under the interfaces that Player has for them.
 final class Offers {
     private final Robot robot;
     private final Scheduler scheduler;
-    private final Map<Interface, Integer> next = new EnumMap<>(Interface.class);
-    private final List<Offered> offers = new ArrayList<>();
     private final Reins reins = new Reins();
+    private final Map<Gripper, Jaws> jaws = new HashMap<>();
 
-    private Offers(Robot robot, Scheduler scheduler) {
+    Offers(Robot robot, Scheduler scheduler) {
         this.robot = robot;
         this.scheduler = scheduler;
     }
 
-    static List<Offered> of(Robot robot, Scheduler scheduler) {
-        var offers = new Offers(robot, scheduler);
-        robot.devices().stream()
+    /// Each device under each interface, counted from 0 in its order.
+    List<Offered> all() {
+        var next = new EnumMap<Interface, Integer>(Interface.class);
+        var offers = new ArrayList<Offered>();
+        List<Device> devices = robot.devices().stream()
                 .sorted(Comparator.comparing(SonarArray.class::isInstance)) // a laser is the first `ranger`
-                .forEach(offers::add);
-        return List.copyOf(offers.offers);
-    }
-
-    private int index(Interface interf) {
-        return next.merge(interf, 1, Integer::sum) - 1;
-    }
-
-    private void add(Device device) {
-        switch (device) {
-            case DriveBase base ->
-                offers.add(new OfferedBase(index(Interface.POSITION2D), base, robot.model(), reins, scheduler));
-            case LaserScanner laser -> {
-                offers.add(new OfferedLaser(Interface.RANGER, index(Interface.RANGER), laser, scheduler));
-                offers.add(new OfferedLaser(Interface.LASER, index(Interface.LASER), laser, scheduler));
+                .toList();
+        for (Device device : devices) {
+            for (Interface as : interfaces(device)) {
+                int index = next.merge(as, 1, Integer::sum) - 1;
+                offer(as, index, device, Tolerance.DEFAULT).ifPresent(offers::add);
             }
-            case SonarArray sonars -> {
-                offers.add(new OfferedSonars(Interface.RANGER, index(Interface.RANGER), sonars, scheduler));
-                offers.add(new OfferedSonars(Interface.SONAR, index(Interface.SONAR), sonars, scheduler));
-            }
-            case Battery battery -> offers.add(new OfferedBattery(index(Interface.POWER), battery, scheduler));
-            case Bumper bumper -> offers.add(new OfferedBumpers(index(Interface.BUMPER), bumper, scheduler));
-            case BlobFinder camera -> offers.add(new OfferedCamera(index(Interface.BLOBFINDER), camera, scheduler));
-            case FiducialFinder finder -> offers.add(new OfferedMarkers(index(Interface.FIDUCIAL), finder, scheduler));
-            case Gripper gripper -> addGripper(gripper);
-            case Actuator actuator -> offers.add(new OfferedActuator(index(Interface.ACTARRAY), actuator, scheduler));
-            case Localizer localizer ->
-                offers.add(new OfferedLocalizer(index(Interface.LOCALIZE), localizer, scheduler));
-            case Navigator navigator ->
-                offers.add(new OfferedNavigator(
-                        index(Interface.PLANNER),
-                        navigator,
-                        robot.find(Localizer.class),
-                        Tolerance.DEFAULT,
-                        reins,
-                        scheduler));
-            default -> {} // Player has nothing like it
         }
+        return List.copyOf(offers);
     }
 
-    private void addGripper(Gripper gripper) {
-        var jaws = new Jaws(gripper);
-        offers.add(new OfferedGripper(index(Interface.GRIPPER), gripper, jaws, scheduler));
-        offers.add(new OfferedBeams(index(Interface.DIO), gripper, scheduler));
-        Part part = robot.model().sensors().get(gripper.info().name());
-        if (part instanceof Part.Gripper made && made.hasLift()) {
-            offers.add(new OfferedLift(index(Interface.ACTARRAY), gripper, jaws, scheduler));
-        }
+    private List<Interface> interfaces(Device device) {
+        return switch (device) {
+            case DriveBase _ -> List.of(Interface.POSITION2D);
+            case LaserScanner _ -> List.of(Interface.RANGER, Interface.LASER);
+            case SonarArray _ -> List.of(Interface.RANGER, Interface.SONAR);
+            case Battery _ -> List.of(Interface.POWER);
+            case Bumper _ -> List.of(Interface.BUMPER);
+            case BlobFinder _ -> List.of(Interface.BLOBFINDER);
+            case FiducialFinder _ -> List.of(Interface.FIDUCIAL);
+            case Gripper gripper when hasLift(gripper) -> List.of(Interface.GRIPPER, Interface.DIO, Interface.ACTARRAY);
+            case Gripper _ -> List.of(Interface.GRIPPER, Interface.DIO);
+            case Actuator _ -> List.of(Interface.ACTARRAY);
+            case Localizer _ -> List.of(Interface.LOCALIZE);
+            case Navigator _ -> List.of(Interface.PLANNER);
+            default -> List.of(); // Player has nothing like it
+        };
+    }
+
+    private boolean hasLift(Gripper gripper) {
+        return robot.model().sensors().get(gripper.info().name()) instanceof Part.Gripper made && made.hasLift();
+    }
+
+    /// A device by its name under one interface; empty when there is none, or it is nothing like that.
+    ///
+    /// @param tolerance when the robot is near enough to where clients send it
+    Optional<Offered> offer(Interface as, int index, String device, Tolerance tolerance) {
+        return robot.devices().stream()
+                .filter(own -> own.info().name().equals(device))
+                .findFirst()
+                .flatMap(own -> offer(as, index, own, tolerance));
+    }
+
+    private Optional<Offered> offer(Interface as, int index, Device device, Tolerance tolerance) {
+        return Optional.ofNullable(
+                switch (device) {
+                    case DriveBase base
+                    when as == Interface.POSITION2D ->
+                        new OfferedBase(index, base, robot.model(), Optional.empty(), reins, scheduler);
+                    case LaserScanner laser
+                    when as == Interface.RANGER || as == Interface.LASER ->
+                        new OfferedLaser(as, index, laser, scheduler);
+                    case SonarArray sonars
+                    when as == Interface.RANGER || as == Interface.SONAR ->
+                        new OfferedSonars(as, index, sonars, scheduler);
+                    case Battery battery when as == Interface.POWER -> new OfferedBattery(index, battery, scheduler);
+                    case Bumper bumper when as == Interface.BUMPER -> new OfferedBumpers(index, bumper, scheduler);
+                    case BlobFinder camera
+                    when as == Interface.BLOBFINDER -> new OfferedCamera(index, camera, scheduler);
+                    case FiducialFinder finder
+                    when as == Interface.FIDUCIAL -> new OfferedMarkers(index, finder, scheduler);
+                    case Gripper gripper
+                    when as == Interface.GRIPPER -> new OfferedGripper(index, gripper, jaws(gripper), scheduler);
+                    case Gripper gripper when as == Interface.DIO -> new OfferedBeams(index, gripper, scheduler);
+                    case Gripper gripper
+                    when as == Interface.ACTARRAY -> new OfferedLift(index, gripper, jaws(gripper), scheduler);
+                    case Actuator actuator
+                    when as == Interface.ACTARRAY -> new OfferedActuator(index, actuator, scheduler);
+                    case Localizer localizer
+                    when as == Interface.LOCALIZE -> new OfferedLocalizer(index, localizer, scheduler);
+                    case Localizer localizer
+                    when as == Interface.POSITION2D -> new OfferedPose(index, localizer, robot, scheduler);
+                    case Navigator navigator
+                    when as == Interface.PLANNER ->
+                        new OfferedNavigator(
+                                index, navigator, robot.find(Localizer.class), tolerance, reins, scheduler);
+                    case Navigator navigator
+                    when as == Interface.POSITION2D ->
+                        new OfferedBase(
+                                index,
+                                robot.require(DriveBase.class),
+                                robot.model(),
+                                Optional.of(guide(navigator, tolerance)),
+                                reins,
+                                scheduler);
+                    default -> null;
+                });
+    }
+
+    private Guide guide(Navigator navigator, Tolerance tolerance) {
+        return new Guide(robot.require(DriveBase.class), navigator, robot.require(Localizer.class), tolerance);
+    }
+
+    private Jaws jaws(Gripper gripper) {
+        return jaws.computeIfAbsent(gripper, Jaws::new);
     }
 }

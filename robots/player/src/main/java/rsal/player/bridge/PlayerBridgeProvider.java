@@ -8,8 +8,6 @@ import rsal.time.Scheduler;
 
 /// Offers robots to Player's clients.
 public final class PlayerBridgeProvider implements BridgeProvider {
-    private static final int PLAYER_PORT = 6665;
-
     @Override
     public String key() {
         return "player";
@@ -22,7 +20,7 @@ public final class PlayerBridgeProvider implements BridgeProvider {
 
     @Override
     public int defaultPort() {
-        return PLAYER_PORT;
+        return PlayerBridge.USUAL_PORT;
     }
 
     @Override

@@ -12,6 +12,7 @@ import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
@@ -26,6 +27,8 @@ import rsal.player.wire.Address;
 import rsal.player.wire.Header;
 import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
+import rsal.scene.Service;
+import rsal.system.Bridge.Offer;
 import rsal.system.BridgeProvider.Lent;
 import rsal.testkit.contract.RobotBench;
 
@@ -41,11 +44,21 @@ abstract class BridgeBench extends RobotBench {
     };
 
     private final Map<Integer, Packet> newest = new ConcurrentHashMap<>(); // by interface
+    private final Map<Address, Packet> newestOf = new ConcurrentHashMap<>();
     private PlayerBridge bridge;
     private Connection client;
 
+    /// What is offered; empty for all.
+    List<Service> services() {
+        return List.of();
+    }
+
     final Connection client() {
         return client;
+    }
+
+    final List<Offer> offers() {
+        return bridge.offers();
     }
 
     final int port() {
@@ -56,14 +69,34 @@ abstract class BridgeBench extends RobotBench {
     final void open() throws IOException {
         bridge = PlayerBridge.open(
                 new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                new Lent(List.of(robot()), WORLD.grid(), system().simulation()),
+                new Lent(List.of(robot()), WORLD.grid(), system().simulation(), services()),
                 run);
         client = Connection.open(
                 new InetSocketAddress(
                         InetAddress.getLoopbackAddress(),
                         bridge.offers().getFirst().port()),
                 Duration.ofSeconds(5),
-                packet -> newest.put(packet.header().address().interf(), packet));
+                this::hear);
+    }
+
+    private void hear(Packet packet) {
+        newest.put(packet.header().address().interf(), packet);
+        newestOf.put(
+                Address.of(
+                        packet.header().address().interf(),
+                        packet.header().address().index()),
+                packet);
+    }
+
+    /// What a device has told last.
+    final <T extends Record> Optional<T> newestOf(Address device, Class<T> type) {
+        return Optional.ofNullable(newestOf.get(device)).map(packet -> {
+            try {
+                return packet.body(type);
+            } catch (IOException e) {
+                throw new AssertionError(e);
+            }
+        });
     }
 
     @AfterEach

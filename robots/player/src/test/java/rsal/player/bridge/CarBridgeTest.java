@@ -89,6 +89,7 @@ class CarBridgeTest extends BridgeBench {
 
     @Test
     void itsTurntableGoesToPositionsAndAtSpeedsUntilTheClientIsGone() throws Exception {
+        subscribe(Interface.ACTARRAY);
         var shape = asked(Interface.ACTARRAY, Actarray.GEOMETRY, Actarray.Geometry.class)
                 .joints();
         assertThat(shape).extracting(Actarray.JointGeometry::type).isEqualTo(List.of(2));

@@ -77,7 +77,7 @@ class PlayerBridgeTest extends BridgeBench {
     private PlayerBridge both(RobotSystem two, int port) throws IOException {
         return PlayerBridge.open(
                 new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
-                new Lent(await(two.discover()), WORLD.grid(), two.simulation()),
+                new Lent(await(two.discover()), WORLD.grid(), two.simulation(), List.of()),
                 run);
     }
 
@@ -108,7 +108,7 @@ class PlayerBridgeTest extends BridgeBench {
                     .hasMessageStartingWith("Nobody may listen at (")
                     .hasMessageContaining(Integer.toString(first + 1));
             new ServerSocket(first, 1, InetAddress.getLoopbackAddress()).close();
-            assertThatThrownBy(() -> both(two, 65_535)).hasMessageContaining("There is no port (65536) for robot 2");
+            assertThatThrownBy(() -> both(two, 65_535)).hasMessageContaining("There is no port (65536)");
         }
     }
 

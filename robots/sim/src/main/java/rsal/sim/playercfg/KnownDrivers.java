@@ -61,13 +61,18 @@ final class KnownDrivers {
             "amcl laser_range_max", "How far the laser sees, the driver asks the laser.",
             "wavefront cspace_file", "The driver works that out anew each time.");
 
+    private static final Map<String, String> INSTEAD_OF = Map.of(
+            "amcl init_pose", "It starts where its robot does.",
+            "amcl odom_drift[0]", "How much its odometry drifts, the robot's model says.",
+            "amcl odom_drift[1]", "How much its odometry drifts, the robot's model says.",
+            "amcl odom_drift[2]", "How much its odometry drifts, the robot's model says.");
+
     private static final Map<String, String> INSTEAD = Map.ofEntries(
             Map.entry("amcl", GIVEN),
             Map.entry("vfh", GIVEN),
             Map.entry("nd", GIVEN),
             Map.entry("snd", GIVEN),
             Map.entry("wavefront", GIVEN),
-            Map.entry("mapfile", "The map of a run is made of its world."),
             Map.entry("rangertolaser", "Robots have lasers without it."),
             Map.entry("lasertoranger", "Robots have lasers without it."),
             Map.entry("sonartoranger", "Robots have sonars without it."),
@@ -94,6 +99,11 @@ final class KnownDrivers {
     /// Why an option that looks right has no effect.
     static Optional<String> whyNeverRead(String driver, String option) {
         return Optional.ofNullable(NEVER_READ.get(driver + " " + option));
+    }
+
+    /// What is instead of an option that has no effect.
+    static String insteadOf(String driver, String option) {
+        return INSTEAD_OF.getOrDefault(driver + " " + option, "");
     }
 
     /// What a run has instead of a driver.

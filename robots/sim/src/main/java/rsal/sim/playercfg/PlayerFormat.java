@@ -37,7 +37,7 @@ public final class PlayerFormat implements SceneFormat {
         if (worldFile.isPresent()) {
             String world = find(worldFile.get(), path, found);
             StageWorld read = StageWorld.read(world, found);
-            services = services(config, read, findings);
+            services = new Served(config, read, findings).services();
             findings.throwIfAny();
             scene = StageFormat.scene(read, world, seed);
         } else {
@@ -46,7 +46,7 @@ public final class PlayerFormat implements SceneFormat {
                     "No driver (stage) of it has a (worldfile): the world is empty.",
                     "Maybe it goes with another file, which has one.");
             var empty = new StageWorld(path, Duration.ofMillis(100), 0.02, Optional.empty(), List.of(), List.of());
-            services = services(config, empty, findings);
+            services = new Served(config, empty, findings).services();
             scene = StageFormat.scene(empty, path, seed);
         }
         var warnings = new ArrayList<>(findings.warnings(path));
@@ -61,10 +61,6 @@ public final class PlayerFormat implements SceneFormat {
         boolean any = false;
         for (Driver driver : config.drivers()) {
             if (!driver.name().equals(KnownDrivers.STAGE)) {
-                findings.warn(
-                        driver.location(),
-                        "(%s) has no effect in a run yet.".formatted(Findings.shortened(driver.name())),
-                        KnownDrivers.instead(driver.name()));
                 continue;
             }
             any = true;
@@ -124,12 +120,5 @@ public final class PlayerFormat implements SceneFormat {
                     option.location(), "(worldfile) names no file.", "Write worldfile \"FILE.world\".");
         }
         return files.find(name.get(), config, MAX_WORLD, option.location()).path();
-    }
-
-    private static List<Service> services(PlayerConfig config, StageWorld world, Findings findings) {
-        var served = new Served(world, findings);
-        return config.drivers().stream()
-                .flatMap(driver -> served.of(driver, driver.name().equals(KnownDrivers.STAGE)).stream())
-                .toList();
     }
 }

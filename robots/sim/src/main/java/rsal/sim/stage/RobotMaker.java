@@ -27,7 +27,8 @@ import rsal.sim.stage.PartMaker.Device;
 import rsal.sim.stage.Pieces.Piece;
 
 /// Makes robot models of bases with all that stands on them. Bases of one make share theirs.
-final class RobotMaker {
+public final class RobotMaker {
+    private static final String BASE = "base"; // as the simulation calls it
     private static final double SPECK = 0.02; // side of a robot that has no body [m]
     private static final double SLOWEST = 1e-6; // [m/s, rad/s], of what can't move that way
     private static final double WHEEL_ANGLE = Math.toRadians(45); // how far a car's wheels turn
@@ -72,6 +73,20 @@ final class RobotMaker {
             return blocks.orElseGet(
                     () -> pieces.stream().map(piece -> piece.in(color)).toList());
         }
+    }
+
+    /// Names of the devices that a base and what stands on it become, by the names of those models: of each its
+    /// first.
+    ///
+    /// @param base of kind [Kind.Position]
+    /// @param step between two states of the world
+    public static Map<String, String> devices(StageModel base, Duration step) {
+        var parts = new PartMaker(step);
+        base.forEach(model -> parts.add(model, Placement.ORIGIN, Optional.empty()));
+        var names = new LinkedHashMap<String, String>();
+        parts.devices().forEach(device -> names.putIfAbsent(device.model().name(), device.name()));
+        names.put(base.name(), BASE);
+        return names;
     }
 
     /// @param base of kind [Kind.Position]

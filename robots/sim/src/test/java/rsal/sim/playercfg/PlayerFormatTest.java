@@ -1,17 +1,26 @@
 package rsal.sim.playercfg;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.entry;
+import static org.assertj.core.api.Assertions.tuple;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rsal.device.Navigator.Tolerance;
 import rsal.robot.RobotSpec;
 import rsal.scene.Scene;
 import rsal.scene.SceneFormat;
 import rsal.scene.Service;
+import rsal.scene.Service.Software;
+import rsal.settings.Problem;
+import rsal.settings.Value;
 import rsal.sim.stage.Findings;
 import rsal.sim.stage.WorldFiles;
 
@@ -131,33 +140,124 @@ class PlayerFormatTest {
     @Test
     void whatIsServedIsTold() {
         assertThat(configs(UHH).read().services())
+                .extracting(Service::driver, Service::port, Service::devices, Service::needs, Service::robot)
                 .containsExactly(
-                        new Service("stage", 6665, List.of("simulation:0"), List.of(), Optional.empty()),
-                        new Service(
+                        tuple("stage", 6665, List.of("simulation:0"), List.of(), Optional.empty()),
+                        tuple(
                                 "stage",
                                 6665,
                                 List.of("position2d:0", "ranger:0", "ranger:1", "gripper:0"),
                                 List.of(),
                                 Optional.of("r0")),
-                        new Service(
+                        tuple(
                                 "stage",
                                 6667,
                                 List.of("position2d:0", "ranger:0", "ranger:1", "gripper:0", "blobfinder:0"),
                                 List.of(),
                                 Optional.of("r1")),
-                        new Service(
-                                "stage", 6671, List.of("position2d:0", "blobfinder:0"), List.of(), Optional.of("r3")),
-                        new Service(
-                                "rangertolaser", 6665, List.of("laser:0"), List.of("6665:ranger:1"), Optional.empty()),
-                        new Service("mapfile", 6665, List.of("map:0"), List.of(), Optional.empty()));
+                        tuple("stage", 6671, List.of("position2d:0", "blobfinder:0"), List.of(), Optional.of("r3")),
+                        tuple("rangertolaser", 6665, List.of("laser:0"), List.of("6665:ranger:1"), Optional.of("r0")),
+                        tuple("mapfile", 6665, List.of("map:0"), List.of(), Optional.empty()));
+    }
+
+    @Test
+    void whatStandsBehindItIsFound() {
+        List<Service> services = configs(UHH + PLANNER.replace("odom_init 0", "odom_init 0 pf_max_samples 2000"))
+                .read()
+                .services();
+        assertThat(services).extracting(Service::refusal).containsOnly(Optional.empty());
+        assertThat(services.get(0).sources()).containsExactly(entry("simulation:0", Service.SIMULATION));
+        assertThat(services.get(1).sources())
+                .containsExactly(
+                        entry("position2d:0", "base"),
+                        entry("ranger:0", "sonar"),
+                        entry("ranger:1", "laser"),
+                        entry("gripper:0", "gripper"));
+        assertThat(services.get(4).sources()).containsExactly(entry("laser:0", "laser"));
+        assertThat(services.get(5).sources()).containsExactly(entry("map:0", Service.MAP));
+        assertThat(services.get(6).sources()).containsExactly(entry("position2d:1", "navigator"));
+        assertThat(services.get(7).sources())
+                .containsExactly(entry("localize:0", "localizer"), entry("position2d:2", "localizer"));
+        assertThat(services.get(8).sources()).containsExactly(entry("planner:0", "navigator"));
+        assertThat(services.subList(6, 9)).extracting(Service::robot).containsOnly(Optional.of("r0"));
+        Tolerance tolerance = services.get(8).tolerance();
+        assertThat(tolerance.distance()).isEqualTo(0.4);
+        assertThat(tolerance.angle()).isCloseTo(Math.toRadians(10), within(1e-9));
+    }
+
+    @Test
+    void whatRobotsNeedForItIsSetAsTheFileSays() {
+        List<Service> services = configs(UHH + PLANNER.replace("odom_init 0", "odom_init 0 pf_max_samples 2000"))
+                .read()
+                .services();
+        List<Software> software = services.stream()
+                .flatMap(service -> service.software().stream())
+                .toList();
+        assertThat(software).extracting(Software::name).containsExactly("localizer", "navigator");
+        assertThat(software).extracting(Software::driver).containsExactly("amcl", "navigator");
+        assertThat(values(software.getFirst()))
+                .containsOnly(
+                        entry("maxParticles", 2000L),
+                        entry("beams", 50L),
+                        entry("initialDeviation", 3.0),
+                        entry("initialAngleDeviation", 360.0));
+        assertThat(values(software.getLast()))
+                .containsOnly(
+                        entry("local", "vfh"),
+                        entry("safetyDist0ms", 0.1),
+                        entry("safetyDist1ms", 0.4),
+                        entry("maxSpeed", 0.4),
+                        entry("maxSpeedNarrowOpening", 0.1),
+                        entry("escapeSpeed", 0.1),
+                        entry("escapeTime", 5.0),
+                        entry("wallDistance", 0.3));
+    }
+
+    private static Map<String, Object> values(Software software) {
+        var values = new LinkedHashMap<String, Object>();
+        software.settings().entries().forEach((name, value) -> values.put(name, ((Value.Scalar) value).value()));
+        return values;
+    }
+
+    @Test
+    void optionsThatNothingHereHasAreOneWarningEach() {
+        assertThat(configs(UHH + PLANNER).warnings())
+                .anySatisfy(w -> assertThat(w).contains("(free_space_cutoff_1ms) has no effect"))
+                .anySatisfy(w -> assertThat(w).contains("(init_pose) has no effect", "It starts where its robot does."))
+                .noneSatisfy(w -> assertThat(w).contains("(amcl) has no effect"))
+                .noneSatisfy(w -> assertThat(w).contains("(distance_epsilon)"))
+                .doesNotHaveDuplicates();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "driver ( name \"p2os\" provides [\"odometry:::position2d:0\"] ) | 2:1 | (p2os) can't be served | It is for real robots.",
+                "driver ( name \"wonder\" plugin \"w\" provides [\"log:0\"] ) | 2:1 | (wonder) can't be served | ",
+                "driver ( name \"vhf\" plugin \"w\" provides [\"log:0\"] ) | 2:1 | (vhf) can't be served | Maybe (vfh) was meant?",
+                "driver ( name \"rangertolaser\" requires [\"ranger:7\"] provides [\"laser:0\"] ) | 2:1 | requires (6665:ranger:7), which no driver | include",
+                "driver ( name \"vfh\" requires [\"a.b:6665:position2d:7\"] provides [\"position2d:0\"] ) | 2:1 | on another computer | one file",
+                "driver ( name \"amcl\" provides [\"localize:0\"] ) | 2:1 | (amcl) requires nothing | requires",
+                "driver ( name \"stage\" provides [\"ranger:0\"] model \"r0\" ) driver ( name \"rangertolaser\" requires [\"ranger:0\"] provides [\"laser:0\"] ) | 2:58 | (6665:ranger:0), which is a (sonar) and no (laser) | another",
+                "driver ( name \"stage\" provides [\"position2d:0\"] model \"r0\" ) driver ( name \"vfh\" requires [\"position2d:0\"] provides [\"position2d:1\"] ) driver ( name \"nd\" requires [\"position2d:0\"] provides [\"position2d:2\"] ) | 2:136 | Robot (r0) has (vfh) already, at etc/test.cfg:2:62 | one at most"
+            })
+    void whatCanNotBeOfferedSaysWhyAndWhere(String text, String at, String message, String remedy) {
+        List<Problem> refusals = configs(STAGE + text).read().services().stream()
+                .flatMap(service -> service.refusal().stream())
+                .toList();
+        assertThat(refusals).hasSize(1);
+        assertThat(refusals.getFirst().toString())
+                .startsWith("etc/test.cfg:" + at + ":")
+                .contains(message)
+                .contains(remedy == null ? "" : remedy);
     }
 
     @Test
     void whatHasNoEffectIsOneWarningEach() {
         List<String> warnings = configs(UHH).warnings();
-        assertThat(warnings).hasSize(2);
-        assertThat(warnings.getFirst()).startsWith("etc/test.cfg:18:1: (rangertolaser) has no effect in a run yet.");
-        assertThat(warnings.getLast()).startsWith("etc/test.cfg:19:1: (mapfile) has no effect");
+        assertThat(warnings).hasSize(1);
+        assertThat(warnings.getFirst()).startsWith("etc/test.cfg:19:1: The image of (mapfile) has no effect");
     }
 
     @Test
@@ -167,13 +267,12 @@ class PlayerFormatTest {
         assertThat(scene.services())
                 .extracting(Service::driver, Service::devices, Service::needs)
                 .containsExactly(
-                        org.assertj.core.groups.Tuple.tuple(
-                                "vfh", List.of("position2d:1"), List.of("6665:position2d:0", "6665:laser:0")),
-                        org.assertj.core.groups.Tuple.tuple(
+                        tuple("vfh", List.of("position2d:1"), List.of("6665:position2d:0", "6665:laser:0")),
+                        tuple(
                                 "amcl",
                                 List.of("localize:0", "position2d:2"),
                                 List.of("6665:position2d:0", "6665:laser:0", "6665:map:0")),
-                        org.assertj.core.groups.Tuple.tuple(
+                        tuple(
                                 "wavefront",
                                 List.of("planner:0"),
                                 List.of("6665:position2d:1", "6665:position2d:2", "6665:map:0")));
@@ -182,7 +281,7 @@ class PlayerFormatTest {
                 .anySatisfy(w ->
                         assertThat(w).startsWith("etc/test.cfg:26:3: (laser_pose) is not known in a driver (amcl)"))
                 .anySatisfy(w -> assertThat(w).contains("(laser_range_max)", "asks the laser"))
-                .anySatisfy(w -> assertThat(w).startsWith("etc/test.cfg:17:1: (amcl) has no effect in a run yet."))
+                .anySatisfy(w -> assertThat(w).startsWith("etc/test.cfg:17:1: (amcl) has no effect in a run."))
                 .anySatisfy(w -> assertThat(w).contains("the world is empty"));
     }
 
