@@ -21,6 +21,7 @@ import rsal.player.wire.Packet;
 final class OutQueue {
     static final int MOST = 1024; // messages, as Player has it
     private static final int MOST_ANSWERS = 256;
+    private static final long LARGEST_ANSWERS = 4L << 20; // bytes of all of them
     private static final int MOST_RULES = 256;
 
     private final ReentrantLock lock = new ReentrantLock();
@@ -32,6 +33,7 @@ final class OutQueue {
     private int left; // messages of the round, those that were there when it began
     private int delivered; // data in it
     private int answers; // in the queue
+    private long answerBytes; // of those
     private int dropped; // since the last synch
     private boolean closed;
 
@@ -110,7 +112,7 @@ final class OutQueue {
         lock.lock();
         try {
             queue.addLast(packet);
-            answers++;
+            count(packet, 1);
             changed.signalAll();
         } finally {
             lock.unlock();
@@ -124,7 +126,7 @@ final class OutQueue {
         lock.lock();
         try {
             queue.addFirst(ack);
-            answers++;
+            count(ack, 1);
             wanted = true;
             left = queue.size();
             delivered = 0;
@@ -149,7 +151,7 @@ final class OutQueue {
     void awaitRoom() throws InterruptedException {
         lock.lock();
         try {
-            while (answers >= MOST_ANSWERS && !closed) {
+            while ((answers >= MOST_ANSWERS || answerBytes >= LARGEST_ANSWERS) && !closed) {
                 changed.await();
             }
         } finally {
@@ -185,10 +187,15 @@ final class OutQueue {
         if (packet.header().kind() == Kind.DATA) {
             delivered++;
         } else {
-            answers--;
+            count(packet, -1);
             changed.signalAll(); // for whoever awaits room
         }
         return packet;
+    }
+
+    private void count(Packet answer, int more) {
+        answers += more;
+        answerBytes += (long) more * answer.body().length;
     }
 
     private Packet synch(double time) {

@@ -6,6 +6,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import rsal.player.message.Interface;
+import rsal.player.message.Maps;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
 import rsal.player.wire.Kind;
@@ -48,6 +50,26 @@ class OutQueueTest {
                         .join())
                 .isFalse();
         assertThat(queue.take(() -> 0)).contains(ANSWER);
+        assertThat(asking.join()).isTrue();
+    }
+
+    @Test
+    void whoAsksForTooLargeAnswersWaits() throws Exception {
+        var tile = new Maps.Tile(0, 0, 1, 1, 1, 1, new byte[1 << 20]);
+        Packet large = Packet.of(Address.of(Interface.MAP.code(), 0), Kind.ACK, Maps.TILE, 0, tile);
+        for (int i = 0; i < 4; i++) {
+            queue.awaitRoom();
+            queue.answer(large);
+        }
+        CompletableFuture<Boolean> asking = waiting(() -> {
+            queue.awaitRoom();
+            return true;
+        });
+        assertThat(asking.copy()
+                        .completeOnTimeout(false, 200, TimeUnit.MILLISECONDS)
+                        .join())
+                .isFalse();
+        queue.take(() -> 0);
         assertThat(asking.join()).isTrue();
     }
 
