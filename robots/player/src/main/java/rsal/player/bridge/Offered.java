@@ -32,6 +32,7 @@ abstract class Offered implements Served {
     private final DeviceInfo device;
     private final Scheduler scheduler;
     private final Map<Integer, Packet> commands = new LinkedHashMap<>(); // by subtype, newest last; guarded by itself
+    private String driver;
     private @Nullable Port port;
     private int users;
 
@@ -39,7 +40,14 @@ abstract class Offered implements Served {
         this.interf = interf;
         this.index = index;
         this.device = device;
+        this.driver = device.driver();
         this.scheduler = scheduler;
+    }
+
+    /// The same, of which clients are told that another drives it. Before it has any.
+    final Offered drivenBy(String other) {
+        driver = other;
+        return this;
     }
 
     /// Tells a port's clients of its data from now on.
@@ -103,7 +111,7 @@ abstract class Offered implements Served {
 
     @Override
     public final String driver() {
-        return device.driver();
+        return driver;
     }
 
     @Override

@@ -78,6 +78,7 @@ final class PlayerBridge implements Bridge {
             for (String name : service.devices()) {
                 Optional.ofNullable(service.sources().get(name))
                         .flatMap(source -> offer(service, name, source, lent, robots, scheduler))
+                        .map(offered -> offered.drivenBy(service.driver()))
                         .ifPresent(offers::add);
             }
         }

@@ -88,6 +88,7 @@ class ServedBridgeTest extends BridgeBench {
         assertThat(ports.subList(0, 5)).containsOnly(port());
         assertThat(ports.subList(5, 8)).containsOnly(ports.getLast()).doesNotContain(port());
         assertThat(answer(client().devices())).hasSize(5);
+        assertThat(answer(client().driver(AVOIDING))).isEqualTo("vfh");
     }
 
     @Test
