@@ -21,8 +21,8 @@ import rsal.sim.stage.RobotMaker;
 import rsal.sim.stage.StageModel;
 import rsal.sim.stage.StageWorld;
 
-/// Finds out what of a world a configuration's drivers serve: Stage its models, others what they make of what Stage
-/// or others serve.
+/// Finds out what of a world a configuration's drivers serve: Stage its models, others what they make of what
+/// Stage or others serve.
 final class Served {
     private static final int MOST_NAMED = 8; // of models in a message
     private static final String LOCALIZER = "localizer";
@@ -110,33 +110,31 @@ final class Served {
     }
 
     private Stream<Service> services(Driver driver, List<Software> software) {
-        var byPort = new LinkedHashMap<Integer, List<String>>();
-        var behind = new LinkedHashMap<String, String>();
+        var byPort = new LinkedHashMap<Integer, List<Address>>();
         for (Address address : driver.provides()) {
             byPort.computeIfAbsent(address.portOrUsual(), _ -> new ArrayList<>())
-                    .add(address.device());
-            Source source = sources.get(address.place());
-            if (source != null) {
-                behind.put(address.device(), source.device());
-            }
+                    .add(address);
         }
-        List<String> needs = driver.requires().stream().map(Address::place).toList();
-        var left = new ArrayList<>(software); // once is enough
-        return byPort.entrySet().stream().map(port -> {
-            var service = new Service(
-                    driver.name(),
-                    driver.location(),
-                    port.getKey(),
-                    port.getValue(),
-                    needs,
-                    Optional.ofNullable(robots.get(driver)),
-                    behind,
-                    left,
-                    options.tolerance(driver),
-                    Optional.ofNullable(refusals.get(driver)));
-            left.clear();
-            return service;
-        });
+        var services = new ArrayList<Service>();
+        byPort.forEach((port, addresses) -> services.add(new Service(
+                driver.name(),
+                driver.location(),
+                port,
+                addresses.stream().map(Address::device).toList(),
+                driver.requires().stream().map(Address::place).toList(),
+                Optional.ofNullable(robots.get(driver)),
+                behind(addresses),
+                services.isEmpty() ? software : List.of(), // once is enough
+                options.tolerance(driver),
+                Optional.ofNullable(refusals.get(driver)))));
+        return services.stream();
+    }
+
+    private Map<String, String> behind(List<Address> addresses) {
+        var behind = new LinkedHashMap<String, String>();
+        addresses.forEach(address -> Optional.ofNullable(sources.get(address.place()))
+                .ifPresent(source -> behind.put(address.device(), source.device())));
+        return behind;
     }
 
     private void provide(Address address, Source source) {
@@ -366,6 +364,14 @@ final class Served {
             model.flatMap(found -> Optional.ofNullable(parts.get(found.name())))
                     .ifPresent(part -> part.device()
                             .ifPresent(device -> provide(address, new Source(Optional.of(part.robot()), device))));
+            boolean made =
+                    sources.containsKey(address.place()) || address.type().equals(Interfaces.SIMULATION);
+            if (parts.containsKey(base.name()) && (type == null || model.isPresent()) && !made) {
+                findings.warn(
+                        address.location(),
+                        "(%s) has no effect: robots here have nothing like it.".formatted(address.device()),
+                        "");
+            }
         }
         Optional<String> robot = Optional.ofNullable(parts.get(base.name())).map(Part::robot);
         if (robot.isEmpty()) {

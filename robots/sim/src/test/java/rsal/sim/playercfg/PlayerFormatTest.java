@@ -186,6 +186,17 @@ class PlayerFormatTest {
     }
 
     @Test
+    void aDriverAtTwoPortsHasSomethingElseBehindTheSameIndex() {
+        List<Service> services = configs(
+                        STAGE + "driver ( name \"stage\" provides [\"6670:ranger:0\" \"6671:ranger:0\"] model \"r0\" )")
+                .read()
+                .services();
+        assertThat(services.subList(1, 3))
+                .extracting(Service::port, Service::sources)
+                .containsExactly(tuple(6670, Map.of("ranger:0", "sonar")), tuple(6671, Map.of("ranger:0", "laser")));
+    }
+
+    @Test
     void whatRobotsNeedForItIsSetAsTheFileSays() {
         List<Service> services = configs(UHH + PLANNER.replace("odom_init 0", "odom_init 0 pf_max_samples 2000"))
                 .read()
@@ -393,6 +404,7 @@ class PlayerFormatTest {
                 "driver ( name \"stage\" provides [\"position2d:0\"] model \"r0\" sped 3 ) | 2:60 | (sped) is not known",
                 "driver ( name \"stage\" provides [\"6667:simulation:0\"] worldfile \"x.world\" ) | 2:54 | the first one counts",
                 "driver ( name \"stage\" provides [\"ranger:0\"] model \"box\" ) | 2:1 | (box) is part of no robot",
+                "driver ( name \"stage\" provides [\"position2d:0\" \"speech:0\"] model \"r0\" ) | 2:48 | (speech:0) has no effect: robots here have nothing like it.",
                 "driver ( name \"mapfile\" provides [\"map:0\"] resolutoin 3 ) | 2:44 | Maybe (resolution) was meant?",
                 "driver ( name \"wonder\" provides [\"log:0\"] a 3 ) | 2:1 | (wonder) has no effect",
                 "driver ( name \"p2os\" provides [\"odometry::position2d:0\"] ) | 2:32 | write (odometry:::position2d:0)",
