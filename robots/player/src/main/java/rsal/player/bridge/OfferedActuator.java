@@ -18,8 +18,8 @@ import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
-/// An actuator as `actarray` of one joint. As with a base, a speed holds until it is told something else or no client
-/// is left.
+/// An actuator as `actarray` of one joint. As with a base, a speed holds until it is told something else or no
+/// client is left.
 final class OfferedActuator extends OfferedSensor<ActuatorState> {
     private static final Duration AGAIN = Duration.ofMillis(100);
     private static final int LINEAR = 1;

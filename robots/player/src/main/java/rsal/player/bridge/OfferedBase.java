@@ -23,8 +23,8 @@ import rsal.robot.RobotModel.Drive;
 import rsal.robot.RobotModel.Steering;
 import rsal.time.Scheduler;
 
-/// A base as `position2d`. What a client wants holds until it wants something else, as Player's clients expect, and
-/// ours do not: it is said again and again, until no client is left.
+/// A base as `position2d`. What a client wants holds until it wants something else, as Player's clients expect,
+/// and ours do not: it is said again and again, until no client is left.
 final class OfferedBase extends Offered implements Reins.Holder {
     private static final Duration AGAIN = Duration.ofMillis(100);
 

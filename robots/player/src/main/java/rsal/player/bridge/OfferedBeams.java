@@ -6,8 +6,8 @@ import rsal.player.message.Dio;
 import rsal.player.message.Interface;
 import rsal.time.Scheduler;
 
-/// The beams and contacts of a gripper as inputs of `dio`, on when something is there: the inner beam, the outer one,
-/// the left contact, the right one.
+/// The beams and contacts of a gripper as inputs of `dio`, on when something is there: the inner beam, the outer
+/// one, the left contact, the right one.
 final class OfferedBeams extends OfferedSensor<GripperState> {
     private static final int COUNT = 4;
 

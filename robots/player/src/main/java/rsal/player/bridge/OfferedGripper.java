@@ -11,9 +11,8 @@ import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
-/// A gripper as `gripper`: its paddles, and STOP for these and the lift; STORE and RETRIEVE, which say nothing of a
-/// lift,
-/// move that up and down.
+/// A gripper as `gripper`: its paddles, and STOP for these and the lift; STORE and RETRIEVE, which say nothing of
+/// a lift, move that up and down.
 final class OfferedGripper extends OfferedSensor<GripperState> {
     private static final int OPEN = 1;
     private static final int CLOSED = 2;

@@ -14,8 +14,8 @@ import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
-/// The lift of a gripper as `actarray` of one joint, from 0 (down) to 1 (up), as Player's Pioneers have it. It has no
-/// stops in between: to any place in its upper half it goes up.
+/// The lift of a gripper as `actarray` of one joint, from 0 (down) to 1 (up), as Player's Pioneers have it. It
+/// has no stops in between: to any place in its upper half it goes up.
 final class OfferedLift extends OfferedSensor<GripperState> {
     private static final int LINEAR = 1;
     private static final int IDLE = 1;

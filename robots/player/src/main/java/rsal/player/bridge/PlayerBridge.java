@@ -15,8 +15,8 @@ import rsal.system.Bridge;
 import rsal.system.BridgeProvider.Lent;
 import rsal.time.Scheduler;
 
-/// Offers robots to Player's clients for as long as it is open: what the file of their world asks for, or each robot
-/// on a port of its own, as Player's servers have it.
+/// Offers robots to Player's clients for as long as it is open: what the file of their world asks for, or each
+/// robot on a port of its own, as Player's servers have it.
 final class PlayerBridge implements Bridge {
     static final int USUAL_PORT = 6665;
     private static final int MOST_PORT = 65_535;
@@ -27,8 +27,8 @@ final class PlayerBridge implements Bridge {
         this.ports = List.copyOf(ports);
     }
 
-    /// @param at where what is at Player's usual port is, and the others as far from there as they would be; port 0
-    /// for any that are free
+    /// @param at where what is at Player's usual port is, and the others as far from there as they would be; port
+    /// 0 for any that are free
     /// @throws IOException when nobody may listen there, which its message says
     static PlayerBridge open(InetSocketAddress at, Lent lent, Scheduler scheduler) throws IOException {
         var ports = new ArrayList<OfferedPort>();

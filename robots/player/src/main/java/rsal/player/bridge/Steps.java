@@ -18,8 +18,8 @@ final class Steps {
 
     private Steps() {}
 
-    /// Turns to a place, drives there and turns to a heading, as fast as the base can; one that drives to all sides
-    /// does it all at once.
+    /// Turns to a place, drives there and turns to a heading, as fast as the base can; one that drives to all
+    /// sides does it all at once.
     ///
     /// @param drive of a base that turns in place
     static Wish to(Pose2d odomFromGoal, Drive drive) {

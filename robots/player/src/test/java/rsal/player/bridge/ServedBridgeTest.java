@@ -27,8 +27,8 @@ import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
 import rsal.testkit.fake.FakeProvider;
 
-/// What the file of a world asks for, as a Player client sees it: interfaces and indices as the file has them, and
-/// nothing else.
+/// What the file of a world asks for, as a Player client sees it: interfaces and indices as the file has them,
+/// and nothing else.
 @Timeout(60)
 class ServedBridgeTest extends BridgeBench {
     private static final Pose2d A = WORLD.pose('a', 0);
