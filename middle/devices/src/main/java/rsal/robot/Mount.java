@@ -88,7 +88,10 @@ record Mount(Pose2d baseFromDevice, OptionalDouble height, Optional<String> on, 
     static Map<String, String> carriers(Map<String, Mount> mounts, Map<String, Part> sensors, Problems problems) {
         var carriers = new LinkedHashMap<String, String>();
         for (String device : sensors.keySet()) {
-            Mount mount = Objects.requireNonNull(mounts.get(device));
+            Mount mount = mounts.get(device);
+            if (mount == null) {
+                continue; // it is nowhere, as what a computer does
+            }
             Optional<String> on = mount.on;
             while (on.isPresent() && !sensors.containsKey(on.get())) {
                 on = Objects.requireNonNull(mounts.get(on.get())).on;

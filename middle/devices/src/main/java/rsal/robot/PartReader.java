@@ -9,6 +9,8 @@ import rsal.data.Interval;
 import rsal.data.LightState.Signal;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
 import rsal.settings.Parameter;
@@ -19,7 +21,17 @@ import rsal.settings.Value;
 /// Reads part files. What is wrong is noted, and something harmless taken for it.
 final class PartReader {
     static final List<String> TYPES = List.of(
-            "laser", "sonars", "blob-finder", "fiducial-finder", "gripper", "bumper", "actuator", "battery", "light");
+            "laser",
+            "sonars",
+            "blob-finder",
+            "fiducial-finder",
+            "gripper",
+            "bumper",
+            "actuator",
+            "battery",
+            "light",
+            "localizer",
+            "navigator");
     private static final int MAX_SAMPLES = 10_000;
     private static final int MAX_SENSORS = 1_000;
     private static final double MAX_ENERGY = 1e9;
@@ -47,6 +59,8 @@ final class PartReader {
             case "actuator" -> Optional.of(reader.actuator());
             case "battery" -> Optional.of(reader.battery());
             case "light" -> Optional.of(reader.light());
+            case "localizer" -> Optional.of(new Part.Own(name, Localizer.class));
+            case "navigator" -> Optional.of(new Part.Own(name, Navigator.class));
             default -> Optional.empty();
         };
         if (part.isEmpty()) {

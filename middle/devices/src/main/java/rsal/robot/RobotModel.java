@@ -246,6 +246,9 @@ public record RobotModel(
         /// What it becomes on a robot.
         Class<? extends Device> makes();
 
+        /// What a robot's own computer does for it, where a robot system has such: a localizer, a navigator.
+        record Own(String name, Class<? extends Device> makes) implements Part {}
+
         /// A planar laser scanner, beams from `angleMin` counter-clockwise.
         ///
         /// @param samples beams of a sweep

@@ -1,6 +1,7 @@
 package rsal.robot;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,7 @@ import rsal.robot.RobotModel.Part;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
+import rsal.settings.Problem;
 import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
@@ -63,7 +65,9 @@ public final class RobotModels {
                 "turntable",
                 "pioneer-battery",
                 "small-battery",
-                "beacon");
+                "beacon",
+                "own-localizer",
+                "own-navigator");
     }
 
     /// The file of a model or part that comes with the program, as people read it; empty when there is none of the
@@ -119,23 +123,23 @@ public final class RobotModels {
         var sensors = new LinkedHashMap<String, Part>();
         var heights = new LinkedHashMap<String, Double>();
         chosen.forEach((device, choice) -> {
-            Mount mount = mounts.get(device);
             if (choice.part().equals(NO_PART)) {
                 return;
             }
-            if (mount == null) {
+            Optional<Mount> mount = Optional.ofNullable(mounts.get(device));
+            var itsProblems = new ArrayList<Problem>();
+            Optional<Part> part = part(choice, mount, itsProblems);
+            boolean somewhere = part.filter(Part.Own.class::isInstance).isEmpty();
+            if (mount.isEmpty() && somewhere) {
                 problems.add(
                         choice.writtenAt(),
                         "Robot model (%s) has no place for a device (%s).".formatted(name, device),
                         Suggestion.among(device, mounts.keySet()));
                 return;
             }
-            try {
-                sensors.put(device, part(choice.part(), mount.baseFromDevice(), choice.writtenAt()));
-                mount.height().ifPresent(height -> heights.put(device, height));
-            } catch (InvalidSettings e) {
-                e.problems().forEach(problems::add);
-            }
+            itsProblems.forEach(problems::add);
+            part.ifPresent(made -> sensors.put(device, made));
+            mount.map(Mount::height).ifPresent(height -> height.ifPresent(value -> heights.put(device, value)));
         });
         Map<String, String> carriers = Mount.carriers(mounts, sensors, problems);
         problems.throwIfAny();
@@ -162,6 +166,17 @@ public final class RobotModels {
             own.put(device, new Choice(section.text(device), section.locationOf(device)));
         }
         return own;
+    }
+
+    /// A part that is mounted somewhere, or on nothing.
+    private Optional<Part> part(Choice choice, Optional<Mount> mount, List<Problem> noted) {
+        try {
+            Pose2d baseFromDevice = mount.map(Mount::baseFromDevice).orElse(Pose2d.ORIGIN);
+            return Optional.of(part(choice.part(), baseFromDevice, choice.writtenAt()));
+        } catch (InvalidSettings e) {
+            noted.addAll(e.problems());
+            return Optional.empty();
+        }
     }
 
     private Part part(String name, Pose2d mount, Location askedAt) {

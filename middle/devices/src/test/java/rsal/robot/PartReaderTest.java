@@ -44,7 +44,9 @@ class PartReaderTest {
             Map.entry("turntable", "turntable"),
             Map.entry("pioneer-battery", "battery"),
             Map.entry("small-battery", "battery"),
-            Map.entry("beacon", "light"));
+            Map.entry("beacon", "light"),
+            Map.entry("own-localizer", "localizer"),
+            Map.entry("own-navigator", "navigator"));
 
     @TempDir
     private Path folder;

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
@@ -19,7 +20,11 @@ import java.util.stream.Collectors;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.player.bridge.PlayerBridgeProvider;
+import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModel.Part;
+import rsal.robot.RobotSpec;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 import rsal.sim.SimProvider;
@@ -39,8 +44,20 @@ final class OverTheWire implements RobotSystemProvider {
     private static final Duration FIRST_STEP = Duration.ofMillis(100);
     private static final long PATIENCE = 20; // s
 
-    private final RobotSystemProvider sim = new SimProvider();
     private final RobotSystemProvider player = new PlayerProvider();
+    private final RobotSystemProvider sim;
+    private final List<DeviceDriver> computers;
+
+    OverTheWire() {
+        this(new SimProvider(), List.of());
+    }
+
+    /// @param sim of what simulates the robots that are served
+    /// @param computers what these have on board
+    OverTheWire(RobotSystemProvider sim, List<DeviceDriver> computers) {
+        this.sim = sim;
+        this.computers = List.copyOf(computers);
+    }
 
     @Override
     public String key() {
@@ -60,9 +77,30 @@ final class OverTheWire implements RobotSystemProvider {
     @Override
     public RobotSystem create(Config config, Scheduler scheduler) {
         player.create(config, scheduler).close(); // refuses what it has nothing for
-        var simulated =
-                new Config(Arguments.defaults(sim.parameters()), config.scene(), config.robots(), config.seed());
+        List<RobotSpec> bare = config.robots().stream().map(OverTheWire::bare).toList();
+        var simulated = new Config(Arguments.defaults(sim.parameters()), config.scene(), bare, config.seed());
         return new Wired(config, sim.create(simulated, scheduler), (LockstepScheduler) scheduler);
+    }
+
+    /// Without what its own computer does.
+    private static RobotSpec bare(RobotSpec spec) {
+        RobotModel model = spec.model();
+        var hardware = new LinkedHashMap<>(model.sensors());
+        hardware.values().removeIf(Part.Own.class::isInstance);
+        return new RobotSpec(
+                spec.id(),
+                spec.role(),
+                new RobotModel(
+                        model.name(),
+                        model.title(),
+                        model.body(),
+                        model.drive(),
+                        hardware,
+                        model.heights(),
+                        model.carriers()),
+                spec.mapFromBase(),
+                spec.color(),
+                spec.marker());
     }
 
     private final class Wired implements RobotSystem {
@@ -81,12 +119,14 @@ final class OverTheWire implements RobotSystemProvider {
         @Override
         public CompletionStage<List<Robot>> discover() {
             try {
-                List<Robot> real = simulation.discover().toCompletableFuture().join();
+                List<Robot> real = simulation.discover().toCompletableFuture().join().stream()
+                        .map(this::equipped)
+                        .toList();
                 scheduler.advance(FIRST_STEP); // devices offer nothing before they have measured
                 Bridge bridge = new PlayerBridgeProvider()
                         .open(
                                 new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                                new Lent(real, config.scene().map(), simulation.simulation()),
+                                new Lent(real, config.scene().map(), simulation.simulation(), List.of()),
                                 scheduler);
                 opened.add(bridge);
                 String servers = config.robots().stream()
@@ -107,6 +147,22 @@ final class OverTheWire implements RobotSystemProvider {
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
+        }
+
+        private Robot equipped(Robot bare) {
+            Robot robot = bare;
+            for (DeviceDriver driver : computers) {
+                robot = robot.with(driver.create(
+                        new DeviceDriver.Context(
+                                driver.key(),
+                                robot,
+                                config.scene().map(),
+                                Optional.empty(),
+                                scheduler,
+                                new SplittableRandom(config.seed())),
+                        Arguments.defaults(driver.parameters())));
+            }
+            return robot;
         }
 
         private static int port(Bridge bridge, String robot) {

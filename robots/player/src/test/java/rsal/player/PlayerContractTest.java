@@ -1,19 +1,28 @@
 package rsal.player;
 
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Timeout;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.contract.ActuatorContract;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.BlobFinderContract;
 import rsal.testkit.contract.BumperContract;
 import rsal.testkit.contract.Capability;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.FiducialFinderContract;
+import rsal.testkit.contract.GripperContract;
 import rsal.testkit.contract.LaserScannerContract;
+import rsal.testkit.contract.LocalizerContract;
+import rsal.testkit.contract.NavigatorContract;
 import rsal.testkit.contract.OmnidirectionalDriveContract;
 import rsal.testkit.contract.RobotSystemContract;
 import rsal.testkit.contract.SonarArrayContract;
+import rsal.testkit.fake.FakeLocalizer;
+import rsal.testkit.fake.FakeNavigator;
+import rsal.testkit.fake.FakeProvider;
 
 /// Robots of a Player server are robots like any other.
 @Timeout(120)
@@ -93,6 +102,48 @@ class PlayerContractTest {
         @Override
         protected RobotSystemProvider provider() {
             return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class Gripper extends GripperContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class Actuator extends ActuatorContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+    }
+
+    @Nested
+    class OwnLocalizer extends LocalizerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire(new FakeProvider(), List.of(new FakeLocalizer.Driver()));
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("localizer", "own-localizer");
+        }
+    }
+
+    @Nested
+    class OwnNavigator extends NavigatorContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire(new FakeProvider(), List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver()));
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("navigator", "own-navigator");
         }
     }
 }

@@ -123,7 +123,8 @@ class PlayerSystemTest {
                                                 .toCompletableFuture()
                                                 .join(),
                                         RobotBench.WORLD.grid(),
-                                        simulation.simulation()),
+                                        simulation.simulation(),
+                                        List.of()),
                                 theirTime));
     }
 

@@ -3,6 +3,7 @@ package rsal.sim;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import rsal.device.Localizer;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Axis;
 import rsal.robot.RobotModel.Part;
@@ -71,6 +72,9 @@ public final class Ability {
                     positive(problems, its + "capacity [J]", battery.capacity());
                 }
                 case Part.Light light -> positive(problems, its + "period [s]", seconds(light.period()));
+                case Part.Own own ->
+                    problems.add("Simulated robots have no computers of their own, and so no (%s). Maybe {type: %s}?"
+                            .formatted(own.name(), own.makes().equals(Localizer.class) ? "amcl" : "navigator"));
             }
         }
         return problems;

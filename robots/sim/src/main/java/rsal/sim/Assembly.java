@@ -146,6 +146,7 @@ final class Assembly {
             case Part.Actuator _ -> site.actuator(name);
             case Part.Battery battery -> new SimBattery(info, battery, site.body, site.drive);
             case Part.Light light -> new SimLight(info, light, scheduler);
+            case Part.Own own -> throw new IllegalArgumentException("(%s) is refused before.".formatted(own.name()));
         };
     }
 

@@ -5,8 +5,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rsal.data.ActuatorState.Joint;
 import rsal.data.Pose2d;
+import rsal.device.Localizer;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
 
@@ -94,8 +96,12 @@ final class PartWriter {
                 told.put("dutyCycle", light.signal().dutyCycle());
                 yield light.baseFromLight();
             }
+            case Part.Own own -> {
+                told.put("type", own.makes().equals(Localizer.class) ? "localizer" : "navigator");
+                yield Pose2d.ORIGIN;
+            }
         };
-        told.put("period", seconds(period(part)));
+        period(part).ifPresent(period -> told.put("period", seconds(period)));
         return new Told(mount, told);
     }
 
@@ -174,17 +180,18 @@ final class PartWriter {
         return duration.toNanos() / 1e9;
     }
 
-    private static Duration period(Part part) {
+    private static Optional<Duration> period(Part part) {
         return switch (part) {
-            case Part.Laser laser -> laser.period();
-            case Part.Sonars sonars -> sonars.period();
-            case Part.BlobFinder finder -> finder.period();
-            case Part.FiducialFinder finder -> finder.period();
-            case Part.Gripper gripper -> gripper.period();
-            case Part.Bumper bumper -> bumper.period();
-            case Part.Actuator actuator -> actuator.period();
-            case Part.Battery battery -> battery.period();
-            case Part.Light light -> light.period();
+            case Part.Laser laser -> Optional.of(laser.period());
+            case Part.Sonars sonars -> Optional.of(sonars.period());
+            case Part.BlobFinder finder -> Optional.of(finder.period());
+            case Part.FiducialFinder finder -> Optional.of(finder.period());
+            case Part.Gripper gripper -> Optional.of(gripper.period());
+            case Part.Bumper bumper -> Optional.of(bumper.period());
+            case Part.Actuator actuator -> Optional.of(actuator.period());
+            case Part.Battery battery -> Optional.of(battery.period());
+            case Part.Light light -> Optional.of(light.period());
+            case Part.Own _ -> Optional.empty();
         };
     }
 }

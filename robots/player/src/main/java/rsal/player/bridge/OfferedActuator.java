@@ -24,9 +24,6 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
     private static final Duration AGAIN = Duration.ofMillis(100);
     private static final int LINEAR = 1;
     private static final int ROTARY = 2;
-    private static final int IDLE = 1;
-    private static final int MOVING = 2;
-    private static final int STALLED = 8;
 
     private final Actuator actuator;
     private OptionalDouble speed = OptionalDouble.empty();
@@ -50,9 +47,9 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
     void tell(Stamped<ActuatorState> reading) {
         ActuatorState state = reading.value();
         int motion = switch (state.motion()) {
-            case IDLE -> IDLE;
-            case MOVING -> MOVING;
-            case STALLED -> STALLED;
+            case IDLE -> Actarray.IDLE;
+            case MOVING -> Actarray.MOVING;
+            case STALLED -> Actarray.STALLED;
         };
         var joint = new Actarray.Joint((float) state.position(), (float) state.speed(), 0, 0, motion);
         publish(Actarray.STATE, reading.time(), new Actarray.State(List.of(joint), 1));

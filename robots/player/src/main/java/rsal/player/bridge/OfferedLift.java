@@ -18,8 +18,6 @@ import rsal.time.Scheduler;
 /// has no stops in between: to any place in its upper half it goes up.
 final class OfferedLift extends OfferedSensor<GripperState> {
     private static final int LINEAR = 1;
-    private static final int IDLE = 1;
-    private static final int MOVING = 2;
 
     private final Jaws jaws;
 
@@ -33,7 +31,7 @@ final class OfferedLift extends OfferedSensor<GripperState> {
         GripperState state = reading.value();
         boolean moving = state.lift() == Lift.RISING || state.lift() == Lift.SINKING;
         float raised = Double.isNaN(state.raised()) ? 0.5f : (float) state.raised();
-        var joint = new Actarray.Joint(raised, 0, 0, 0, moving ? MOVING : IDLE);
+        var joint = new Actarray.Joint(raised, 0, 0, 0, moving ? Actarray.MOVING : Actarray.IDLE);
         publish(Actarray.STATE, reading.time(), new Actarray.State(List.of(joint), 1));
     }
 

@@ -2,6 +2,7 @@ package rsal.player.device;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.Optional;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
@@ -11,20 +12,15 @@ import rsal.device.DriveBase;
 import rsal.player.message.Position2d;
 import rsal.player.wire.Address;
 import rsal.robot.RobotModel.Drive;
-import rsal.time.Scheduler;
-import rsal.time.Task;
 
 /// A base behind `position2d`. A velocity holds there until the next one, so that this one sees to it that commands
 /// dry up: it says the newest again and again while it is fresh, and then once that the robot is to stop. When the
 /// connection is lost what was commanded is forgotten: whoever drives must do so again.
 final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
-    private static final Duration AGAIN = Duration.ofMillis(50);
-
     private final RemoteServer server;
     private final Drive drive;
     private final Duration watchdog;
-    private final Scheduler clock;
-    private final Task repeating;
+    private final InstantSource clock;
     private boolean enabled;
     private Optional<Twist2d> wanted = Optional.empty();
     private Instant wantedAt = Instant.MIN;
@@ -40,14 +36,13 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
             Drive drive,
             Duration watchdog,
             boolean armed,
-            Scheduler scheduler) {
+            InstantSource clock) {
         super(info, address, info.robot() + "/odom");
         this.server = server;
         this.drive = drive;
         this.watchdog = watchdog;
         this.enabled = armed;
-        this.clock = scheduler;
-        this.repeating = scheduler.every(AGAIN, this::repeat);
+        this.clock = clock;
     }
 
     @Override
@@ -80,10 +75,11 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
     }
 
     /// Says again what is wanted, unless that would be too old before it can be said once more.
-    private void repeat() {
+    @Override
+    public void look(Instant now) {
+        super.look(now);
         if (wanted.isPresent()) {
-            Duration age = Duration.between(wantedAt, clock.instant());
-            if (age.plus(AGAIN).compareTo(watchdog) > 0) {
+            if (wantedAt.plus(watchdog).isBefore(now.plus(RemoteServer.LOOK))) {
                 stop();
             } else {
                 send(wanted.get());
@@ -140,7 +136,6 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
 
     /// Stops the robot, for good.
     void end() {
-        repeating.cancel();
         enabled = false;
         stop();
     }

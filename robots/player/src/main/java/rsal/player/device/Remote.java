@@ -23,6 +23,9 @@ interface Remote {
     /// @param time when that was measured
     void take(Instant time, Record body);
 
+    /// All that is new for now was taken.
+    default void delivered() {}
+
     /// There is no connection any more, or the server has no such device.
     void lost(String reason);
 

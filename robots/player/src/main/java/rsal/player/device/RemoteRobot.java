@@ -5,11 +5,13 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
+import rsal.device.Localizer;
 import rsal.player.message.Interface;
 import rsal.player.wire.Address;
 import rsal.robot.Robot;
@@ -25,6 +27,8 @@ public final class RemoteRobot {
     private final RobotSpec spec;
     private final List<Seen> seen;
     private final int index;
+    private final Duration watchdog;
+    private final Scheduler scheduler;
     private final Map<Kind, Integer> taken = new EnumMap<>(Kind.class);
     private final List<Device> devices = new ArrayList<>();
     private final List<CompletionStage<Void>> connecting = new ArrayList<>();
@@ -43,7 +47,12 @@ public final class RemoteRobot {
         BUMPER,
         BATTERY,
         CAMERA,
-        MARKERS;
+        MARKERS,
+        GRIPPER,
+        JOINT,
+        INPUTS,
+        LOCALIZER,
+        PLANNER;
 
         /// All of a server, in their order: what is told of a scanner or of sonars as `ranger` goes before what is told
         /// of the same one otherwise.
@@ -56,6 +65,11 @@ public final class RemoteRobot {
                 case BATTERY -> offer.of(Interface.POWER);
                 case CAMERA -> offer.of(Interface.BLOBFINDER);
                 case MARKERS -> offer.of(Interface.FIDUCIAL);
+                case GRIPPER -> offer.of(Interface.GRIPPER);
+                case JOINT -> offer.of(Interface.ACTARRAY);
+                case INPUTS -> offer.of(Interface.DIO);
+                case LOCALIZER -> offer.of(Interface.LOCALIZE);
+                case PLANNER -> offer.of(Interface.PLANNER);
             };
         }
     }
@@ -74,6 +88,8 @@ public final class RemoteRobot {
             Scheduler scheduler) {
         this.spec = spec;
         this.index = index;
+        this.watchdog = watchdog;
+        this.scheduler = scheduler;
         this.seen =
                 servers.stream().map(server -> new Seen(server, server.offer())).toList();
         Found drive = next(Kind.BASE, "base", 1);
@@ -87,7 +103,7 @@ public final class RemoteRobot {
 
     /// Whether Player has something like a part.
     public static boolean has(Part part) {
-        return !(part instanceof Part.Light || part instanceof Part.Actuator || part instanceof Part.Gripper);
+        return !(part instanceof Part.Light);
     }
 
     private DeviceInfo info(String name) {
@@ -120,9 +136,40 @@ public final class RemoteRobot {
                 Found at = next(Kind.MARKERS, name, count(Part.FiducialFinder.class));
                 add(at.server, new PlayerMarkers(info(name), at.address, finder));
             }
-            case Part.Light _, Part.Actuator _, Part.Gripper _ ->
-                throw new IllegalArgumentException("(%s) is refused before.".formatted(part.name()));
+            case Part.Gripper gripper -> add(name, gripper);
+            case Part.Actuator actuator -> {
+                Found at = next(Kind.JOINT, name, joints());
+                add(at.server, new PlayerActuator(info(name), at.address, at.server, actuator, watchdog, scheduler));
+            }
+            case Part.Own own
+            when own.makes().equals(Localizer.class) -> {
+                Found at = next(Kind.LOCALIZER, name, 1);
+                add(at.server, new PlayerLocalizer(info(name), at.address, at.server, base, scheduler));
+            }
+            case Part.Own _ -> {
+                Found at = next(Kind.PLANNER, name, 1);
+                add(at.server, new PlayerNavigator(info(name), at.address, at.server, scheduler));
+            }
+            case Part.Light _ -> throw new IllegalArgumentException("(%s) is refused before.".formatted(part.name()));
         }
+    }
+
+    /// With what the servers have of its lift and its beams.
+    private void add(String name, Part.Gripper part) {
+        Found at = next(Kind.GRIPPER, name, count(Part.Gripper.class));
+        Optional<PlayerLift> lift = part.hasLift()
+                ? find(Kind.JOINT, joints()).map(joint -> connect(joint, new PlayerLift(joint.address, joint.server)))
+                : Optional.empty();
+        Optional<PlayerBeams> beams = find(Kind.INPUTS, count(Part.Gripper.class))
+                .map(inputs -> connect(inputs, new PlayerBeams(inputs.address)));
+        add(at.server, new PlayerGripper(info(name), at.address, at.server, lift, beams, scheduler));
+    }
+
+    /// How many joints each robot has: its actuators, and the lifts of its grippers.
+    private int joints() {
+        return (int) spec.model().sensors().values().stream()
+                .filter(part -> part instanceof Part.Actuator || (part instanceof Part.Gripper its && its.hasLift()))
+                .count();
     }
 
     private int count(Class<? extends Part> type) {
@@ -135,20 +182,27 @@ public final class RemoteRobot {
     ///
     /// @param each how many of this kind each robot has
     private Found next(Kind kind, String name, int each) {
+        return find(kind, each)
+                .orElseThrow(() -> new IllegalStateException("Robot (%s) has no device for its (%s): %s."
+                        .formatted(
+                                spec.id(),
+                                name,
+                                seen.stream()
+                                        .map(one -> "(%s) has %s".formatted(one.server.name(), one.offer.words()))
+                                        .collect(Collectors.joining(", ")))));
+    }
+
+    private Optional<Found> find(Kind kind, int each) {
         int number = index * each + taken.merge(kind, 1, Integer::sum) - 1;
-        List<Found> all = seen.stream()
+        return seen.stream()
                 .flatMap(one -> kind.of(one.offer).stream().map(address -> new Found(one.server, address)))
-                .toList();
-        if (number >= all.size()) {
-            throw new IllegalStateException("Robot (%s) has no device for its (%s): %s."
-                    .formatted(
-                            spec.id(),
-                            name,
-                            seen.stream()
-                                    .map(one -> "(%s) has %s".formatted(one.server.name(), one.offer.words()))
-                                    .collect(Collectors.joining(", "))));
-        }
-        return all.get(number);
+                .skip(number)
+                .findFirst();
+    }
+
+    private <R extends Remote> R connect(Found at, R device) {
+        connecting.add(at.server.add(device));
+        return device;
     }
 
     private <D extends Device & Remote> void add(RemoteServer server, D device) {

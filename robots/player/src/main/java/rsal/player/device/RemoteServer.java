@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -31,7 +32,9 @@ public final class RemoteServer implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(RemoteServer.class.getName());
     private static final Duration SETUP = Duration.ofSeconds(10); // drivers may take seconds to begin
     private static final Duration PATIENCE = Duration.ofSeconds(2); // with answers
-    private static final Duration LOOK = Duration.ofMillis(250);
+
+    /// How often [Remote#look] is called.
+    static final Duration LOOK = Duration.ofMillis(50);
 
     private final String name;
     private final Scheduler scheduler;
@@ -92,6 +95,11 @@ public final class RemoteServer implements AutoCloseable {
             }
             return null;
         });
+    }
+
+    /// Why there is no connection, when there is none.
+    String reason() {
+        return reason;
     }
 
     public boolean isConnected() {
@@ -230,11 +238,14 @@ public final class RemoteServer implements AutoCloseable {
             all = List.copyOf(news.values());
             news.clear();
         }
+        var touched = new LinkedHashSet<Remote>();
         for (News one : all) {
             if (one.member.ready) {
                 one.member.device.take(one.time, one.body);
+                touched.add(one.member.device);
             }
         }
+        touched.forEach(Remote::delivered);
     }
 
     /// Lets go of the server; what was commanded before still goes out. Nothing is told any more.
@@ -243,8 +254,9 @@ public final class RemoteServer implements AutoCloseable {
         link.close();
         looking.cancel();
         connection = null;
-        members.clear();
         reason = "It was let go.";
+        members.values().forEach(member -> member.device.lost(reason));
+        members.clear();
     }
 
     /// What comes over the network, on its threads.

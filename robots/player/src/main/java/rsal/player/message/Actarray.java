@@ -20,9 +20,15 @@ public final class Actarray {
     public static final int SET_SPEED = 4;
     public static final int SET_ACCELERATION = 5;
 
+    /// [Joint#state]
+    public static final int IDLE = 1;
+
+    public static final int MOVING = 2;
+    public static final int BRAKED = 4;
+    public static final int STALLED = 8;
+
     private Actarray() {}
 
-    /// @param state 1 idle, 2 moving, 4 braked, 8 stalled
     public record Joint(float position, float speed, float acceleration, float current, int state) {}
 
     public record State(List<Joint> joints, int motors) {}

@@ -1,0 +1,223 @@
+package rsal.player.device;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import rsal.data.GripperState;
+import rsal.data.GripperState.Lift;
+import rsal.data.GripperState.Paddles;
+import rsal.data.Stamped;
+import rsal.device.DeviceInfo;
+import rsal.device.GoalHandle;
+import rsal.device.GoalSource;
+import rsal.device.Gripper;
+import rsal.player.message.Gripper.State;
+import rsal.player.wire.Address;
+
+/// A gripper behind `gripper`; its lift and its beams are [behind devices][PlayerLift] [of their own][PlayerBeams],
+/// where a server has them. Without the latter its beams are what Stage's gripper has as bits 2 and 3.
+///
+/// Paddles that move do not say which way, and those that stand half open say that they move: both follows from what
+/// they were told last.
+final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper {
+    private static final Duration PATIENCE = Duration.ofSeconds(15);
+    private static final int OPEN = 1;
+    private static final int CLOSED = 2;
+    private static final int INNER = 4;
+    private static final int OUTER = 8;
+
+    private final RemoteServer server;
+    private final InstantSource clock;
+    private final Optional<PlayerLift> lift;
+    private final Optional<PlayerBeams> beams;
+    private final Errand paddles = new Errand();
+    private final Errand lifting = new Errand();
+    private @Nullable State told;
+    private Instant changed = Instant.EPOCH; // anything of it
+    private boolean news;
+
+    PlayerGripper(
+            DeviceInfo info,
+            Address address,
+            RemoteServer server,
+            Optional<PlayerLift> lift,
+            Optional<PlayerBeams> beams,
+            InstantSource clock) {
+        super(info, address, info.id());
+        this.server = server;
+        this.clock = clock;
+        this.lift = lift;
+        this.beams = beams;
+        lift.ifPresent(its -> its.onChange(this::changed));
+        beams.ifPresent(its -> its.onChange(this::changed));
+    }
+
+    @Override
+    Optional<GripperState> read(Record body) {
+        throw new AssertionError("It is put together from what several devices say.");
+    }
+
+    @Override
+    public void take(Instant time, Record body) {
+        if (body instanceof State state) {
+            told = state;
+            changed(time);
+        }
+    }
+
+    private void changed(Instant time) {
+        changed = time.isAfter(changed) ? time : changed;
+        news = true;
+    }
+
+    @Override
+    public void delivered() {
+        if (news && told != null) {
+            news = false;
+            GripperState state = state();
+            tell(changed, state);
+            latest().ifPresent(reading -> {
+                paddles.tell(reading);
+                lifting.tell(reading);
+            });
+            if (state.paddles() == (paddles.target == 1 ? Paddles.CLOSED : Paddles.OPEN)) {
+                paddles.end(new Result.Reached(state));
+            }
+            if (state.lift() == (lifting.target == 1 ? Lift.UP : Lift.DOWN)) {
+                lifting.end(new Result.Reached(state));
+            }
+        }
+    }
+
+    private GripperState state() {
+        int beam = told == null ? 0 : told.beams();
+        return new GripperState(
+                paddles(),
+                isAt(OPEN) ? 0 : isAt(CLOSED) ? 1 : Double.NaN,
+                lift.map(its -> its.state(lifting.goal == null ? 0 : lifting.target == 1 ? 1 : -1))
+                        .orElse(Lift.DOWN),
+                lift.map(PlayerLift::raised).orElse(0.0),
+                beams.map(PlayerBeams::inner).orElse((beam & INNER) != 0),
+                beams.map(PlayerBeams::outer).orElse((beam & OUTER) != 0),
+                beams.map(PlayerBeams::left).orElse(false),
+                beams.map(PlayerBeams::right).orElse(false),
+                holds());
+    }
+
+    private boolean isAt(int code) {
+        return told != null && told.state() == code;
+    }
+
+    private Paddles paddles() {
+        boolean moved = paddles.goal != null;
+        if (isAt(OPEN)) {
+            return moved && paddles.target == 1 ? Paddles.CLOSING : Paddles.OPEN;
+        }
+        if (isAt(CLOSED)) {
+            return moved && paddles.target == 0 ? Paddles.OPENING : Paddles.CLOSED;
+        }
+        return moved ? paddles.target == 1 ? Paddles.CLOSING : Paddles.OPENING : Paddles.STOPPED;
+    }
+
+    /// Stage does not say what is stored: then it is what breaks a beam between closed paddles.
+    private boolean holds() {
+        return told != null && (told.stored() != 0 || (isAt(CLOSED) && (told.beams() & (INNER | OUTER)) != 0));
+    }
+
+    @Override
+    public GoalHandle<GripperState, Result> open() {
+        return move(0, rsal.player.message.Gripper.OPEN);
+    }
+
+    @Override
+    public GoalHandle<GripperState, Result> close() {
+        return move(1, rsal.player.message.Gripper.CLOSE);
+    }
+
+    private GoalHandle<GripperState, Result> move(int target, int command) {
+        GoalHandle<GripperState, Result> goal = paddles.begin(
+                target, clock.instant(), () -> server.command(address(), rsal.player.message.Gripper.STOP));
+        if (server.isConnected()) {
+            server.command(address(), command);
+        } else {
+            paddles.end(new Result.Stuck(state(), server.reason()));
+        }
+        return goal;
+    }
+
+    @Override
+    public GoalHandle<GripperState, Result> lift() {
+        return raise(1);
+    }
+
+    @Override
+    public GoalHandle<GripperState, Result> lower() {
+        return raise(0);
+    }
+
+    private GoalHandle<GripperState, Result> raise(int target) {
+        GoalHandle<GripperState, Result> goal =
+                lifting.begin(target, clock.instant(), () -> lift.ifPresent(PlayerLift::stop));
+        if (lift.isEmpty()) {
+            lifting.end(target == 0 ? new Result.Reached(state()) : new Result.Stuck(state(), "It has no lift."));
+        } else if (!server.isConnected()) {
+            lifting.end(new Result.Stuck(state(), server.reason()));
+        } else {
+            lift.get().goTo(target);
+        }
+        return goal;
+    }
+
+    @Override
+    public void lost(String reason) {
+        paddles.end(new Result.Stuck(state(), reason));
+        lifting.end(new Result.Stuck(state(), reason));
+        super.lost(reason);
+    }
+
+    @Override
+    public void look(Instant now) {
+        super.look(now);
+        for (Errand errand : new Errand[] {paddles, lifting}) {
+            if (errand.goal != null && errand.begun.isBefore(now.minus(PATIENCE))) {
+                errand.end(new Result.Stuck(state(), "It does not get there."));
+            }
+        }
+    }
+
+    /// What paddles or lift are to do: be at 0 (open, down) or 1.
+    private static final class Errand {
+        private int target;
+        private Instant begun = Instant.MIN;
+        private @Nullable GoalSource<GripperState, Result> goal;
+
+        /// The one before is cancelled.
+        GoalHandle<GripperState, Result> begin(int place, Instant now, Runnable stop) {
+            end(new Result.Cancelled());
+            target = place;
+            begun = now;
+            GoalSource<GripperState, Result> next = new GoalSource<>(() -> {
+                stop.run();
+                end(new Result.Cancelled());
+            });
+            goal = next;
+            return next;
+        }
+
+        void tell(Stamped<GripperState> reading) {
+            if (goal != null) {
+                goal.tell(reading);
+            }
+        }
+
+        void end(Result ending) {
+            GoalSource<GripperState, Result> ended = goal;
+            goal = null;
+            if (ended != null) {
+                ended.end(ending);
+            }
+        }
+    }
+}

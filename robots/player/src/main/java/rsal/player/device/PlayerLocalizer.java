@@ -1,0 +1,176 @@
+package rsal.player.device;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Covariance2d;
+import rsal.data.Odometry;
+import rsal.data.ParticleCloud;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Hypothesis;
+import rsal.data.PoseEstimate.Quality;
+import rsal.data.Stamped;
+import rsal.device.DeviceInfo;
+import rsal.device.DriveBase;
+import rsal.device.Localizer;
+import rsal.player.message.Localize;
+import rsal.player.wire.Address;
+
+/// A robot's own localizer, behind `localize`. Player's amcl says something only when it has looked anew, after
+/// 0.2 m or 30°: in between, estimates go with the odometry.
+final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Localizer {
+    private static final int REMEMBERED = 50; // odometry, to know where the robot was when it was localized
+    private static final double SURE = 0.5; // m, rad: with deviations of less a robot is localized
+    private static final Duration LOOK_AGAIN = Duration.ofMillis(500); // at particles
+
+    private final RemoteServer server;
+    private final InstantSource clock;
+    private final Deque<Stamped<Odometry>> driven = new ArrayDeque<>();
+    private @Nullable PoseEstimate known;
+    private Pose2d odomFromKnown = Pose2d.ORIGIN;
+    private Optional<Stamped<ParticleCloud>> particles = Optional.empty();
+    private Instant asked = Instant.MIN; // for particles
+
+    PlayerLocalizer(DeviceInfo info, Address address, RemoteServer server, DriveBase base, InstantSource clock) {
+        super(info, address, "map");
+        this.server = server;
+        this.clock = clock;
+        base.subscribe(this::drove);
+    }
+
+    private void drove(Stamped<Odometry> odometry) {
+        driven.addLast(odometry);
+        if (driven.size() > REMEMBERED) {
+            driven.removeFirst();
+        }
+        PoseEstimate last = known;
+        if (last != null) {
+            Pose2d way = odomFromKnown.inverse().compose(odometry.value().odomFromBase());
+            tell(odometry.time(), last.moved(way));
+        }
+    }
+
+    @Override
+    boolean isSteady() {
+        return false;
+    }
+
+    @Override
+    Optional<PoseEstimate> read(Record body) {
+        if (!(body instanceof Localize.Hypotheses told)) {
+            return Optional.empty();
+        }
+        List<Hypothesis> all = hypotheses(told.hypotheses());
+        if (all.isEmpty()) {
+            return Optional.empty();
+        }
+        Hypothesis best = all.getFirst();
+        return Optional.of(new PoseEstimate(
+                best.mapFromBase(), best.covariance(), all, Math.clamp(best.weight(), 0, 1), quality(best)));
+    }
+
+    /// Those that are numbers, heaviest first, their weights 1 together at most.
+    private static List<Hypothesis> hypotheses(List<Localize.Hypothesis> told) {
+        var all = new ArrayList<Hypothesis>();
+        for (Localize.Hypothesis one : told) {
+            double[] c = one.covariance();
+            var covariance = new Covariance2d(c[0], c[3], c[5], c[1], c[4], c[2]);
+            Pose2d mapFromBase = Poses.of(one.mapFromBase());
+            if (mapFromBase.isFinite() && covariance.isFinite() && one.weight() >= 0 && one.weight() < 1e9) {
+                all.add(new Hypothesis(one.weight(), mapFromBase, covariance));
+            }
+        }
+        double sum = all.stream().mapToDouble(Hypothesis::weight).sum();
+        return all.stream()
+                .map(one -> sum > 1 ? new Hypothesis(one.weight() / sum, one.mapFromBase(), one.covariance()) : one)
+                .sorted(Comparator.comparingDouble(Hypothesis::weight).reversed())
+                .toList();
+    }
+
+    private static Quality quality(Hypothesis best) {
+        boolean sure = best.covariance().positionDeviation() < SURE
+                && Math.sqrt(Math.max(0, best.covariance().thetaTheta())) < SURE;
+        if (!sure) {
+            return Quality.LOST;
+        }
+        return best.weight() > 0.5 ? Quality.LOCALIZED : Quality.AMBIGUOUS;
+    }
+
+    @Override
+    public void take(Instant time, Record body) {
+        read(body).ifPresent(estimate -> believe(estimate, time));
+    }
+
+    /// What is told of the same time as the newest odometry is part of the next estimate.
+    private void believe(PoseEstimate estimate, Instant time) {
+        known = estimate;
+        odomFromKnown = odomFromBase(time);
+        if (driven.isEmpty() || driven.getLast().time().isBefore(time)) {
+            tell(time, estimate);
+        }
+    }
+
+    /// Where odometry had the robot at a time, or nearest to it.
+    private Pose2d odomFromBase(Instant time) {
+        return driven.stream()
+                .min(Comparator.comparing(
+                        odometry -> Duration.between(odometry.time(), time).abs()))
+                .map(odometry -> odometry.value().odomFromBase())
+                .orElse(Pose2d.ORIGIN);
+    }
+
+    /// What is believed is a reading once the server has taken it.
+    @Override
+    public CompletionStage<Void> relocalize(PoseEstimate belief) {
+        Covariance2d c = belief.covariance();
+        var told = new Localize.SetPose(
+                Poses.of(belief.mapFromBase()),
+                new double[] {c.xx(), c.yy(), c.thetaTheta(), c.xy(), c.yTheta(), c.xTheta()});
+        return server.ask(address(), Localize.SET_POSE, Optional.of(told))
+                .thenAccept(_ -> believe(belief, clock.instant()));
+    }
+
+    /// Asked for when somebody looks, so that the first look shows none, and at most twice a second.
+    @Override
+    public Optional<Stamped<ParticleCloud>> particles() {
+        Instant now = clock.instant();
+        if (asked.isBefore(now.minus(LOOK_AGAIN))) {
+            asked = now;
+            server.ask(address(), Localize.PARTICLES, Optional.empty())
+                    .thenAccept(answer -> particles = answer.filter(Localize.Particles.class::isInstance)
+                            .map(Localize.Particles.class::cast)
+                            .map(told -> new Stamped<>(now, "map", cloud(told.particles()))));
+        }
+        return particles;
+    }
+
+    private static ParticleCloud cloud(List<Localize.Particle> told) {
+        var poses = new float[3 * told.size()];
+        var weights = new float[told.size()];
+        double sum = told.stream().mapToDouble(Localize.Particle::weight).sum();
+        for (int i = 0; i < weights.length; i++) {
+            Localize.Particle one = told.get(i);
+            poses[3 * i] = (float) one.mapFromBase().x();
+            poses[3 * i + 1] = (float) one.mapFromBase().y();
+            poses[3 * i + 2] = (float) one.mapFromBase().theta();
+            weights[i] = (float) (sum > 0 ? one.weight() / sum : 1.0 / weights.length);
+        }
+        return new ParticleCloud(poses, weights);
+    }
+
+    @Override
+    public void lost(String reason) {
+        known = null;
+        driven.clear();
+        super.lost(reason);
+    }
+}

@@ -1,0 +1,246 @@
+package rsal.player.device;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import rsal.data.Path2d;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Stamped;
+import rsal.device.DeviceCore;
+import rsal.device.DeviceInfo;
+import rsal.device.GoalHandle;
+import rsal.device.GoalSource;
+import rsal.device.Health;
+import rsal.device.Navigator;
+import rsal.player.message.Planner;
+import rsal.player.message.Pose;
+import rsal.player.wire.Address;
+
+/// A robot's own navigator, behind `planner`. A goal is reached when the robot is as near as was asked for, or when the
+/// server has it so. The protocol has no way to call a goal off: the planner is switched off then, until there is a new
+/// one.
+final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
+    private static final Duration NO_WAY = Duration.ofSeconds(5); // without one a goal has none
+    private static final Duration STUCK = Duration.ofSeconds(60); // without getting nearer
+    private static final Duration ASK = Duration.ofSeconds(1); // for waypoints
+    private static final double NEARER = 0.2; // m
+
+    private final Address address;
+    private final RemoteServer server;
+    private final InstantSource clock;
+    private @Nullable Trip trip;
+    private boolean paused;
+    private boolean off; // for a goal that was called off
+
+    /// A goal with how it gets on.
+    private static final class Trip {
+        private final Pose2d mapFromGoal;
+        private final Tolerance tolerance;
+        private final Instant begun;
+        private final GoalSource<Progress, Result> goal;
+        private Optional<Planner.State> told = Optional.empty();
+        private List<Point2d> waypoints = List.of();
+        private Instant asked = Instant.MIN; // for them
+        private Instant valid; // when there was a way last
+        private Instant nearer; // when it got nearer last
+        private double nearest = Double.POSITIVE_INFINITY; // remaining way [m]
+
+        Trip(Pose2d mapFromGoal, Tolerance tolerance, Instant begun, GoalSource<Progress, Result> goal) {
+            this.mapFromGoal = mapFromGoal;
+            this.tolerance = tolerance;
+            this.begun = begun;
+            this.goal = goal;
+            this.valid = begun;
+            this.nearer = begun;
+        }
+
+        Pose2d mapFromBase() {
+            return told.map(state -> Poses.of(state.mapFromBase())).orElse(Pose2d.ORIGIN);
+        }
+
+        Path2d path() {
+            if (told.isEmpty()) {
+                return Path2d.EMPTY;
+            }
+            var points = new ArrayList<Point2d>();
+            points.add(mapFromBase().position());
+            int next = Math.clamp(told.get().waypointIndex(), 0, waypoints.size());
+            points.addAll(waypoints.subList(next, waypoints.size()));
+            if (points.size() == 1) {
+                points.add(mapFromGoal.position());
+            }
+            return new Path2d(points);
+        }
+    }
+
+    PlayerNavigator(DeviceInfo info, Address address, RemoteServer server, InstantSource clock) {
+        super(info);
+        this.address = address;
+        this.server = server;
+        this.clock = clock;
+    }
+
+    @Override
+    public Address address() {
+        return address;
+    }
+
+    @Override
+    public GoalHandle<Progress, Result> goTo(Pose2d mapFromGoal, Tolerance tolerance) {
+        if (!mapFromGoal.isFinite()) {
+            throw new IllegalArgumentException("A goal must be finite, not (%s).".formatted(mapFromGoal));
+        }
+        end(new Result.Cancelled());
+        var goal = new Trip[1];
+        GoalSource<Progress, Result> source = new GoalSource<>(() -> cancel(goal[0]));
+        goal[0] = new Trip(mapFromGoal, tolerance, clock.instant(), source);
+        if (!server.isConnected()) {
+            source.end(new Result.Stuck(Pose2d.ORIGIN, Duration.ZERO, server.reason()));
+            return source;
+        }
+        trip = goal[0];
+        server.command(address, Planner.GOAL, new Planner.Place(Poses.of(mapFromGoal)));
+        if (off && !paused) {
+            enable(true);
+        }
+        off = false;
+        return source;
+    }
+
+    private void cancel(Trip old) {
+        if (old.equals(trip)) {
+            stop();
+            end(new Result.Cancelled());
+        }
+    }
+
+    private void stop() {
+        off = true;
+        enable(false);
+    }
+
+    private void enable(boolean on) {
+        server.ask(address, Planner.ENABLE, Optional.of(new Planner.Enable(on ? 1 : 0)));
+    }
+
+    private void end(Result ending) {
+        Trip ended = trip;
+        trip = null;
+        if (ended != null) {
+            ended.goal.end(ending);
+        }
+    }
+
+    @Override
+    public void take(Instant time, Record body) {
+        Trip now = trip;
+        if (now == null || !(body instanceof Planner.State state) || !isFinite(state)) {
+            return;
+        }
+        boolean ours = Poses.of(state.mapFromGoal()).isNear(now.mapFromGoal, 0.01, 0.01);
+        now.told = Optional.of(state);
+        Pose2d mapFromBase = now.mapFromBase();
+        if (ours && state.valid() != 0) {
+            now.valid = time;
+        }
+        double remaining = now.path().length();
+        if (remaining < now.nearest - NEARER || paused) {
+            now.nearest = Math.min(remaining, now.nearest);
+            now.nearer = time;
+        }
+        Duration driving = Duration.between(now.begun, time);
+        boolean done = ours && state.done() != 0;
+        if (done || mapFromBase.isNear(now.mapFromGoal, now.tolerance.distance(), now.tolerance.angle())) {
+            if (!done) {
+                stop();
+            }
+            end(new Result.Reached(mapFromBase));
+        } else if (Duration.between(now.valid, time).compareTo(NO_WAY) > 0) {
+            stop();
+            end(new Result.NoPath("The robot's own planner has no way there."));
+        } else if (Duration.between(now.nearer, time).compareTo(STUCK) > 0) {
+            stop();
+            end(new Result.Stuck(mapFromBase, driving, "It got no nearer for %d s.".formatted(STUCK.toSeconds())));
+        } else {
+            Point2d waypoint =
+                    state.waypoints() > 0 ? Poses.of(state.waypoint()).position() : now.mapFromGoal.position();
+            now.goal.tell(new Stamped<>(time, "map", new Progress(mapFromBase, remaining, waypoint, driving)));
+        }
+    }
+
+    private static boolean isFinite(Planner.State state) {
+        return Poses.of(state.mapFromBase()).isFinite()
+                && Poses.of(state.mapFromGoal()).isFinite()
+                && Poses.of(state.waypoint()).isFinite();
+    }
+
+    @Override
+    public void look(Instant now) {
+        Trip asking = trip;
+        if (asking != null && asking.asked.isBefore(now.minus(ASK))) {
+            asking.asked = now;
+            server.ask(address, Planner.WAYPOINTS, Optional.empty())
+                    .thenAccept(answer -> answer.filter(Planner.Waypoints.class::isInstance)
+                            .map(Planner.Waypoints.class::cast)
+                            .ifPresent(told -> asking.waypoints = points(told.waypoints())));
+        }
+    }
+
+    private static List<Point2d> points(List<Pose> waypoints) {
+        return waypoints.stream()
+                .map(waypoint -> Poses.of(waypoint).position())
+                .filter(point -> Double.isFinite(point.x()) && Double.isFinite(point.y()))
+                .toList();
+    }
+
+    @Override
+    public void pause() {
+        paused = true;
+        enable(false);
+    }
+
+    @Override
+    public void resume() {
+        paused = false;
+        if (!off) {
+            enable(true);
+        }
+    }
+
+    @Override
+    public boolean paused() {
+        return paused;
+    }
+
+    @Override
+    public Optional<Pose2d> goal() {
+        return Optional.ofNullable(trip).map(now -> now.mapFromGoal);
+    }
+
+    @Override
+    public Path2d path() {
+        return Optional.ofNullable(trip).map(Trip::path).orElse(Path2d.EMPTY);
+    }
+
+    @Override
+    public void connected() {
+        health(Health.ok());
+        if (off || paused) {
+            enable(false);
+        }
+    }
+
+    @Override
+    public void lost(String reason) {
+        Trip ended = trip;
+        if (ended != null) {
+            end(new Result.Stuck(ended.mapFromBase(), Duration.between(ended.begun, clock.instant()), reason));
+        }
+        health(new Health.Lost(reason));
+    }
+}
