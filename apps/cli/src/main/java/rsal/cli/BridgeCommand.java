@@ -62,12 +62,18 @@ final class BridgeCommand extends Subcommand {
                     + " only.")
     private @Nullable String listen;
 
+    @Option(
+            names = "--no-agents",
+            description = "Leave out the scenario's agents and its end: nobody but the programs drives the robots.")
+    private boolean noAgents;
+
     @Override
     int run() throws Exception {
         BridgeProvider provider = provider();
         InetSocketAddress at = address(port == null ? provider.defaultPort() : port);
         ScenarioReference reference = ScenarioReference.parse(scenario);
-        RunPlan plan = reference.load().plan(options(reference.configuration()));
+        RunPlan asked = reference.load().plan(options(reference.configuration()));
+        RunPlan plan = noAgents ? asked.unmanned() : asked;
         checkServices(plan);
         tellNotes(plan);
         try (LiveRun run = LiveRun.start(plan)) {

@@ -92,6 +92,11 @@ final class RunCommand extends Subcommand {
     @Option(names = "--force", description = "Overwrite maps that are there.")
     private boolean force;
 
+    @Option(
+            names = "--arm",
+            description = "Switch the motors on at the start: robots of Player servers stand until somebody does.")
+    private boolean arm;
+
     @Override
     int run() throws Exception {
         ScenarioReference reference = ScenarioReference.parse(scenario);
@@ -101,19 +106,36 @@ final class RunCommand extends Subcommand {
             throw new ParameterException(
                     spec.commandLine(), "A world has no end of its own: without a page, say --for SECONDS.");
         }
+        if (headless && plan.startsDisarmed() && !arm) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "Its robots stand until somebody switches their motors on: without a page, say --arm.");
+        }
         Optional<SavedMaps> maps = Optional.ofNullable(saveMaps).map(folder -> SavedMaps.to(folder, plan, force));
         RunResult result = headless ? runHeadless(plan, maps) : runWithPage(plan, maps);
         return EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS);
     }
 
     private RunResult runHeadless(RunPlan plan, Optional<SavedMaps> maps) throws Exception {
-        try (LiveRun run = LiveRun.start(plan)) {
+        try (LiveRun run = start(plan)) {
             var ending = new ClosedAtExit(run);
             RunResult result = new Progress(err()).await(run);
             ending.checkNoSignal();
             maps.ifPresent(saved -> saved.write(run, err()));
             print(plan, result);
             return result;
+        }
+    }
+
+    private LiveRun start(RunPlan plan) {
+        LiveRun run = LiveRun.start(plan);
+        armIfWanted(run);
+        return run;
+    }
+
+    private void armIfWanted(LiveRun run) {
+        if (arm) {
+            run.rearm();
         }
     }
 
@@ -126,6 +148,7 @@ final class RunCommand extends Subcommand {
             err().println("Watch it at " + server.url());
             while (true) {
                 LiveRun run = runs.take();
+                armIfWanted(run);
                 RunResult result = new Progress(err()).await(run);
                 ending.checkNoSignal();
                 maps.ifPresent(saved -> saved.write(run, err()));

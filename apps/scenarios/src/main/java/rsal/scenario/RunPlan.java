@@ -97,6 +97,38 @@ public record RunPlan(
         return scene.map();
     }
 
+    /// The same with nobody who drives its robots, and nothing that ends it: for others to drive them.
+    public RunPlan unmanned() {
+        return new RunPlan(
+                scenario,
+                configuration,
+                options,
+                arguments,
+                seed,
+                mapName,
+                scene,
+                mrs,
+                mas,
+                clock,
+                robots,
+                things,
+                List.of(),
+                Optional.empty(),
+                communication,
+                faults,
+                speed,
+                step,
+                List.of(),
+                measures);
+    }
+
+    /// Whether robots stand until somebody switches their motors on.
+    public boolean startsDisarmed() {
+        return robots.stream()
+                .map(PlannedRobot::mrs)
+                .anyMatch(its -> its.provider().startsDisarmed(its.settings()));
+    }
+
     /// A multi-robot system: where robots come from. Those with the same provider and settings are one.
     ///
     /// @param seed of its own randomness

@@ -19,6 +19,11 @@ public interface RobotSystemProvider {
     /// What may be set beside `use`, for validation, help and the schema.
     List<Parameter> parameters();
 
+    /// Whether motors are off until somebody switches them on.
+    default boolean startsDisarmed(Arguments settings) {
+        return false;
+    }
+
     /// Makes the system without starting anything.
     ///
     /// @throws InvalidRobots when it can't have these robots in this world

@@ -57,6 +57,11 @@ public final class PlayerProvider implements RobotSystemProvider {
     }
 
     @Override
+    public boolean startsDisarmed(Arguments settings) {
+        return !settings.flag(ARMED.name());
+    }
+
+    @Override
     public RobotSystem create(Config config, Scheduler scheduler) {
         Arguments settings = config.settings();
         var problems = new ArrayList<Problem>();
@@ -81,6 +86,9 @@ public final class PlayerProvider implements RobotSystemProvider {
     }
 
     private static Map<RobotSpec, Berth> berths(Arguments settings, List<RobotSpec> robots) {
+        if (robots.isEmpty()) {
+            return Map.of(); // all of them are elsewhere
+        }
         List<Berth> all = Berth.read(settings.text(SERVERS.name()));
         if (all.isEmpty()) {
             int port = settings.integer(PORT.name());

@@ -281,6 +281,11 @@ class PlayerSystemTest {
     }
 
     @Test
+    void itMayHaveNoRobots() {
+        assertThat(discover(Map.of("servers", "nonsense"))).isEmpty();
+    }
+
+    @Test
     void robotsThatCantBeAreRefusedBeforeAnythingStarts() {
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("servers", "nonsense"), spec()))

@@ -5,6 +5,7 @@ import java.util.function.Function;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
+import rsal.device.DriveBase;
 import rsal.device.Navigator;
 
 /// What people tell robots to do, and all of them to stop. All calls on the run's thread.
@@ -105,6 +106,19 @@ final class Orders {
         team.controls().forEach(stop ? Controls::stop : Controls::rearm);
         journal.event("operator", "", stop ? "emergency stop" : "motors on again");
         return new Answer.Done();
+    }
+
+    /// Motors are off from the beginning, as after an emergency stop, where robots are not armed by themselves: real
+    /// ones
+    /// move only when somebody wants them to.
+    void begin() {
+        stopped = team.robots().values().stream()
+                .flatMap(robot -> robot.find(DriveBase.class).stream())
+                .anyMatch(base -> !base.enabled());
+        if (stopped) {
+            team.controls().forEach(Controls::stop);
+            journal.event("operator", "", "motors are off until somebody switches them on");
+        }
     }
 
     /// Whether the emergency stop holds.

@@ -77,6 +77,7 @@ final class Stage implements AutoCloseable {
             String id = planned.spec().id();
             found.stream().filter(robot -> robot.id().equals(id)).findFirst().ifPresent(robot -> equip(robot, planned));
         }
+        orders.begin();
         systems.onChange(this::changed);
         agents.gather(systems.simulation());
         systems.simulation().ifPresent(new Arrivals(plan, scheduler, journal)::begin);
