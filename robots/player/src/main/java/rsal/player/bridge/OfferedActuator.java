@@ -57,11 +57,7 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
 
     @Override
     public boolean understands(Kind kind, int subtype) {
-        return switch (kind) {
-            case COMMAND -> subtype >= Actarray.POSITION && subtype <= Actarray.HOME;
-            case REQUEST -> subtype == Actarray.GEOMETRY;
-            default -> false;
-        };
+        return Order.isOne(kind, subtype) || (kind == Kind.REQUEST && subtype == Actarray.GEOMETRY);
     }
 
     @Override
@@ -114,6 +110,10 @@ final class OfferedActuator extends OfferedSensor<ActuatorState> {
         record Speed(double speed) implements Order {}
 
         record Home() implements Order {}
+
+        static boolean isOne(Kind kind, int subtype) {
+            return kind == Kind.COMMAND && subtype >= Actarray.POSITION && subtype <= Actarray.HOME;
+        }
 
         /// Empty when it is about another joint, or about none.
         static Optional<Order> of(Packet command) throws MalformedException {

@@ -37,11 +37,7 @@ final class OfferedLift extends OfferedSensor<GripperState> {
 
     @Override
     public boolean understands(Kind kind, int subtype) {
-        return switch (kind) {
-            case COMMAND -> subtype >= Actarray.POSITION && subtype <= Actarray.HOME;
-            case REQUEST -> subtype == Actarray.GEOMETRY;
-            default -> false;
-        };
+        return OfferedActuator.Order.isOne(kind, subtype) || (kind == Kind.REQUEST && subtype == Actarray.GEOMETRY);
     }
 
     @Override

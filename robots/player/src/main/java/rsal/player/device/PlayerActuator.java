@@ -59,29 +59,22 @@ final class PlayerActuator extends PlayerSensor<ActuatorState> implements Actuat
 
     @Override
     public void answered(Record body) {
-        if (body instanceof Actarray.Geometry geometry && !geometry.joints().isEmpty()) {
-            Actarray.JointGeometry joint = geometry.joints().getFirst();
-            if (joint.max() > joint.min()) {
-                limits = new Interval(joint.min(), joint.max());
-            }
-        }
+        limits = Joints.limits(body).orElse(limits);
     }
 
     @Override
     Optional<ActuatorState> read(Record body) {
-        if (!(body instanceof Actarray.State state)
-                || state.joints().isEmpty()
-                || !Float.isFinite(state.joints().getFirst().position())) {
-            return Optional.empty();
-        }
-        Actarray.Joint joint = state.joints().getFirst();
+        return Joints.first(body).map(this::state);
+    }
+
+    private ActuatorState state(Actarray.Joint joint) {
         position = joint.position();
         Motion motion = switch (joint.state()) {
             case Actarray.MOVING -> Motion.MOVING;
             case Actarray.STALLED -> Motion.STALLED;
             default -> Motion.IDLE;
         };
-        return Optional.of(new ActuatorState(part.joint(), position, joint.speed(), limits, motion));
+        return new ActuatorState(part.joint(), position, joint.speed(), limits, motion);
     }
 
     @Override

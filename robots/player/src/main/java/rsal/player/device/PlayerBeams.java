@@ -1,40 +1,25 @@
 package rsal.player.device;
 
 import java.time.Instant;
-import java.util.function.Consumer;
 import rsal.player.message.Dio;
 import rsal.player.wire.Address;
 
 /// The beams and contacts of a gripper, which are inputs of a `dio`: the inner beam, the outer one, the left contact,
 /// the right one.
-final class PlayerBeams implements Remote {
-    private final Address address;
-    private Consumer<Instant> listener = _ -> {};
+final class PlayerBeams extends Limb {
     private int bits;
 
     PlayerBeams(Address address) {
-        this.address = address;
-    }
-
-    void onChange(Consumer<Instant> told) {
-        listener = told;
-    }
-
-    @Override
-    public Address address() {
-        return address;
+        super(address);
     }
 
     @Override
     public void take(Instant time, Record body) {
         if (body instanceof Dio.Values(int count, int values)) {
             bits = count >= Integer.SIZE ? values : values & (1 << Math.max(0, count)) - 1;
-            listener.accept(time);
+            changed(time);
         }
     }
-
-    @Override
-    public void lost(String reason) {}
 
     boolean inner() {
         return (bits & 1) != 0;

@@ -6,7 +6,6 @@ import rsal.data.LaserScan;
 import rsal.data.Pose2d;
 import rsal.device.DeviceInfo;
 import rsal.device.LaserScanner;
-import rsal.player.message.Interface;
 import rsal.player.message.Laser;
 import rsal.player.message.Ranger;
 import rsal.player.wire.Address;
@@ -32,9 +31,7 @@ final class PlayerLaser extends PlayerSensor<LaserScan> implements LaserScanner 
 
     @Override
     public List<Integer> questions() {
-        return address().interf() == Interface.RANGER.code()
-                ? List.of(Ranger.GEOMETRY, Ranger.CONFIGURATION)
-                : List.of(Laser.GEOMETRY);
+        return Ranges.questions(address(), Laser.GEOMETRY);
     }
 
     @Override
@@ -43,7 +40,7 @@ final class PlayerLaser extends PlayerSensor<LaserScan> implements LaserScanner 
             case Ranger.Geometry geometry -> baseFromLaser = Poses.of(geometry.pose());
             case Laser.Geometry geometry -> baseFromLaser = Poses.of(geometry.pose());
             case Ranger.Configuration configuration -> {
-                if (configuration.maxAngle() > configuration.minAngle() && configuration.maxRange() > 0) {
+                if (Ranges.isKnown(configuration)) {
                     angleMin = configuration.minAngle();
                     angleMax = configuration.maxAngle();
                     rangeMin = configuration.minRange();

@@ -2,35 +2,23 @@ package rsal.player.device;
 
 import java.time.Instant;
 import java.util.List;
-import java.util.function.Consumer;
 import rsal.data.GripperState.Lift;
+import rsal.data.Interval;
 import rsal.player.message.Actarray;
 import rsal.player.wire.Address;
 
 /// The lift of a gripper, which is the first joint of an `actarray`.
-final class PlayerLift implements Remote {
+final class PlayerLift extends Limb {
     private static final double NEAR = 0.1; // of its way
 
-    private final Address address;
     private final RemoteServer server;
-    private Consumer<Instant> listener = _ -> {};
-    private double bottom;
-    private double top = 1;
+    private Interval limits = new Interval(0, 1);
     private double raised;
     private boolean moves;
 
     PlayerLift(Address address, RemoteServer server) {
-        this.address = address;
+        super(address);
         this.server = server;
-    }
-
-    void onChange(Consumer<Instant> told) {
-        listener = told;
-    }
-
-    @Override
-    public Address address() {
-        return address;
     }
 
     @Override
@@ -40,27 +28,17 @@ final class PlayerLift implements Remote {
 
     @Override
     public void answered(Record body) {
-        if (body instanceof Actarray.Geometry geometry && !geometry.joints().isEmpty()) {
-            Actarray.JointGeometry joint = geometry.joints().getFirst();
-            if (joint.max() > joint.min()) {
-                bottom = joint.min();
-                top = joint.max();
-            }
-        }
+        limits = Joints.limits(body).orElse(limits);
     }
 
     @Override
     public void take(Instant time, Record body) {
-        if (body instanceof Actarray.State state && !state.joints().isEmpty()) {
-            Actarray.Joint joint = state.joints().getFirst();
-            raised = Math.clamp((joint.position() - bottom) / (top - bottom), 0, 1);
+        Joints.first(body).ifPresent(joint -> {
+            raised = Math.clamp((joint.position() - limits.least()) / (limits.most() - limits.least()), 0, 1);
             moves = joint.state() == Actarray.MOVING;
-            listener.accept(time);
-        }
+            changed(time);
+        });
     }
-
-    @Override
-    public void lost(String reason) {}
 
     /// From 0, down, to 1.
     double raised() {
@@ -80,11 +58,11 @@ final class PlayerLift implements Remote {
 
     /// @param place 0 for down, 1 for up
     void goTo(int place) {
-        var position = new Actarray.Position(0, (float) (place == 1 ? top : bottom));
-        server.command(address, Actarray.POSITION, position);
+        var position = new Actarray.Position(0, (float) (place == 1 ? limits.most() : limits.least()));
+        server.command(address(), Actarray.POSITION, position);
     }
 
     void stop() {
-        server.command(address, Actarray.SPEED, new Actarray.Speed(0, 0));
+        server.command(address(), Actarray.SPEED, new Actarray.Speed(0, 0));
     }
 }

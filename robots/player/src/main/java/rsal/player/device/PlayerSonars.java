@@ -6,7 +6,6 @@ import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.device.DeviceInfo;
 import rsal.device.SonarArray;
-import rsal.player.message.Interface;
 import rsal.player.message.Ranger;
 import rsal.player.message.Sonar;
 import rsal.player.wire.Address;
@@ -30,9 +29,7 @@ final class PlayerSonars extends PlayerSensor<RangeArray> implements SonarArray 
 
     @Override
     public List<Integer> questions() {
-        return address().interf() == Interface.RANGER.code()
-                ? List.of(Ranger.GEOMETRY, Ranger.CONFIGURATION)
-                : List.of(Sonar.GEOMETRY);
+        return Ranges.questions(address(), Sonar.GEOMETRY);
     }
 
     @Override
@@ -43,7 +40,7 @@ final class PlayerSonars extends PlayerSensor<RangeArray> implements SonarArray 
             case Sonar.Geometry geometry ->
                 baseFromSensors = geometry.poses().stream().map(Poses::of).toList();
             case Ranger.Configuration configuration -> {
-                if (configuration.maxAngle() > configuration.minAngle() && configuration.maxRange() > 0) {
+                if (Ranges.isKnown(configuration)) {
                     fieldOfView = configuration.maxAngle() - configuration.minAngle();
                     rangeMin = configuration.minRange();
                     rangeMax = configuration.maxRange();

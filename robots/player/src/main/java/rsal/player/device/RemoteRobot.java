@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
@@ -15,6 +16,7 @@ import rsal.device.Localizer;
 import rsal.player.message.Interface;
 import rsal.player.wire.Address;
 import rsal.robot.Robot;
+import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.time.Scheduler;
@@ -39,7 +41,7 @@ public final class RemoteRobot {
 
     private record Found(RemoteServer server, Address address) {}
 
-    /// Of what a robot can have several.
+    /// What servers have of robots.
     private enum Kind {
         BASE,
         LASER,
@@ -53,6 +55,27 @@ public final class RemoteRobot {
         INPUTS,
         LOCALIZER,
         PLANNER;
+
+        /// How many of them a robot has.
+        private int of(RobotModel model) {
+            return Math.max(1, (int)
+                    model.sensors().values().stream().filter(this::isOf).count());
+        }
+
+        private boolean isOf(Part part) {
+            return switch (part) {
+                case Part.Laser _ -> this == LASER;
+                case Part.Sonars _ -> this == SONARS;
+                case Part.Bumper _ -> this == BUMPER;
+                case Part.Battery _ -> this == BATTERY;
+                case Part.BlobFinder _ -> this == CAMERA;
+                case Part.FiducialFinder _ -> this == MARKERS;
+                case Part.Gripper its -> this == GRIPPER || this == INPUTS || (this == JOINT && its.hasLift());
+                case Part.Actuator _ -> this == JOINT;
+                case Part.Own own -> this == (own.makes().equals(Localizer.class) ? LOCALIZER : PLANNER);
+                case Part.Light _ -> false;
+            };
+        }
 
         /// All of a server, in their order: what is told of a scanner or of sonars as `ranger` goes before what is told
         /// of the same one otherwise.
@@ -92,10 +115,11 @@ public final class RemoteRobot {
         this.scheduler = scheduler;
         this.seen =
                 servers.stream().map(server -> new Seen(server, server.offer())).toList();
-        Found drive = next(Kind.BASE, "base", 1);
-        this.base = new PlayerBase(
-                info("base"), drive.address, drive.server, spec.model().drive(), watchdog, armed, scheduler);
-        add(drive.server, base);
+        this.base = add(
+                Kind.BASE,
+                "base",
+                (info, at) ->
+                        new PlayerBase(info, at.address, at.server, spec.model().drive(), watchdog, armed, scheduler));
         for (Map.Entry<String, Part> part : spec.model().sensors().entrySet()) {
             add(part.getKey(), part.getValue());
         }
@@ -106,83 +130,47 @@ public final class RemoteRobot {
         return !(part instanceof Part.Light);
     }
 
-    private DeviceInfo info(String name) {
-        return new DeviceInfo(spec.id(), name, DRIVER);
-    }
-
     private void add(String name, Part part) {
         switch (part) {
-            case Part.Laser laser -> {
-                Found at = next(Kind.LASER, name, count(Part.Laser.class));
-                add(at.server, new PlayerLaser(info(name), at.address, laser));
-            }
-            case Part.Sonars sonars -> {
-                Found at = next(Kind.SONARS, name, count(Part.Sonars.class));
-                add(at.server, new PlayerSonars(info(name), at.address, sonars));
-            }
-            case Part.Bumper bumper -> {
-                Found at = next(Kind.BUMPER, name, count(Part.Bumper.class));
-                add(at.server, new PlayerBumpers(info(name), at.address, bumper));
-            }
-            case Part.Battery _ -> {
-                Found at = next(Kind.BATTERY, name, count(Part.Battery.class));
-                add(at.server, new PlayerBattery(info(name), at.address));
-            }
-            case Part.BlobFinder camera -> {
-                Found at = next(Kind.CAMERA, name, count(Part.BlobFinder.class));
-                add(at.server, new PlayerCamera(info(name), at.address, camera));
-            }
-            case Part.FiducialFinder finder -> {
-                Found at = next(Kind.MARKERS, name, count(Part.FiducialFinder.class));
-                add(at.server, new PlayerMarkers(info(name), at.address, finder));
-            }
-            case Part.Gripper gripper -> add(name, gripper);
-            case Part.Actuator actuator -> {
-                Found at = next(Kind.JOINT, name, joints());
-                add(at.server, new PlayerActuator(info(name), at.address, at.server, actuator, watchdog, scheduler));
-            }
+            case Part.Laser laser -> add(Kind.LASER, name, (info, at) -> new PlayerLaser(info, at.address, laser));
+            case Part.Sonars sonars -> add(Kind.SONARS, name, (info, at) -> new PlayerSonars(info, at.address, sonars));
+            case Part.Bumper bumper ->
+                add(Kind.BUMPER, name, (info, at) -> new PlayerBumpers(info, at.address, bumper));
+            case Part.Battery _ -> add(Kind.BATTERY, name, (info, at) -> new PlayerBattery(info, at.address));
+            case Part.BlobFinder camera ->
+                add(Kind.CAMERA, name, (info, at) -> new PlayerCamera(info, at.address, camera));
+            case Part.FiducialFinder finder ->
+                add(Kind.MARKERS, name, (info, at) -> new PlayerMarkers(info, at.address, finder));
+            case Part.Gripper gripper -> add(Kind.GRIPPER, name, (info, at) -> gripper(info, at, gripper));
+            case Part.Actuator actuator ->
+                add(
+                        Kind.JOINT,
+                        name,
+                        (info, at) -> new PlayerActuator(info, at.address, at.server, actuator, watchdog, scheduler));
             case Part.Own own
-            when own.makes().equals(Localizer.class) -> {
-                Found at = next(Kind.LOCALIZER, name, 1);
-                add(at.server, new PlayerLocalizer(info(name), at.address, at.server, base, scheduler));
-            }
-            case Part.Own _ -> {
-                Found at = next(Kind.PLANNER, name, 1);
-                add(at.server, new PlayerNavigator(info(name), at.address, at.server, scheduler));
-            }
+            when own.makes().equals(Localizer.class) ->
+                add(
+                        Kind.LOCALIZER,
+                        name,
+                        (info, at) -> new PlayerLocalizer(info, at.address, at.server, base, scheduler));
+            case Part.Own _ ->
+                add(Kind.PLANNER, name, (info, at) -> new PlayerNavigator(info, at.address, at.server, scheduler));
             case Part.Light _ -> throw new IllegalArgumentException("(%s) is refused before.".formatted(part.name()));
         }
     }
 
     /// With what the servers have of its lift and its beams.
-    private void add(String name, Part.Gripper part) {
-        Found at = next(Kind.GRIPPER, name, count(Part.Gripper.class));
+    private PlayerGripper gripper(DeviceInfo info, Found at, Part.Gripper part) {
         Optional<PlayerLift> lift = part.hasLift()
-                ? find(Kind.JOINT, joints()).map(joint -> connect(joint, new PlayerLift(joint.address, joint.server)))
+                ? next(Kind.JOINT).map(joint -> connect(joint, new PlayerLift(joint.address, joint.server)))
                 : Optional.empty();
-        Optional<PlayerBeams> beams = find(Kind.INPUTS, count(Part.Gripper.class))
-                .map(inputs -> connect(inputs, new PlayerBeams(inputs.address)));
-        add(at.server, new PlayerGripper(info(name), at.address, at.server, lift, beams, scheduler));
+        Optional<PlayerBeams> beams = next(Kind.INPUTS).map(inputs -> connect(inputs, new PlayerBeams(inputs.address)));
+        return new PlayerGripper(info, at.address, at.server, lift, beams, scheduler);
     }
 
-    /// How many joints each robot has: its actuators, and the lifts of its grippers.
-    private int joints() {
-        return (int) spec.model().sensors().values().stream()
-                .filter(part -> part instanceof Part.Actuator || (part instanceof Part.Gripper its && its.hasLift()))
-                .count();
-    }
-
-    private int count(Class<? extends Part> type) {
-        return (int) spec.model().sensors().values().stream()
-                .filter(type::isInstance)
-                .count();
-    }
-
-    /// The next of a kind: robots that share their servers have their devices one after the other.
-    ///
-    /// @param each how many of this kind each robot has
-    private Found next(Kind kind, String name, int each) {
-        return find(kind, each)
+    /// Makes a device for the next of a kind.
+    private <D extends Device & Remote> D add(Kind kind, String name, BiFunction<DeviceInfo, Found, D> make) {
+        Found at = next(kind)
                 .orElseThrow(() -> new IllegalStateException("Robot (%s) has no device for its (%s): %s."
                         .formatted(
                                 spec.id(),
@@ -190,10 +178,14 @@ public final class RemoteRobot {
                                 seen.stream()
                                         .map(one -> "(%s) has %s".formatted(one.server.name(), one.offer.words()))
                                         .collect(Collectors.joining(", ")))));
+        D device = connect(at, make.apply(new DeviceInfo(spec.id(), name, DRIVER), at));
+        devices.add(device);
+        return device;
     }
 
-    private Optional<Found> find(Kind kind, int each) {
-        int number = index * each + taken.merge(kind, 1, Integer::sum) - 1;
+    /// Robots that share their servers have their devices of a kind one after the other.
+    private Optional<Found> next(Kind kind) {
+        int number = index * kind.of(spec.model()) + taken.merge(kind, 1, Integer::sum) - 1;
         return seen.stream()
                 .flatMap(one -> kind.of(one.offer).stream().map(address -> new Found(one.server, address)))
                 .skip(number)
@@ -203,11 +195,6 @@ public final class RemoteRobot {
     private <R extends Remote> R connect(Found at, R device) {
         connecting.add(at.server.add(device));
         return device;
-    }
-
-    private <D extends Device & Remote> void add(RemoteServer server, D device) {
-        devices.add(device);
-        connecting.add(server.add(device));
     }
 
     /// The robot, once all of its devices are there.

@@ -20,6 +20,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import rsal.device.DriveBase;
 import rsal.player.client.Connection;
 import rsal.player.client.RefusedException;
 import rsal.player.message.Interface;
@@ -159,6 +160,20 @@ abstract class BridgeBench extends RobotBench {
 
     final <T extends Record> void refused(Interface interf, int subtype, T body) {
         assertThatThrownBy(() -> ask(interf, subtype, body)).hasCauseInstanceOf(RefusedException.class);
+    }
+
+    /// @param driver that it should have all the same
+    final void assertBabbleDisturbsNobody(long seed, String driver) throws Exception {
+        subscribe(Interface.POSITION2D);
+        babble(seed);
+        assertThat(truth().isFinite()).isTrue();
+        robot().require(DriveBase.class).enable(true);
+        assertThat(answer(client.driver(BASE))).isEqualTo(driver);
+        run.advance(STEP);
+        robot().devices()
+                .forEach(device -> assertThat(device.health().isOk())
+                        .as(device.info().id())
+                        .isTrue());
     }
 
     /// Says all kinds of things to all devices, with bodies that are as they should be but for what is in them.

@@ -10,7 +10,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
-import rsal.device.DriveBase;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.player.message.Interface;
@@ -180,15 +179,6 @@ class NavigatedBridgeTest extends BridgeBench {
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void whoeverBabblesDisturbsNobody(long seed) throws Exception {
-        subscribe(Interface.POSITION2D);
-        babble(seed);
-        assertThat(truth().isFinite()).isTrue();
-        robot().require(DriveBase.class).enable(true);
-        assertThat(answer(client().driver(BASE))).isEqualTo("fake");
-        run.advance(STEP);
-        robot().devices()
-                .forEach(device -> assertThat(device.health().isOk())
-                        .as(device.info().id())
-                        .isTrue());
+        assertBabbleDisturbsNobody(seed, "fake");
     }
 }

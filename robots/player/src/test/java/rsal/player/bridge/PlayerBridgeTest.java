@@ -400,15 +400,6 @@ class PlayerBridgeTest extends BridgeBench {
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void whoeverBabblesDisturbsNobody(long seed) throws Exception {
-        subscribe(Interface.POSITION2D);
-        babble(seed);
-        assertThat(truth().isFinite()).isTrue();
-        robot().require(DriveBase.class).enable(true);
-        assertThat(answer(client().driver(BASE))).isEqualTo("sim");
-        run.advance(STEP);
-        robot().devices()
-                .forEach(device -> assertThat(device.health().isOk())
-                        .as(device.info().id())
-                        .isTrue());
+        assertBabbleDisturbsNobody(seed, "sim");
     }
 }
