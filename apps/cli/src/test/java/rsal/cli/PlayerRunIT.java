@@ -9,9 +9,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -29,23 +30,26 @@ class PlayerRunIT {
         return new Rsal(folder).start(all.toArray(String[]::new));
     }
 
-    private static String servers(BufferedReader told) throws Exception {
+    /// Of the first ones.
+    private static String servers(BufferedReader told, int robots) throws Exception {
         Set<String> ports = new LinkedHashSet<>();
         JsonNode json = JsonMapper.shared().readTree(told.readLine());
         json.get("offers")
                 .forEach(offer -> ports.add("localhost:" + offer.get("port").asInt()));
-        return String.join(",", ports);
+        return String.join(",", List.copyOf(ports).subList(0, robots));
     }
 
-    @Test
-    void huntersOnPlayerServersCatchTheirPrey() throws Exception {
+    /// Of three robots all are real, or two, while the third is simulated.
+    @ParameterizedTest
+    @CsvSource({"real, 3", "mixed, 2"})
+    void huntersOnPlayerServersCatchTheirPrey(String configuration, int real) throws Exception {
         Process robots = serve(List.of("hunt-and-prey", "--seed", "7"));
         try (BufferedReader told = robots.inputReader()) {
-            String servers = servers(told);
+            String servers = servers(told, real);
             Process agents = new Rsal(folder)
                     .start(
                             "run",
-                            "hunt-and-prey:real",
+                            "hunt-and-prey:" + configuration,
                             "--seed",
                             "7",
                             "--set",

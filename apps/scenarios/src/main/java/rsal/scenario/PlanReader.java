@@ -63,7 +63,7 @@ final class PlanReader {
         checkOverlay(over);
         Map<String, Object> arguments = arguments(configuration, over);
         checkOptions();
-        Value.Mapping merged = scenario.settings()
+        Value.Mapping merged = RobotReader.under(scenario.settings(), over)
                 .without("configurations")
                 .merge(chosen(over.without("args").without("title")));
         Value.Mapping body =

@@ -29,6 +29,8 @@ import rsal.settings.Value;
 /// Reads the robots of a scenario: what they are, what they carry, where they start.
 final class RobotReader {
     static final String MEMBERS = "members";
+    private static final String COUNT = Format.COUNT.name();
+    private static final String ROBOTS = "robots";
     static final String OPEN = "auto"; // poses
 
     private static final Pattern COLOR = Pattern.compile("#[0-9a-fA-F]{6}");
@@ -204,15 +206,35 @@ final class RobotReader {
                 : List.of(draft(name, section, Start.names(name, section), color, 0));
     }
 
+    /// A scenario's own settings for a configuration that lies over them: where that names robots one by one, they are
+    /// not counted any more, and the other way round.
+    static Value.Mapping under(Value.Mapping settings, Value.Mapping over) {
+        if (!(settings.find(ROBOTS).orElse(null) instanceof Value.Mapping below)
+                || !(over.find(ROBOTS).orElse(null) instanceof Value.Mapping above)) {
+            return settings;
+        }
+        var roles = new LinkedHashMap<>(below.entries());
+        roles.replaceAll((role, own) ->
+                own instanceof Value.Mapping its && above.find(role).orElse(null) instanceof Value.Mapping said
+                        ? its.without(
+                                said.find(MEMBERS).isPresent()
+                                        ? COUNT
+                                        : said.find(COUNT).isPresent() ? MEMBERS : "")
+                        : own);
+        var entries = new LinkedHashMap<>(settings.entries());
+        entries.put(ROBOTS, new Value.Mapping(below.location(), roles, below.keys()));
+        return new Value.Mapping(settings.location(), entries, settings.keys());
+    }
+
     /// Those of a role that are named one by one: each has what the role says, and says itself what is otherwise.
     private List<Draft> members(String name, Section section, String color) {
-        if (section.has("count")) {
+        if (section.has(COUNT)) {
             section.problem(
-                    "count",
-                    "(%s) can't be said where robots are named one by one.".formatted(section.path("count")),
+                    COUNT,
+                    "(%s) can't be said where robots are named one by one.".formatted(section.path(COUNT)),
                     "Leave it out: there are as many as (members).");
         }
-        Value.Mapping common = section.mapping().without(MEMBERS).without("count");
+        Value.Mapping common = section.mapping().without(MEMBERS).without(COUNT);
         if (common.find("pose").filter(RobotReader::isListOfPoses).isPresent()) {
             section.problem(
                     "pose",

@@ -77,6 +77,27 @@ class RobotSystemsTest {
     }
 
     @Test
+    void aConfigurationNamesOneByOneWhomTheScenarioCountsAndTheOtherWayRound() {
+        String both = MIXED + """
+                configurations:
+                  named: {}
+                  counted: {robots: {prey: {members: [{name: ann}, {name: bob, pose: [-8, -1, 180]}]}, hunter: {count: 2}}}
+                """;
+        assertThat(ids(both, "named")).containsExactly("prey", "real3at", "virtual1", "hunter-3");
+        assertThat(ids(both, "counted")).containsExactly("ann", "bob", "hunter-1", "hunter-2");
+        String prey = "prey: {model: pioneer2dx, pose: [-12, -1, 180]}";
+        assertThat(both).contains(prey);
+        assertThat(ids(both.replace(prey, "prey: {count: 3, model: pioneer2dx, pose: {free: true}}"), "counted"))
+                .containsExactly("ann", "bob", "hunter-1", "hunter-2");
+    }
+
+    private List<String> ids(String text, String configuration) {
+        return scenario(text).plan(RunOptions.NONE.withConfiguration(configuration)).robots().stream()
+                .map(robot -> robot.spec().id())
+                .toList();
+    }
+
+    @Test
     void membersHaveWhatTheirRoleHasAndWhatTheySayOtherwise() {
         RunPlan plan = plan(MIXED);
         assertThat(plan.robots())
