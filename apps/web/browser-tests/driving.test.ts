@@ -186,10 +186,10 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await page.keyboard.down('w');
     await moved('idle');
     await page.keyboard.press('F8');
-    await page.getByText('all robots are disabled').waitFor();
+    await page.getByText('no robot moves until they are armed').waitFor();
     await stands('idle');
-    await page.getByRole('button', { name: 'Re-arm' }).click();
-    await page.getByText('all robots are disabled').waitFor({ state: 'hidden' });
+    await page.getByRole('button', { name: 'Arm', exact: true }).click();
+    await page.getByText('no robot moves until they are armed').waitFor({ state: 'hidden' });
     await stands('idle');
     await page.keyboard.up('w');
     await page.keyboard.down('w');

@@ -271,17 +271,17 @@ describe.skipIf(!chromium)('the page', () => {
     }, 'the prey is there');
   });
 
-  it('stops all robots in an emergency, until they are re-armed', async () => {
+  it('stops all robots in an emergency, until they are armed', async () => {
     await eventually(async () => (await time()) > 1, 'the run goes on');
     await page.getByRole('button', { name: 'Emergency stop' }).click();
-    await page.getByText('all robots are disabled').waitFor();
+    await page.getByText('no robot moves until they are armed').waitFor();
     await eventually(async () => {
       const speeds = await page.locator('tr[data-robot] td:nth-of-type(2)').allInnerTexts();
       return speeds.every((speed) => Math.abs(Number.parseFloat(speed)) < 0.01);
     }, 'all robots stand');
     const stopped = await pose('prey-1');
-    await page.getByRole('button', { name: 'Re-arm' }).click();
-    await page.getByText('all robots are disabled').waitFor({ state: 'hidden' });
+    await page.getByRole('button', { name: 'Arm', exact: true }).click();
+    await page.getByText('no robot moves until they are armed').waitFor({ state: 'hidden' });
     await eventually(async () => {
       const now = await pose('prey-1');
       return Math.hypot(now.x - stopped.x, now.y - stopped.y) > 0.2;
@@ -295,29 +295,29 @@ describe.skipIf(!chromium)('the page', () => {
     const places = async () => [await stop.boundingBox(), await emergencyStop.boundingBox()];
     const before = await places();
     await emergencyStop.dblclick();
-    await page.getByText('all robots are disabled').waitFor();
+    await page.getByText('no robot moves until they are armed').waitFor();
     await page.getByRole('searchbox', { name: 'Filter events' }).fill('operator');
     await eventually(
       async () => (await page.locator('li', { hasText: 'emergency stop' }).count()) === 2,
       'both clicks have arrived',
     );
     expect(await page.locator('li', { hasText: 'motors on again' }).count()).toBe(0);
-    expect(await page.getByText('all robots are disabled').count()).toBe(1);
+    expect(await page.getByText('no robot moves until they are armed').count()).toBe(1);
     expect(await page.getByTestId('outcome').count()).toBe(0);
     expect(await places()).toEqual(before);
   });
 
   it('stops in an emergency by a key, whatever has the focus', async () => {
-    const stopped = page.getByText('all robots are disabled');
+    const stopped = page.getByText('no robot moves until they are armed');
     await page.getByRole('searchbox', { name: 'Filter events' }).focus();
     await page.keyboard.press('F8');
     await stopped.waitFor();
-    await page.getByRole('button', { name: 'Re-arm' }).press('Enter');
+    await page.getByRole('button', { name: 'Arm', exact: true }).press('Enter');
     await stopped.waitFor({ state: 'hidden' });
     await page.keyboard.press('r');
     await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').focus();
     await page.keyboard.press('F8');
-    await eventually(async () => (await stopped.count()) === 1, 'all robots are disabled');
+    await eventually(async () => (await stopped.count()) === 1, 'no robot moves until they are armed');
   });
 
   it('shows everything to a viewer that comes late and may only watch', async () => {
@@ -533,7 +533,7 @@ describe.skipIf(!chromium)('the page', () => {
       await check('with mistakes in the form');
       await page.keyboard.press('Escape');
       await rsal.post('estop');
-      await page.getByText('all robots are disabled').waitFor();
+      await page.getByText('no robot moves until they are armed').waitFor();
       await check('after an emergency stop');
       await rsal.post('stop');
       await page.getByTestId('outcome').waitFor();

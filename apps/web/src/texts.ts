@@ -24,8 +24,8 @@ export const texts = {
     stop: 'Stop',
     emergencyStop: 'Emergency stop',
     emergencyStopHint: 'Switch off all motors at once',
-    rearm: 'Re-arm',
-    stopped: 'Emergency stop: all robots are disabled until they are re-armed.',
+    rearm: 'Arm',
+    stopped: 'Motors are off: no robot moves until they are armed.',
     help: 'Keys',
   },
   access: {
