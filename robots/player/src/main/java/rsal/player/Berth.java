@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import rsal.player.message.Session;
 
 /// Where a robot is.
 ///
@@ -42,7 +43,7 @@ record Berth(List<Server> servers, int index) {
         for (String part : entry.split("\\+", -1)) {
             Matcher parts = ENTRY.matcher(part);
             int port = parts.matches() ? Integer.parseInt(parts.group(2)) : 0;
-            if (port < 1 || port > 65535) {
+            if (port < 1 || port > Session.LAST_PORT) {
                 throw new IllegalArgumentException(
                         "(%s) is no server. Write HOST:PORT, as localhost:6665; its second robot is HOST:PORT:1, and servers of one robot are joined by +."
                                 .formatted(shortened(part)));

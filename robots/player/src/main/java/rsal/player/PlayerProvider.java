@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import rsal.player.device.RemoteRobot;
+import rsal.player.message.Session;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.settings.Arguments;
@@ -18,7 +19,6 @@ import rsal.time.Scheduler;
 /// Robots of Player servers: real ones, and those that Stage or `rsal bridge player` simulates. They follow real time.
 public final class PlayerProvider implements RobotSystemProvider {
     private static final String KEY = "player";
-    private static final int LAST_PORT = 65535;
 
     private static final Parameter SERVERS = Parameter.text(
             "servers",
@@ -29,9 +29,9 @@ public final class PlayerProvider implements RobotSystemProvider {
             Parameter.text("host", "localhost", "The machine of the server, when (servers) names none.");
     private static final Parameter PORT = Parameter.integer(
             "port",
-            6665,
+            Session.USUAL_PORT,
             1,
-            LAST_PORT,
+            Session.LAST_PORT,
             "",
             "The server's port, when (servers) names none; several robots are on the ports from there on.");
     private static final Parameter INDEX = Parameter.integer(
@@ -92,7 +92,7 @@ public final class PlayerProvider implements RobotSystemProvider {
         List<Berth> all = Berth.read(settings.text(SERVERS.name()));
         if (all.isEmpty()) {
             int port = settings.integer(PORT.name());
-            if (port + robots.size() - 1 > LAST_PORT) {
+            if (port + robots.size() - 1 > Session.LAST_PORT) {
                 throw new IllegalArgumentException(
                         "There are no (%d) ports from (%d) on.".formatted(robots.size(), port));
             }

@@ -50,25 +50,22 @@ final class PlayerSystem implements RobotSystem {
         berths.forEach((spec, berth) -> berth.servers()
                 .forEach(server -> servers.computeIfAbsent(
                         server, _ -> new RemoteServer(server.host(), server.port(), scheduler))));
-        CompletionStage<List<Robot>> found = CompletableFuture.completedStage(List.of());
-        for (Map.Entry<RobotSpec, Berth> berth : berths.entrySet()) {
-            found = found.thenCombine(find(berth.getKey(), berth.getValue()), PlayerSystem::with);
-        }
-        return found;
+        List<CompletableFuture<Robot>> found = berths.entrySet().stream()
+                .map(berth -> find(berth.getKey(), berth.getValue()).toCompletableFuture())
+                .toList();
+        CompletionStage<Void> all = all(found);
+        return all.thenApply(_ -> found.stream().map(CompletableFuture::join).toList());
     }
 
-    private static List<Robot> with(List<Robot> some, Robot one) {
-        var all = new ArrayList<>(some);
-        all.add(one);
-        return all;
+    private static CompletionStage<Void> all(List<? extends CompletionStage<?>> stages) {
+        return CompletableFuture.allOf(
+                stages.stream().map(CompletionStage::toCompletableFuture).toArray(CompletableFuture[]::new));
     }
 
     private CompletionStage<Robot> find(RobotSpec spec, Berth berth) {
         List<RemoteServer> its = berth.servers().stream().map(servers::get).toList();
-        CompletionStage<Void> known = CompletableFuture.completedStage(null);
-        for (RemoteServer server : its) {
-            known = known.thenCombine(server.known(PATIENCE), (_, _) -> null);
-        }
+        CompletionStage<Void> known =
+                all(its.stream().map(server -> server.known(PATIENCE)).toList());
         return known.thenCompose(_ -> {
                     var robot = new RemoteRobot(spec, its, berth.index(), watchdog, armed, scheduler);
                     robots.add(robot);
@@ -101,11 +98,7 @@ final class PlayerSystem implements RobotSystem {
 
     /// Completes when the servers have got all that was sent, and what they had sent waits for the scheduler's thread.
     CompletionStage<Void> settled() {
-        CompletionStage<Void> settled = CompletableFuture.completedStage(null);
-        for (RemoteServer server : servers.values()) {
-            settled = settled.thenCombine(server.settled(), (_, _) -> null);
-        }
-        return settled;
+        return all(servers.values().stream().map(RemoteServer::settled).toList());
     }
 
     @Override

@@ -12,8 +12,6 @@ import rsal.device.DeviceInfo;
 import rsal.device.Subscription;
 import rsal.player.message.Box3;
 import rsal.player.message.Interface;
-import rsal.player.message.Pose;
-import rsal.player.message.Pose3;
 import rsal.player.server.Port;
 import rsal.player.server.Served;
 import rsal.player.wire.Kind;
@@ -85,18 +83,6 @@ abstract class Offered implements Served {
 
     static double seconds(Instant time) {
         return time.getEpochSecond() + time.getNano() / 1e9;
-    }
-
-    static Pose pose(rsal.data.Pose2d pose) {
-        return new Pose(pose.x(), pose.y(), pose.theta());
-    }
-
-    static Pose3 pose3(rsal.data.Pose2d pose) {
-        return new Pose3(pose.x(), pose.y(), 0, 0, 0, pose.theta());
-    }
-
-    static rsal.data.Pose2d pose(Pose pose) {
-        return new rsal.data.Pose2d(pose.x(), pose.y(), pose.theta());
     }
 
     @Override

@@ -70,7 +70,7 @@ final class OfferedBase extends Offered implements Reins.Holder {
                 Position2d.STATE,
                 reading.time(),
                 new Position2d.State(
-                        pose(odometry.odomFromBase()),
+                        Pose.of(odometry.odomFromBase()),
                         new Pose(velocity.vx(), velocity.vy(), velocity.omega()),
                         odometry.stalled() ? 1 : 0));
     }
@@ -110,7 +110,7 @@ final class OfferedBase extends Offered implements Reins.Holder {
             case Position2d.VELOCITY_MODE, Position2d.POSITION_MODE -> {} // what it is told says which
             case Position2d.SET_ODOMETRY -> {
                 Pose2d odomFromBase =
-                        pose(request.body(Position2d.Odometry.class).odomFromBase());
+                        request.body(Position2d.Odometry.class).odomFromBase().to2d();
                 if (!odomFromBase.isFinite()) {
                     return Optional.of(new Answer.Refused());
                 }
@@ -156,7 +156,7 @@ final class OfferedBase extends Offered implements Reins.Holder {
     }
 
     private static Pose2d goal(Packet command) throws MalformedException {
-        Pose2d goal = pose(command.body(Position2d.Goal.class).odomFromGoal());
+        Pose2d goal = command.body(Position2d.Goal.class).odomFromGoal().to2d();
         return finite(goal, goal.isFinite());
     }
 

@@ -5,6 +5,7 @@ import rsal.data.BumperState;
 import rsal.data.Stamped;
 import rsal.player.message.Bumper;
 import rsal.player.message.Interface;
+import rsal.player.message.Pose3;
 import rsal.player.wire.Kind;
 import rsal.time.Scheduler;
 
@@ -32,7 +33,7 @@ final class OfferedBumpers extends OfferedSensor<BumperState> {
     @Override
     Record body(BumperState newest, int subtype) {
         return new Bumper.Geometry(newest.baseFromBumpers().stream()
-                .map(pose -> new Bumper.Segment(pose3(pose), 0, 0))
+                .map(pose -> new Bumper.Segment(Pose3.of(pose), 0, 0))
                 .toList());
     }
 }

@@ -6,6 +6,7 @@ import rsal.data.Stamped;
 import rsal.device.LaserScanner;
 import rsal.player.message.Interface;
 import rsal.player.message.Laser;
+import rsal.player.message.Pose3;
 import rsal.player.message.Ranger;
 import rsal.player.wire.Kind;
 import rsal.time.Scheduler;
@@ -53,7 +54,7 @@ final class OfferedLaser extends OfferedSensor<LaserScan> {
     private static Record ranger(LaserScan scan, int subtype) {
         if (subtype == Ranger.GEOMETRY) {
             return new Ranger.Geometry(
-                    pose3(scan.baseFromLaser()), NO_SIZE, List.of(pose3(scan.baseFromLaser())), List.of(NO_SIZE));
+                    Pose3.of(scan.baseFromLaser()), NO_SIZE, List.of(Pose3.of(scan.baseFromLaser())), List.of(NO_SIZE));
         }
         return new Ranger.Configuration(
                 scan.angleMin(),
@@ -67,7 +68,7 @@ final class OfferedLaser extends OfferedSensor<LaserScan> {
 
     private static Record laser(LaserScan scan, int subtype) {
         if (subtype == Laser.GEOMETRY) {
-            return new Laser.Geometry(pose3(scan.baseFromLaser()), NO_SIZE);
+            return new Laser.Geometry(Pose3.of(scan.baseFromLaser()), NO_SIZE);
         }
         return new Laser.Configuration(
                 (float) scan.angleMin(),

@@ -47,10 +47,7 @@ final class OfferedLocalizer extends OfferedSensor<PoseEstimate> {
     }
 
     private static Localize.Hypothesis hypothesis(rsal.data.Pose2d mapFromBase, Covariance2d c, double weight) {
-        return new Localize.Hypothesis(
-                pose(mapFromBase),
-                new double[] {c.xx(), c.yy(), c.thetaTheta(), c.xy(), c.yTheta(), c.xTheta()},
-                weight);
+        return new Localize.Hypothesis(Pose.of(mapFromBase), Localize.sent(c), weight);
     }
 
     @Override
@@ -68,9 +65,8 @@ final class OfferedLocalizer extends OfferedSensor<PoseEstimate> {
     }
 
     private Optional<Answer> believe(Localize.SetPose told) {
-        double[] c = told.covariance();
-        var covariance = new Covariance2d(c[0], c[3], c[5], c[1], c[4], c[2]);
-        var belief = PoseEstimate.of(pose(told.mapFromBase()), covariance);
+        Covariance2d covariance = told.spread();
+        var belief = PoseEstimate.of(told.mapFromBase().to2d(), covariance);
         boolean possible = belief.isFinite()
                 && Math.hypot(told.mapFromBase().x(), told.mapFromBase().y()) < FARTHEST
                 && isPossible(covariance);
@@ -129,6 +125,6 @@ final class OfferedLocalizer extends OfferedSensor<PoseEstimate> {
             particles.add(new Localize.Particle(at, cloud.weights()[i]));
         }
         double deviation = covariance.positionDeviation();
-        return new Localize.Particles(pose(mean), deviation * deviation, particles);
+        return new Localize.Particles(Pose.of(mean), deviation * deviation, particles);
     }
 }

@@ -30,7 +30,8 @@ final class OfferedMarkers extends OfferedSensor<Fiducials> {
 
     private static Fiducial.Marker marker(Fiducials seen, Fiducials.Fiducial one) {
         var finderFromMarker = seen.baseFromFinder().inverse().compose(one.baseFromFiducial());
-        return new Fiducial.Marker(one.id().orElse(UNREADABLE), pose3(finderFromMarker), new Pose3(0, 0, 0, 0, 0, 0));
+        return new Fiducial.Marker(
+                one.id().orElse(UNREADABLE), Pose3.of(finderFromMarker), new Pose3(0, 0, 0, 0, 0, 0));
     }
 
     @Override
@@ -41,7 +42,7 @@ final class OfferedMarkers extends OfferedSensor<Fiducials> {
     @Override
     Record body(Fiducials newest, int subtype) {
         return subtype == Fiducial.GEOMETRY
-                ? new Fiducial.Geometry(pose3(newest.baseFromFinder()), NO_SIZE, new Box2(0, 0))
+                ? new Fiducial.Geometry(Pose3.of(newest.baseFromFinder()), NO_SIZE, new Box2(0, 0))
                 : new Fiducial.View(0, (float) newest.rangeMax(), (float) newest.fieldOfView());
     }
 }

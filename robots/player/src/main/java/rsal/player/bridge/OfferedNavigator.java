@@ -60,7 +60,7 @@ final class OfferedNavigator extends Offered implements Reins.Holder {
         Pose goal = navigator
                 .goal()
                 .or(() -> Optional.ofNullable(mapFromGoal))
-                .map(Offered::pose)
+                .map(Pose::of)
                 .orElse(NOWHERE);
         publish(
                 Planner.STATE,
@@ -71,7 +71,7 @@ final class OfferedNavigator extends Offered implements Reins.Holder {
                         localizer
                                 .flatMap(Localizer::latest)
                                 .map(Stamped::value)
-                                .map(estimate -> pose(estimate.mapFromBase()))
+                                .map(estimate -> Pose.of(estimate.mapFromBase()))
                                 .orElse(NOWHERE),
                         goal,
                         waypoints.isEmpty() ? NOWHERE : waypoints.getFirst(),
@@ -126,7 +126,7 @@ final class OfferedNavigator extends Offered implements Reins.Holder {
     @Override
     void obey(Packet command) throws MalformedException {
         if (command.header().subtype() == Planner.GOAL) {
-            Pose2d wanted = pose(command.body(Planner.Place.class).mapFromPlace());
+            Pose2d wanted = command.body(Planner.Place.class).mapFromPlace().to2d();
             if (trip == null || !wanted.equals(mapFromGoal)) {
                 goTo(wanted);
             }

@@ -32,7 +32,7 @@ final class OfferedPose extends OfferedSensor<PoseEstimate> {
                 Position2d.STATE,
                 reading.time(),
                 new Position2d.State(
-                        pose(reading.value().mapFromBase()),
+                        Pose.of(reading.value().mapFromBase()),
                         new Pose(velocity.vx(), velocity.vy(), velocity.omega()),
                         odometry.map(Odometry::stalled).orElse(false) ? 1 : 0));
     }

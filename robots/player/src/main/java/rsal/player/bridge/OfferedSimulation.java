@@ -7,6 +7,7 @@ import rsal.device.SimulationControl.Placement;
 import rsal.device.Subscription;
 import rsal.player.message.Chars;
 import rsal.player.message.Interface;
+import rsal.player.message.Pose;
 import rsal.player.message.Pose3;
 import rsal.player.message.Simulation;
 import rsal.player.wire.Kind;
@@ -42,23 +43,22 @@ final class OfferedSimulation extends Offered {
                 String name = Chars.text(request.body(Simulation.Placed.class).name());
                 yield simulation
                         .truth(name)
-                        .map(pose -> new Answer.Told(new Simulation.Placed(Chars.of(name), pose(pose))));
+                        .map(pose -> new Answer.Told(new Simulation.Placed(Chars.of(name), Pose.of(pose))));
             }
             case Simulation.POSE3 -> {
                 String name = Chars.text(request.body(Simulation.Placed3.class).name());
                 double time = MICROSECONDS * seconds(scheduler().instant());
                 yield simulation
                         .truth(name)
-                        .map(pose -> new Answer.Told(new Simulation.Placed3(Chars.of(name), pose3(pose), time)));
+                        .map(pose -> new Answer.Told(new Simulation.Placed3(Chars.of(name), Pose3.of(pose), time)));
             }
             case Simulation.SET_POSE -> {
                 var wanted = request.body(Simulation.Placed.class);
-                yield place(wanted.name(), pose(wanted.pose()));
+                yield place(wanted.name(), wanted.pose().to2d());
             }
             case Simulation.SET_POSE3 -> {
                 var wanted = request.body(Simulation.Placed3.class);
-                Pose3 pose = wanted.pose();
-                yield place(wanted.name(), new Pose2d(pose.x(), pose.y(), pose.yaw()));
+                yield place(wanted.name(), wanted.pose().to2d());
             }
             default -> Optional.empty();
         };

@@ -42,7 +42,7 @@ final class OfferedSonars extends OfferedSensor<RangeArray> {
 
     @Override
     Record body(RangeArray round, int subtype) {
-        List<Pose3> poses = round.baseFromSensors().stream().map(Offered::pose3).toList();
+        List<Pose3> poses = round.baseFromSensors().stream().map(Pose3::of).toList();
         if (interf() == Interface.SONAR) {
             return new Sonar.Geometry(poses);
         }

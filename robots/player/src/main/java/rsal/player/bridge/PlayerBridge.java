@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rsal.player.message.Interface;
+import rsal.player.message.Session;
 import rsal.robot.Robot;
 import rsal.scene.Service;
 import rsal.system.Bridge;
@@ -18,9 +19,6 @@ import rsal.time.Scheduler;
 /// Offers robots to Player's clients for as long as it is open: what the file of their world asks for, or each
 /// robot on a port of its own, as Player's servers have it.
 final class PlayerBridge implements Bridge {
-    static final int USUAL_PORT = 6665;
-    private static final int MOST_PORT = 65_535;
-
     private final List<OfferedPort> ports;
 
     private PlayerBridge(List<OfferedPort> ports) {
@@ -46,9 +44,9 @@ final class PlayerBridge implements Bridge {
     }
 
     private static InetSocketAddress moved(InetSocketAddress at, int port) throws IOException {
-        int number = at.getPort() == 0 ? 0 : at.getPort() + port - USUAL_PORT;
-        if (number < 0 || number > MOST_PORT) {
-            throw new IOException("There is no port (%d): the last one is %d.".formatted(number, MOST_PORT));
+        int number = at.getPort() == 0 ? 0 : at.getPort() + port - Session.USUAL_PORT;
+        if (number < 0 || number > Session.LAST_PORT) {
+            throw new IOException("There is no port (%d): the last one is %d.".formatted(number, Session.LAST_PORT));
         }
         return new InetSocketAddress(at.getAddress(), number);
     }
@@ -63,7 +61,7 @@ final class PlayerBridge implements Bridge {
             }
             offers.addAll(new Offers(robot, scheduler).all());
             offers.add(new OfferedMap(0, lent.map(), "rsal", scheduler));
-            ports.put(USUAL_PORT + ports.size(), offers);
+            ports.put(Session.USUAL_PORT + ports.size(), offers);
         }
         return ports;
     }

@@ -2,6 +2,7 @@ package rsal.player.bridge;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import rsal.player.message.Session;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
 import rsal.time.Scheduler;
@@ -20,7 +21,7 @@ public final class PlayerBridgeProvider implements BridgeProvider {
 
     @Override
     public int defaultPort() {
-        return PlayerBridge.USUAL_PORT;
+        return Session.USUAL_PORT;
     }
 
     @Override

@@ -9,6 +9,7 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
+import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
 import rsal.player.wire.Address;
 import rsal.robot.RobotModel.Drive;
@@ -50,7 +51,7 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
         if (!(body instanceof Position2d.State state)) {
             return Optional.empty();
         }
-        Pose2d theirs = Poses.of(state.odomFromBase());
+        Pose2d theirs = state.odomFromBase().to2d();
         var velocity = new Twist2d(
                 state.velocity().x(), state.velocity().y(), state.velocity().theta());
         if (!theirs.isFinite() || !velocity.isFinite()) {
@@ -96,7 +97,7 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
         server.command(
                 address(),
                 Position2d.VELOCITY,
-                new Position2d.Velocity(Poses.of(new Pose2d(velocity.vx(), velocity.vy(), velocity.omega())), 1));
+                new Position2d.Velocity(new Pose(velocity.vx(), velocity.vy(), velocity.omega()), 1));
     }
 
     @Override

@@ -29,7 +29,7 @@ final class PlayerBumpers extends PlayerSensor<BumperState> implements rsal.devi
     public void answered(Record body) {
         if (body instanceof Bumper.Geometry geometry) {
             baseFromBumpers = geometry.bumpers().stream()
-                    .map(bumper -> Poses.of(bumper.pose()))
+                    .map(bumper -> bumper.pose().to2d())
                     .toList();
         }
     }

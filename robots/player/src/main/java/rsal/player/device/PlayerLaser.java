@@ -37,8 +37,8 @@ final class PlayerLaser extends PlayerSensor<LaserScan> implements LaserScanner 
     @Override
     public void answered(Record body) {
         switch (body) {
-            case Ranger.Geometry geometry -> baseFromLaser = Poses.of(geometry.pose());
-            case Laser.Geometry geometry -> baseFromLaser = Poses.of(geometry.pose());
+            case Ranger.Geometry geometry -> baseFromLaser = geometry.pose().to2d();
+            case Laser.Geometry geometry -> baseFromLaser = geometry.pose().to2d();
             case Ranger.Configuration configuration -> {
                 if (Ranges.isKnown(configuration)) {
                     angleMin = configuration.minAngle();

@@ -23,6 +23,7 @@ import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
 import rsal.device.Localizer;
 import rsal.player.message.Localize;
+import rsal.player.message.Pose;
 import rsal.player.wire.Address;
 
 /// A robot's own localizer, behind `localize`. Player's amcl says something only when it has looked anew, after
@@ -82,9 +83,8 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
     private static List<Hypothesis> hypotheses(List<Localize.Hypothesis> told) {
         var all = new ArrayList<Hypothesis>();
         for (Localize.Hypothesis one : told) {
-            double[] c = one.covariance();
-            var covariance = new Covariance2d(c[0], c[3], c[5], c[1], c[4], c[2]);
-            Pose2d mapFromBase = Poses.of(one.mapFromBase());
+            Covariance2d covariance = one.spread();
+            Pose2d mapFromBase = one.mapFromBase().to2d();
             if (mapFromBase.isFinite() && covariance.isFinite() && one.weight() >= 0 && one.weight() < 1e9) {
                 all.add(new Hypothesis(one.weight(), mapFromBase, covariance));
             }
@@ -131,10 +131,7 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
     /// What is believed is a reading once the server has taken it.
     @Override
     public CompletionStage<Void> relocalize(PoseEstimate belief) {
-        Covariance2d c = belief.covariance();
-        var told = new Localize.SetPose(
-                Poses.of(belief.mapFromBase()),
-                new double[] {c.xx(), c.yy(), c.thetaTheta(), c.xy(), c.yTheta(), c.xTheta()});
+        var told = new Localize.SetPose(Pose.of(belief.mapFromBase()), Localize.sent(belief.covariance()));
         return server.ask(address(), Localize.SET_POSE, Optional.of(told))
                 .thenAccept(_ -> believe(belief, clock.instant()));
     }

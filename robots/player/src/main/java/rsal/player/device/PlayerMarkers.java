@@ -34,7 +34,7 @@ final class PlayerMarkers extends PlayerSensor<Fiducials> implements FiducialFin
     @Override
     public void answered(Record body) {
         switch (body) {
-            case Fiducial.Geometry geometry -> baseFromFinder = Poses.of(geometry.pose());
+            case Fiducial.Geometry geometry -> baseFromFinder = geometry.pose().to2d();
             case Fiducial.View view -> {
                 fieldOfView = view.angle();
                 rangeMax = view.maxRange();
@@ -51,7 +51,7 @@ final class PlayerMarkers extends PlayerSensor<Fiducials> implements FiducialFin
         List<Fiducials.Fiducial> seen = markers.stream()
                 .map(marker -> new Fiducials.Fiducial(
                         marker.id() > 0 ? OptionalInt.of(marker.id()) : OptionalInt.empty(),
-                        baseFromFinder.compose(Poses.of(marker.pose()))))
+                        baseFromFinder.compose(marker.pose().to2d())))
                 .sorted(Comparator.comparingDouble(
                         one -> one.baseFromFiducial().position().distanceTo(baseFromFinder.position())))
                 .toList();

@@ -60,7 +60,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         }
 
         Pose2d mapFromBase() {
-            return told.map(state -> Poses.of(state.mapFromBase())).orElse(Pose2d.ORIGIN);
+            return told.map(state -> state.mapFromBase().to2d()).orElse(Pose2d.ORIGIN);
         }
 
         Path2d path() {
@@ -104,7 +104,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             return source;
         }
         trip = goal[0];
-        server.command(address, Planner.GOAL, new Planner.Place(Poses.of(mapFromGoal)));
+        server.command(address, Planner.GOAL, new Planner.Place(Pose.of(mapFromGoal)));
         if (off && !paused) {
             enable(true);
         }
@@ -142,7 +142,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         if (now == null || !(body instanceof Planner.State state) || !isFinite(state)) {
             return;
         }
-        boolean ours = Poses.of(state.mapFromGoal()).isNear(now.mapFromGoal, 0.01, 0.01);
+        boolean ours = state.mapFromGoal().to2d().isNear(now.mapFromGoal, 0.01, 0.01);
         now.told = Optional.of(state);
         Pose2d mapFromBase = now.mapFromBase();
         if (ours && state.valid() != 0) {
@@ -167,16 +167,15 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             stop();
             end(new Result.Stuck(mapFromBase, driving, "It got no nearer for %d s.".formatted(STUCK.toSeconds())));
         } else {
-            Point2d waypoint =
-                    state.waypoints() > 0 ? Poses.of(state.waypoint()).position() : now.mapFromGoal.position();
+            Point2d waypoint = state.waypoints() > 0 ? state.waypoint().to2d().position() : now.mapFromGoal.position();
             now.goal.tell(new Stamped<>(time, "map", new Progress(mapFromBase, remaining, waypoint, driving)));
         }
     }
 
     private static boolean isFinite(Planner.State state) {
-        return Poses.of(state.mapFromBase()).isFinite()
-                && Poses.of(state.mapFromGoal()).isFinite()
-                && Poses.of(state.waypoint()).isFinite();
+        return state.mapFromBase().to2d().isFinite()
+                && state.mapFromGoal().to2d().isFinite()
+                && state.waypoint().to2d().isFinite();
     }
 
     @Override
@@ -193,7 +192,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
 
     private static List<Point2d> points(List<Pose> waypoints) {
         return waypoints.stream()
-                .map(waypoint -> Poses.of(waypoint).position())
+                .map(waypoint -> waypoint.to2d().position())
                 .filter(point -> Double.isFinite(point.x()) && Double.isFinite(point.y()))
                 .toList();
     }

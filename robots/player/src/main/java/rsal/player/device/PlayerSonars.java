@@ -6,6 +6,7 @@ import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.device.DeviceInfo;
 import rsal.device.SonarArray;
+import rsal.player.message.Pose3;
 import rsal.player.message.Ranger;
 import rsal.player.message.Sonar;
 import rsal.player.wire.Address;
@@ -36,9 +37,9 @@ final class PlayerSonars extends PlayerSensor<RangeArray> implements SonarArray 
     public void answered(Record body) {
         switch (body) {
             case Ranger.Geometry geometry ->
-                baseFromSensors = geometry.poses().stream().map(Poses::of).toList();
+                baseFromSensors = geometry.poses().stream().map(Pose3::to2d).toList();
             case Sonar.Geometry geometry ->
-                baseFromSensors = geometry.poses().stream().map(Poses::of).toList();
+                baseFromSensors = geometry.poses().stream().map(Pose3::to2d).toList();
             case Ranger.Configuration configuration -> {
                 if (Ranges.isKnown(configuration)) {
                     fieldOfView = configuration.maxAngle() - configuration.minAngle();

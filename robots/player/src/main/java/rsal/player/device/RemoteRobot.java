@@ -201,10 +201,8 @@ public final class RemoteRobot {
     ///
     /// @return exceptionally when one of them does not start
     public CompletionStage<Robot> robot() {
-        CompletionStage<Void> all = CompletableFuture.completedStage(null);
-        for (CompletionStage<Void> one : connecting) {
-            all = all.thenCombine(one, (_, _) -> null);
-        }
+        CompletionStage<Void> all = CompletableFuture.allOf(
+                connecting.stream().map(CompletionStage::toCompletableFuture).toArray(CompletableFuture[]::new));
         return all.thenApply(_ -> new Robot(spec.id(), spec.role(), spec.model(), spec.marker(), devices));
     }
 

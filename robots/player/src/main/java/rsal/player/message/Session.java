@@ -5,6 +5,11 @@ import rsal.player.wire.Address;
 
 /// Interface `player`: what a client and a server say about their connection.
 public final class Session {
+    /// Where clients look for servers when they are told nothing else.
+    public static final int USUAL_PORT = 6665;
+
+    public static final int LAST_PORT = 65_535;
+
     /// Bytes by which a server introduces itself, before all messages ([Chars]).
     public static final int IDENT = 32;
 

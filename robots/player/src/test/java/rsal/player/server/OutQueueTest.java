@@ -35,12 +35,7 @@ class OutQueueTest {
         boolean isOver() throws InterruptedException;
     }
 
-    @Test
-    void whoAsksTooMuchWaitsUntilAnAnswerIsTaken() throws Exception {
-        for (int i = 0; i < 256; i++) {
-            queue.awaitRoom();
-            queue.answer(ANSWER);
-        }
+    private CompletableFuture<Boolean> someoneWhoHasToWait() {
         CompletableFuture<Boolean> asking = waiting(() -> {
             queue.awaitRoom();
             return true;
@@ -49,6 +44,16 @@ class OutQueueTest {
                         .completeOnTimeout(false, 200, TimeUnit.MILLISECONDS)
                         .join())
                 .isFalse();
+        return asking;
+    }
+
+    @Test
+    void whoAsksTooMuchWaitsUntilAnAnswerIsTaken() throws Exception {
+        for (int i = 0; i < 256; i++) {
+            queue.awaitRoom();
+            queue.answer(ANSWER);
+        }
+        CompletableFuture<Boolean> asking = someoneWhoHasToWait();
         assertThat(queue.take(() -> 0)).contains(ANSWER);
         assertThat(asking.join()).isTrue();
     }
@@ -61,14 +66,7 @@ class OutQueueTest {
             queue.awaitRoom();
             queue.answer(large);
         }
-        CompletableFuture<Boolean> asking = waiting(() -> {
-            queue.awaitRoom();
-            return true;
-        });
-        assertThat(asking.copy()
-                        .completeOnTimeout(false, 200, TimeUnit.MILLISECONDS)
-                        .join())
-                .isFalse();
+        CompletableFuture<Boolean> asking = someoneWhoHasToWait();
         queue.take(() -> 0);
         assertThat(asking.join()).isTrue();
     }
