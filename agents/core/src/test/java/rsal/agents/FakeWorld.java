@@ -30,7 +30,7 @@ final class FakeWorld extends DeviceCore implements SimulationControl {
     /// @param height of its underside above the floor [m]
     void addDisc(String name, Rgb color, double x, double y, double height) {
         var disc = Prism.standing(new Shape.Disc(new Point2d(0, 0), 0.1), 0.1).in(color);
-        discs.add(new Standing(discs.size() + 1, name, new Solid(List.of(disc)), new Pose2d(x, y, 0), height));
+        discs.add(new Standing(discs.size() + 1, name, new Solid(List.of(disc)), new Pose2d(x, y, 0), height, true));
     }
 
     @Override

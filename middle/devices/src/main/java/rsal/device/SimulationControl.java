@@ -1,7 +1,10 @@
 package rsal.device;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import rsal.data.Fan;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Solid;
@@ -19,9 +22,16 @@ public interface SimulationControl extends Device {
     Placement place(String entity, Pose2d mapFromEntity);
 
     /// As [#place], but also where something is in the way: for stand-ins of what really is elsewhere, as reality
-    /// does not ask for room. Who overlaps it is stuck for as long.
+    /// does not ask for room. Who overlaps it can only drive out of it.
     default Placement placeAnyway(String entity, Pose2d mapFromEntity) {
         return place(entity, mapFromEntity);
+    }
+
+    /// As [#placeAnyway], above the floor: for what is carried where nobody of this world carries it.
+    ///
+    /// @param height of its underside above the floor [m]
+    default Placement placeAnyway(String thing, Pose2d mapFromThing, double height) {
+        return placeAnyway(thing, mapFromThing);
     }
 
     /// Puts a new thing into the world.
@@ -52,6 +62,20 @@ public interface SimulationControl extends Device {
         return Optional.empty();
     }
 
+    /// How far rays get before they meet a robot or a thing that range sensors see [m], fan by fan, as the
+    /// world's sensors saw them last; +∞ for a ray that meets none. They pass through walls. For robots that are
+    /// elsewhere to see what is here.
+    ///
+    /// @param mapFromBase of whoever looks
+    /// @param height of the rays above the floor [m]
+    /// @param reach how far they go [m]
+    /// @param through names of those that they pass through
+    default double[] ranges(List<Fan> fans, Pose2d mapFromBase, double height, double reach, Set<String> through) {
+        var ranges = new double[fans.stream().mapToInt(Fan::count).sum()];
+        Arrays.fill(ranges, Double.POSITIVE_INFINITY);
+        return ranges;
+    }
+
     /// Puts a robot into the world that has model, role, color and body of another, and devices of its own. The
     /// robot system tells that it has appeared.
     ///
@@ -74,7 +98,8 @@ public interface SimulationControl extends Device {
     /// @param number from 1, of no other thing that there is or was
     /// @param body in its own frame, each piece in its color
     /// @param height of its underside above the floor [m]
-    record Standing(int number, String name, Solid body, Pose2d mapFromThing, double height) {}
+    /// @param grippable whether grippers can hold it
+    record Standing(int number, String name, Solid body, Pose2d mapFromThing, double height, boolean grippable) {}
 
     /// Something that is no robot: a box, a ball, a marker, a charging station.
     ///

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -25,7 +26,9 @@ import rsal.settings.Value;
 ///
 /// Instead of an image there can be a [Drawing].
 public final class Maps {
-    private static final int MAX_IMAGE_BYTES = 1 << 28;
+    /// Of an image.
+    public static final int MAX_IMAGE_BYTES = 1 << 28;
+
     private static final FileSource BUILT_IN = FileSource.resources(Maps.class, "/rsal/maps/");
 
     private final FileSource files;
@@ -86,6 +89,22 @@ public final class Maps {
                 ? new double[2]
                 : new double[] {-resolution * cells.width() / 2, -resolution * cells.height() / 2});
         return new OccupancyGrid(cells.width(), cells.height(), resolution, corner[0], corner[1], cells.cells());
+    }
+
+    /// Reads an image as Player's driver `mapfile` does.
+    ///
+    /// @param name the file's, for messages
+    /// @param resolution side of a pixel [m]
+    /// @param negate whether white is occupied
+    /// @param corner where the lower left one is; empty when the image's middle is at the origin
+    /// @throws InvalidSettings when it is no image, broken, or too large
+    public static OccupancyGrid ofMapfile(
+            String name, byte[] image, double resolution, boolean negate, Optional<Point2d> corner) {
+        MapImage cells = MapImage.read(name, image, new Shading(negate, 0.95, 0.1, Shading.Opacity.COLOR));
+        Point2d lowerLeft =
+                corner.orElseGet(() -> new Point2d(-resolution * cells.width() / 2, -resolution * cells.height() / 2));
+        return new OccupancyGrid(
+                cells.width(), cells.height(), resolution, lowerLeft.x(), lowerLeft.y(), cells.cells());
     }
 
     private static MapImage image(FileSource source, String path, String image, Location askedAt, Shading shading) {

@@ -9,7 +9,9 @@ import rsal.data.Interval;
 import rsal.data.LightState.Signal;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
+import rsal.device.Canvas;
 import rsal.device.Localizer;
+import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
@@ -31,7 +33,9 @@ final class PartReader {
             "battery",
             "light",
             "localizer",
-            "navigator");
+            "navigator",
+            "map",
+            "canvas");
     private static final int MAX_SAMPLES = 10_000;
     private static final int MAX_SENSORS = 1_000;
     private static final double MAX_ENERGY = 1e9;
@@ -61,6 +65,8 @@ final class PartReader {
             case "light" -> Optional.of(reader.light());
             case "localizer" -> Optional.of(new Part.Own(name, Localizer.class));
             case "navigator" -> Optional.of(new Part.Own(name, Navigator.class));
+            case "map" -> Optional.of(new Part.Own(name, Mapper.class));
+            case "canvas" -> Optional.of(new Part.Own(name, Canvas.class));
             default -> Optional.empty();
         };
         if (part.isEmpty()) {

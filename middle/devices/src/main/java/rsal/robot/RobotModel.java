@@ -77,6 +77,12 @@ public record RobotModel(
         return heights.getOrDefault(device, body.top());
     }
 
+    /// At which height a device looks or works in simulated worlds [m], where all is level. Where its own is not told,
+    /// that is half as high as the body, so that it meets what stands on the floor.
+    public double level(String device) {
+        return heights.getOrDefault(device, body.top() / 2);
+    }
+
     /// The actuators that carry a device, from the base outwards.
     public List<String> carriersOf(String device) {
         return chain(device, sensors, carriers);
@@ -246,7 +252,8 @@ public record RobotModel(
         /// What it becomes on a robot.
         Class<? extends Device> makes();
 
-        /// What a robot's own computer does for it, where a robot system has such: a localizer, a navigator.
+        /// What a robot has where its robot system has such, and knows best: a localizer, a navigator, a map of its
+        /// own, something to draw on.
         record Own(String name, Class<? extends Device> makes) implements Part {}
 
         /// A planar laser scanner, beams from `angleMin` counter-clockwise.

@@ -67,7 +67,9 @@ public final class RobotModels {
                 "small-battery",
                 "beacon",
                 "own-localizer",
-                "own-navigator");
+                "own-navigator",
+                "own-map",
+                "canvas");
     }
 
     /// The file of a model or part that comes with the program, as people read it; empty when there is none of the

@@ -94,13 +94,22 @@ public record Scene(
                 warnings);
     }
 
+    /// The same, of which robots that have been told know something else.
+    public Scene known(OccupancyGrid as) {
+        return with(as, services, warnings);
+    }
+
     /// The same, of which servers are to offer something.
     ///
     /// @param others instead of the warnings
     public Scene serving(List<Service> offered, List<Problem> others) {
+        return with(map, offered, others);
+    }
+
+    private Scene with(OccupancyGrid as, List<Service> offered, List<Problem> others) {
         return new Scene(
                 title,
-                map,
+                as,
                 step,
                 end,
                 touch,

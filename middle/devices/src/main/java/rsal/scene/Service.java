@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
 import rsal.settings.Location;
 import rsal.settings.Problem;
@@ -52,5 +53,11 @@ public record Service(
     /// @param name of the device, `localizer`
     /// @param driver that makes it, by key: `amcl`
     /// @param settings of that driver
-    public record Software(String name, String driver, Value.Mapping settings) {}
+    /// @param mapFromStart where it is told that its robot starts; empty for where that does
+    public record Software(String name, String driver, Value.Mapping settings, Optional<Pose2d> mapFromStart) {
+        /// One that is told where its robot starts.
+        public Software(String name, String driver, Value.Mapping settings) {
+            this(name, driver, settings, Optional.empty());
+        }
+    }
 }

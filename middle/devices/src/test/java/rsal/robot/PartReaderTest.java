@@ -46,7 +46,9 @@ class PartReaderTest {
             Map.entry("small-battery", "battery"),
             Map.entry("beacon", "light"),
             Map.entry("own-localizer", "localizer"),
-            Map.entry("own-navigator", "navigator"));
+            Map.entry("own-navigator", "navigator"),
+            Map.entry("own-map", "map"),
+            Map.entry("canvas", "canvas"));
 
     @TempDir
     private Path folder;

@@ -8,7 +8,10 @@ import java.util.Map;
 import java.util.Optional;
 import rsal.data.ActuatorState.Joint;
 import rsal.data.Pose2d;
+import rsal.device.Canvas;
+import rsal.device.Device;
 import rsal.device.Localizer;
+import rsal.device.Mapper;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
 
@@ -97,12 +100,22 @@ final class PartWriter {
                 yield light.baseFromLight();
             }
             case Part.Own own -> {
-                told.put("type", own.makes().equals(Localizer.class) ? "localizer" : "navigator");
+                told.put("type", own(own.makes()));
                 yield Pose2d.ORIGIN;
             }
         };
         period(part).ifPresent(period -> told.put("period", seconds(period)));
         return new Told(mount, told);
+    }
+
+    private static String own(Class<? extends Device> made) {
+        if (made.equals(Mapper.class)) {
+            return "map";
+        }
+        if (made.equals(Canvas.class)) {
+            return "canvas";
+        }
+        return made.equals(Localizer.class) ? "localizer" : "navigator";
     }
 
     /// Beams that are not the same to both sides are turned together.

@@ -9,6 +9,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import rsal.data.Fan;
 import rsal.data.Pose2d;
 
 /// Scans [1/s] of 180 beams of 8 m among robots, walls included, against asking every beam for every robot.
@@ -18,8 +19,7 @@ import rsal.data.Pose2d;
 @Measurement(iterations = 5, time = 2)
 public class NeighborRays {
     private static final double REACH = 8;
-    private static final Beams BEAMS =
-            new Beams(List.of(new Beams.Fan(Pose2d.ORIGIN, -Math.PI / 2, Math.PI / 179, 180)), 0);
+    private static final Beams BEAMS = new Beams(List.of(new Fan(Pose2d.ORIGIN, -Math.PI / 2, Math.PI / 179, 180)), 0);
 
     @Param({"100", "1000"})
     int robots;

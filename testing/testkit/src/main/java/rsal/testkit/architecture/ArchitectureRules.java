@@ -4,6 +4,7 @@ import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPac
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaAccess;
@@ -15,12 +16,20 @@ import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.lang.module.ModuleDescriptor;
+import java.lang.module.ModuleFinder;
+import java.lang.module.ModuleReference;
 import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Executor;
@@ -82,10 +91,22 @@ public abstract class ArchitectureRules {
     };
 
     private final JavaClasses classes;
+    private final Path home; // of the module's classes
 
     /// @param anchor any class of the module, to find the others by
     protected ArchitectureRules(Class<?> anchor) {
-        this.classes = classesBeside(anchor);
+        this.home = home(anchor);
+        this.classes = classesBeside(home);
+    }
+
+    /// A module's declarations count on the module path only; the launcher uses the class path.
+    @Test
+    void providersAreFoundOnBothPaths() throws IOException {
+        for (ModuleReference module : ModuleFinder.of(home).findAll()) {
+            for (ModuleDescriptor.Provides provided : module.descriptor().provides()) {
+                assertThat(named(provided.service())).as(provided.service()).containsAll(provided.providers());
+            }
+        }
     }
 
     @Test
@@ -312,10 +333,29 @@ public abstract class ArchitectureRules {
         return all;
     }
 
-    private static JavaClasses classesBeside(Class<?> anchor) {
+    /// All providers of a service that files on the class path name.
+    private static List<String> named(String service) throws IOException {
+        var lines = new ArrayList<String>();
+        for (URL file : Collections.list(
+                ArchitectureRules.class.getClassLoader().getResources("META-INF/services/" + service))) {
+            try (InputStream in = file.openStream()) {
+                new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().forEach(lines::add);
+            }
+        }
+        return lines;
+    }
+
+    private static Path home(Class<?> anchor) {
         try {
-            Path place = Path.of(
+            return Path.of(
                     anchor.getProtectionDomain().getCodeSource().getLocation().toURI());
+        } catch (URISyntaxException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static JavaClasses classesBeside(Path place) {
+        try {
             if (Files.isDirectory(place)) {
                 return new ClassFileImporter().importPath(place);
             }
@@ -324,8 +364,6 @@ public abstract class ArchitectureRules {
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        } catch (URISyntaxException e) {
-            throw new IllegalStateException(e);
         }
     }
 }

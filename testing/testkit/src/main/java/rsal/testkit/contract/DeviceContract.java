@@ -2,8 +2,10 @@ package rsal.testkit.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import org.junit.jupiter.api.Test;
 import rsal.device.Device;
+import rsal.device.Health;
 
 /// What every device of a robot owes.
 public abstract class DeviceContract<D extends Device> extends RobotBench {
@@ -27,7 +29,10 @@ public abstract class DeviceContract<D extends Device> extends RobotBench {
 
     @Test
     void isWellWhenNothingIsWrong() {
+        var told = new ArrayList<Health>();
+        device().onHealth(told::add);
         advance(2);
         assertThat(device().health().isOk()).isTrue();
+        assertThat(told).as("not for a moment").allMatch(Health::isOk);
     }
 }

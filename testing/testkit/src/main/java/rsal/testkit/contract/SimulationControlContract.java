@@ -1,8 +1,12 @@
 package rsal.testkit.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
+import rsal.data.Fan;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
@@ -75,6 +79,31 @@ public abstract class SimulationControlContract extends RobotBench {
     }
 
     @Test
+    void whoOverlapsWhatWasPlacedAnywayDrivesOutAndNotInAgain() {
+        Pose2d atTheBack = START.compose(new Pose2d(-0.15, 0, 0));
+        assertThat(simulation().addAnyway(thing("box", atTheBack).asObstacle())).isEqualTo(new Placement.Placed());
+        drive(Twist2d.drive(-0.4, 0), 2);
+        assertThat(truth()).as("not through it").isEqualTo(START);
+        drive(Twist2d.drive(0.4, 0), 3);
+        assertThat(START.inverse().compose(truth()).x()).isGreaterThan(0.7);
+        drive(Twist2d.drive(-0.4, 0), 5);
+        assertThat(START.inverse().compose(truth()).x()).as("not in again").isBetween(0.05, 0.4);
+    }
+
+    @Test
+    void whatIsCarriedElsewhereIsPlacedAboveTheFloor() {
+        Pose2d ahead = START.compose(new Pose2d(1, 0, 0));
+        put(thing("box", ahead));
+        Pose2d further = START.compose(new Pose2d(2, 0, 0));
+        assertThat(simulation().placeAnyway("box", further, 0.3)).isEqualTo(new Placement.Placed());
+        assertThat(simulation().truth("box")).contains(further);
+        assertThat(simulation().placeAnyway("nothing", further, 0.3)).isInstanceOf(Placement.Refused.class);
+        assertThat(simulation().placeAnyway("r1", further, 0.3))
+                .as("robots stay on it")
+                .isInstanceOf(Placement.Refused.class);
+    }
+
+    @Test
     void refusesToPlaceAnywayWhatIsNotThereOrNowhere() {
         assertThat(simulation().placeAnyway("nobody", START)).isInstanceOf(Placement.Refused.class);
         assertThat(simulation().placeAnyway("r1", new Pose2d(-3, 4, 0))).isInstanceOf(Placement.Refused.class);
@@ -83,6 +112,29 @@ public abstract class SimulationControlContract extends RobotBench {
         assertThat(simulation().addAnyway(thing("box", new Pose2d(-3, 4, 0)))).isInstanceOf(Placement.Refused.class);
         assertThat(simulation().entities()).containsExactly("r1");
         assertThat(truth()).isEqualTo(START);
+    }
+
+    @Test
+    void raysMeetRobotsAndThingsAndPassThroughWallsAndWhomTheyShall() {
+        put(thing("box", START.compose(new Pose2d(3, 0, 0))));
+        advance(1);
+        Pose2d behind = START.compose(new Pose2d(-1, 0, 0));
+        var fans = List.of(new Fan(Pose2d.ORIGIN, -0.7, 0.7, 3), new Fan(new Pose2d(2, 0, Math.PI), 0, 1, 1));
+        double[] all = simulation().ranges(fans, behind, 0.2, 30, Set.of());
+        assertThat(all).hasSize(4);
+        assertThat(all[0]).as("past it, through walls").isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(all[1]).as("the robot's back").isBetween(0.6, 0.9);
+        assertThat(all[2]).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(all[3]).as("its front").isBetween(0.6, 0.9);
+        double[] others = simulation().ranges(fans, behind, 0.2, 30, Set.of("r1"));
+        assertThat(others[1]).as("the box behind it").isCloseTo(3.9, within(0.01));
+        assertThat(others[3]).isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(simulation().ranges(fans, behind, 0.2, 3.8, Set.of("r1"))[1])
+                .as("beyond reach")
+                .isEqualTo(Double.POSITIVE_INFINITY);
+        assertThat(simulation().ranges(fans, behind, 0.6, 30, Set.of("r1"))[1])
+                .as("over it")
+                .isEqualTo(Double.POSITIVE_INFINITY);
     }
 
     @Test

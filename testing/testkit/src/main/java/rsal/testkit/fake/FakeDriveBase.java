@@ -112,8 +112,9 @@ public final class FakeDriveBase extends SensorCore<Odometry> implements DriveBa
         Pose2d next = mapFromBase
                 .compose(new Pose2d(0, 0, middle))
                 .compose(new Pose2d(velocity.vx() * dt, velocity.vy() * dt, middle));
+        double room = world.clearance(next.x(), next.y());
         boolean touches =
-                world.clearance(next.x(), next.y()) < model.footprint().inscribedRadius();
+                room < radius() && room <= world.clearance(mapFromBase.x(), mapFromBase.y()); // else it drives out
         if (touches && velocity.speed() != 0) {
             if (!stalled) {
                 simulation.touched(clock.instant(), info().robot());

@@ -4,7 +4,10 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import rsal.data.Fan;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
@@ -60,6 +63,13 @@ public final class FakeSimulationControl extends DeviceCore implements Simulatio
         return new Placement.Placed();
     }
 
+    @Override
+    public Placement placeAnyway(String thing, Pose2d mapFromThing, double height) {
+        return things.find(thing).isPresent()
+                ? placeAnyway(thing, mapFromThing)
+                : new Placement.Refused("There is no thing (%s).".formatted(thing));
+    }
+
     private boolean isOutside(Pose2d pose) {
         return !pose.isFinite() || !world.contains(world.column(pose.x()), world.row(pose.y()));
     }
@@ -86,6 +96,31 @@ public final class FakeSimulationControl extends DeviceCore implements Simulatio
     @Override
     public boolean remove(String thing) {
         return things.remove(thing);
+    }
+
+    @Override
+    public double[] ranges(List<Fan> fans, Pose2d mapFromBase, double height, double reach, Set<String> through) {
+        return fans.stream()
+                .flatMapToDouble(fan -> IntStream.range(0, fan.count())
+                        .mapToObj(ray -> mapFromBase
+                                .compose(fan.baseFromSensor())
+                                .compose(new Pose2d(0, 0, fan.first() + ray * fan.increment())))
+                        .mapToDouble(mapFromRay -> range(mapFromRay, height, through)))
+                .map(range -> range <= reach ? range : Double.POSITIVE_INFINITY)
+                .toArray();
+    }
+
+    private double range(Pose2d mapFromRay, double height, Set<String> through) {
+        double ofRobots = bases.stream()
+                .filter(base -> !through.contains(base.info().robot()))
+                .mapToDouble(base -> FakeWorld.range(mapFromRay, base.mapFromBase(), base.radius()))
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+        return things.things().stream()
+                .filter(thing -> !through.contains(thing.name()))
+                .filter(thing -> height <= thing.body().top())
+                .mapToDouble(thing -> FakeWorld.range(mapFromRay, thing.mapFromThing(), FakeWorld.radius(thing)))
+                .reduce(ofRobots, Math::min);
     }
 
     @Override

@@ -76,6 +76,14 @@ final class FakeWorld {
         return Math.hypot(thing.mapFromThing().x() - x, thing.mapFromThing().y() - y) - radius(thing);
     }
 
+    /// Distance along the x axis of a pose to a disc [m]; +∞ when it misses.
+    static double range(Pose2d mapFromRay, Pose2d mapFromDisc, double radius) {
+        Pose2d rayFromDisc = mapFromRay.inverse().compose(mapFromDisc);
+        double half = Math.sqrt(radius * radius - rayFromDisc.y() * rayFromDisc.y()); // NaN: it misses
+        double range = rayFromDisc.x() + half < 0 ? Double.NaN : Math.max(0, rayFromDisc.x() - half);
+        return Double.isNaN(range) ? Double.POSITIVE_INFINITY : range;
+    }
+
     /// Whether no wall is between a sensor and a place; things hide nothing.
     boolean sees(Pose2d mapFromSensor, Point2d place) {
         double bearing = mapFromSensor.bearingTo(place);
