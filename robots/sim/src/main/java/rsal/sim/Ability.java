@@ -3,7 +3,11 @@ package rsal.sim;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import rsal.device.Device;
 import rsal.device.Localizer;
+import rsal.device.Mapper;
+import rsal.device.Navigator;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Axis;
 import rsal.robot.RobotModel.Part;
@@ -11,6 +15,14 @@ import rsal.robot.RobotModel.Part;
 /// What the simulation can do, and what it would need to be different in a model that it cannot.
 public final class Ability {
     private static final int MOST_RAYS = 100_000; // of a sensor
+
+    private static final Map<Class<? extends Device>, String> INSTEAD = Map.of(
+            Localizer.class,
+            "Maybe {type: amcl}?",
+            Navigator.class,
+            "Maybe {type: navigator}?",
+            Mapper.class,
+            "Maybe {type: explorer}?");
 
     private Ability() {}
 
@@ -73,8 +85,8 @@ public final class Ability {
                 }
                 case Part.Light light -> positive(problems, its + "period [s]", seconds(light.period()));
                 case Part.Own own ->
-                    problems.add("Simulated robots have no computers of their own, and so no (%s). Maybe {type: %s}?"
-                            .formatted(own.name(), own.makes().equals(Localizer.class) ? "amcl" : "navigator"));
+                    problems.add("Simulated robots have no computers of their own, and so no (%s). %s"
+                            .formatted(own.name(), INSTEAD.getOrDefault(own.makes(), "Leave it out.")));
             }
         }
         return problems;

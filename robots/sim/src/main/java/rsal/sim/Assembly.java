@@ -98,12 +98,6 @@ final class Assembly {
         return actuators;
     }
 
-    /// Where a device is that the model does not tell the height of: half as high as the body, so that it meets what
-    /// stands on the floor [m].
-    private static double height(RobotModel model, String device) {
-        return model.heights().getOrDefault(device, model.body().top() / 2);
-    }
-
     private SimDrive drive(RobotSpec spec) {
         var drive = spec.model().drive();
         return new SimDrive(
@@ -119,7 +113,7 @@ final class Assembly {
 
     private SimSensor<?> device(Site site, String name, Part part) {
         DeviceInfo info = deviceOf(site.spec, name);
-        double height = height(site.spec.model(), name);
+        double height = site.spec.model().level(name);
         Mount mount = site.mount(name);
         var kind = new Kind(part, height);
         return switch (part) {

@@ -3,9 +3,11 @@ package rsal.sim;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BiPredicate;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import rsal.data.Fan;
 import rsal.data.Pose2d;
 import rsal.data.Prism;
 import rsal.data.Solid;
@@ -17,6 +19,7 @@ import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.Surface;
 import rsal.settings.Suggestion;
+import rsal.sim.world.Beams;
 import rsal.sim.world.Body;
 import rsal.sim.world.Chunk;
 import rsal.sim.world.World;
@@ -94,6 +97,19 @@ final class SimControl extends DeviceCore implements SimulationControl {
     @Override
     public Placement placeAnyway(String entity, Pose2d mapFromEntity) {
         return place(entity, mapFromEntity, this::putAnyway);
+    }
+
+    @Override
+    public Placement placeAnyway(String thing, Pose2d mapFromThing, double height) {
+        if (things.find(thing).isEmpty()) {
+            return new Placement.Refused(
+                    "There is no thing (%s). %s".formatted(thing, Suggestion.among(thing, things.names())));
+        }
+        return place(thing, mapFromThing, (body, there) -> {
+            putAnyway(body, there);
+            world.put(body, there, height);
+            return true;
+        });
     }
 
     /// @param putting says whether there was room
@@ -238,6 +254,12 @@ final class SimControl extends DeviceCore implements SimulationControl {
             world.remove(body);
         });
         return gone.isPresent();
+    }
+
+    @Override
+    public double[] ranges(List<Fan> fans, Pose2d mapFromBase, double height, double reach, Set<String> through) {
+        return new Beams(fans, height)
+                .castThroughWalls(world, mapFromBase, reach, body -> through.contains(body.name()));
     }
 
     @Override

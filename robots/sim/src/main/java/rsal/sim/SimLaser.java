@@ -1,12 +1,12 @@
 package rsal.sim;
 
 import java.util.List;
+import rsal.data.Fan;
 import rsal.data.LaserScan;
 import rsal.device.DeviceInfo;
 import rsal.device.LaserScanner;
 import rsal.robot.RobotModel.Part.Laser;
 import rsal.sim.world.Beams;
-import rsal.sim.world.Beams.Fan;
 import rsal.sim.world.Body;
 import rsal.sim.world.World;
 

@@ -1,22 +1,19 @@
 package rsal.sim;
 
 import java.util.List;
+import rsal.data.Fan;
 import rsal.data.Pose2d;
 import rsal.data.RangeArray;
 import rsal.device.DeviceInfo;
 import rsal.device.SonarArray;
 import rsal.robot.RobotModel.Part.Sonars;
 import rsal.sim.world.Beams;
-import rsal.sim.world.Beams.Fan;
 import rsal.sim.world.Body;
 import rsal.sim.world.World;
 
-/// A simulated ring of sonars. Each cone is a fan of rays at most 5° apart, and its range that of the shortest; one
-/// that is no wider than 1° is a ray. Level, all of them.
+/// A simulated ring of sonars. Each cone is a [fan][Fan#cone], and its range that of the shortest ray. Level, all of
+/// them.
 final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
-    private static final double RAYS_APART = Math.toRadians(5);
-    private static final double NARROW = Math.toRadians(1);
-
     private final Sonars sonars;
     private final Beams cones;
     private final int raysOfEach;
@@ -33,17 +30,9 @@ final class SimSonar extends RangeSensor<RangeArray> implements SonarArray {
     static Beams cones(Sonars sonars, double height) {
         return new Beams(
                 sonars.baseFromSensors().stream()
-                        .map(baseFromSensor -> cone(baseFromSensor, sonars.fieldOfView()))
+                        .map(baseFromSensor -> Fan.cone(baseFromSensor, sonars.fieldOfView()))
                         .toList(),
                 height);
-    }
-
-    private static Fan cone(Pose2d baseFromSensor, double width) {
-        if (width <= NARROW) {
-            return new Fan(baseFromSensor, 0, width, 1);
-        }
-        int gaps = (int) Math.ceil(width / RAYS_APART);
-        return new Fan(baseFromSensor, -width / 2, width / gaps, gaps + 1);
     }
 
     @Override

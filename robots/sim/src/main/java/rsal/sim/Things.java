@@ -47,11 +47,15 @@ final class Things {
             return givingPower;
         }
 
+        private boolean isGrippable() {
+            return blocks.stream().anyMatch(block -> block.surface().grippable());
+        }
+
         private Standing standing() {
             Standing now = shown;
             if (now == null || !now.mapFromThing().equals(body.pose()) || now.height() != body.height()) {
                 Solid solid = now == null ? Entity.look(blocks).orElseThrow() : now.body();
-                now = new Standing(number, body.name(), solid, body.pose(), body.height());
+                now = new Standing(number, body.name(), solid, body.pose(), body.height(), isGrippable());
                 shown = now;
             }
             return now;

@@ -62,7 +62,6 @@ final class KnownDrivers {
             "wavefront cspace_file", "The driver works that out anew each time.");
 
     private static final Map<String, String> INSTEAD_OF = Map.of(
-            "amcl init_pose", "It starts where its robot does.",
             "amcl odom_drift[0]", "How much its odometry drifts, the robot's model says.",
             "amcl odom_drift[1]", "How much its odometry drifts, the robot's model says.",
             "amcl odom_drift[2]", "How much its odometry drifts, the robot's model says.");

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
 import rsal.settings.Location;
 import rsal.settings.Value;
@@ -14,8 +15,15 @@ import rsal.sim.stage.Findings;
 
 /// What Player's options for navigation are of ours: names, and units.
 final class Options {
+    private static final String START = "init_pose";
     private static final Set<String> ELSEWHERE = Set.of(
-            "distance_epsilon", "angle_epsilon", "goal_tol", "goal_position_tol", "goal_angle_tol", "enable_gui");
+            "distance_epsilon",
+            "angle_epsilon",
+            "goal_tol",
+            "goal_position_tol",
+            "goal_angle_tol",
+            "enable_gui",
+            START);
 
     private enum Unit {
         NUMBER,
@@ -109,6 +117,12 @@ final class Options {
         var keys = new LinkedHashMap<String, Location>();
         var untold = new LinkedHashSet<>(driver.options().keySet());
         untold.removeAll(ELSEWHERE);
+        if (driver.option(START).isPresent() && driver.option("init_pose_var").isEmpty()) { // Player's own
+            entries.put("initialDeviation", new Value.Scalar(driver.location(), 1.0));
+            entries.put("initialAngleDeviation", new Value.Scalar(driver.location(), 360.0));
+            keys.put("initialDeviation", driver.location());
+            keys.put("initialAngleDeviation", driver.location());
+        }
         known.forEach((name, own) -> driver.option(name).ifPresent(option -> {
             List<Value> values = option.value() instanceof Value.Sequence list ? list.items() : List.of(option.value());
             for (int i = 0; i < Math.min(values.size(), own.size()); i++) {
@@ -147,6 +161,25 @@ final class Options {
                     case LENGTH -> written * config.meters();
                     case ANGLE -> Math.toDegrees(written * config.radians());
                 });
+    }
+
+    /// Where a driver is told that its robot starts.
+    Optional<Pose2d> start(Driver driver) {
+        OptionalDouble x = first(driver, 0, START);
+        OptionalDouble y = first(driver, 1, START);
+        OptionalDouble theta = first(driver, 2, START);
+        if (x.isPresent() && y.isPresent() && theta.isPresent()) {
+            return Optional.of(new Pose2d(
+                    x.getAsDouble() * config.meters(),
+                    y.getAsDouble() * config.meters(),
+                    theta.getAsDouble() * config.radians()));
+        }
+        driver.option(START)
+                .ifPresent(wrong -> findings.warn(
+                        wrong.location(),
+                        "(%s) has no effect: it is no pose.".formatted(START),
+                        "Write %s [X Y HEADING].".formatted(START)));
+        return Optional.empty();
     }
 
     /// When a driver takes a goal for reached.

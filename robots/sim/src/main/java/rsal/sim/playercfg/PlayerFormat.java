@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rsal.data.OccupancyGrid;
 import rsal.scene.Scene;
 import rsal.scene.SceneFormat;
 import rsal.scene.Service;
@@ -49,9 +50,10 @@ public final class PlayerFormat implements SceneFormat {
             services = new Served(config, empty, findings).services();
             scene = StageFormat.scene(empty, path, seed);
         }
+        Optional<OccupancyGrid> map = new MapFile(config, found, findings).read();
         var warnings = new ArrayList<>(findings.warnings(path));
         warnings.addAll(scene.warnings());
-        return scene.serving(services, warnings);
+        return map.map(scene::known).orElse(scene).serving(services, warnings);
     }
 
     /// What the first driver that simulates names.

@@ -148,10 +148,6 @@ final class Served {
         return switch (driver.name()) {
             case "mapfile" -> {
                 driver.provides().forEach(address -> provide(address, new Source(Optional.empty(), Service.MAP)));
-                findings.warn(
-                        driver.location(),
-                        "The image of (mapfile) has no effect: the map of a run is made of its world.",
-                        "");
                 yield true;
             }
             case "rangertolaser" -> translate(driver, "ranger", "laser");
@@ -278,7 +274,7 @@ final class Served {
             var devices = new ArrayList<Software>();
             devices.add(navigation
                     .localizing()
-                    .map(driver -> new Software(LOCALIZER, "amcl", options.settings(driver)))
+                    .map(driver -> new Software(LOCALIZER, "amcl", options.settings(driver), options.start(driver)))
                     .orElseGet(() -> new Software(LOCALIZER, "odometry", Value.Mapping.empty(first.location()))));
             if (navigation.avoiding().isPresent() || navigation.planning().isPresent()) {
                 devices.add(new Software(NAVIGATOR, "navigator", navigator(navigation)));

@@ -1,7 +1,10 @@
 package rsal.sim.world;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleSupplier;
+import java.util.function.Predicate;
+import rsal.data.Fan;
 import rsal.data.Pose2d;
 import rsal.robot.Shift;
 
@@ -21,25 +24,19 @@ public final class Beams {
     private final double[] cos; // of each ray, in the base frame
     private final double[] sin;
 
-    /// Rays that leave one place at equal angles.
-    ///
-    /// @param first direction of the first ray in the sensor's frame [rad]
-    /// @param increment angle between rays, counter-clockwise [rad]; positive
-    public record Fan(Pose2d baseFromSensor, double first, double increment, int count) {}
-
     /// @param height of the sensor above its body's base [m]
     public Beams(List<Fan> fans, double height) {
         this.height = height;
-        originX = fans.stream().mapToDouble(fan -> fan.baseFromSensor.x()).toArray();
-        originY = fans.stream().mapToDouble(fan -> fan.baseFromSensor.y()).toArray();
+        originX = fans.stream().mapToDouble(fan -> fan.baseFromSensor().x()).toArray();
+        originY = fans.stream().mapToDouble(fan -> fan.baseFromSensor().y()).toArray();
         heading = fans.stream()
-                .mapToDouble(fan -> fan.baseFromSensor.theta() + fan.first)
+                .mapToDouble(fan -> fan.baseFromSensor().theta() + fan.first())
                 .toArray();
         increment = fans.stream().mapToDouble(Fan::increment).toArray();
         begin = new int[fans.size() + 1];
         double farthest = 0;
         for (int i = 0; i < fans.size(); i++) {
-            begin[i + 1] = begin[i] + fans.get(i).count;
+            begin[i + 1] = begin[i] + fans.get(i).count();
             farthest = Math.max(farthest, Math.hypot(originX[i], originY[i]));
         }
         farthestOrigin = farthest;
@@ -85,23 +82,42 @@ public final class Beams {
         if (most > 0) {
             turn(rays, turn);
         }
-        PieceGrid.Found near = rays.near;
-        world.seenNear(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
-        for (int i = 0; i < near.count; i++) {
-            int slot = near.slots[i];
-            Piece piece = world.seen(slot);
-            if (piece.surface.seenByRangers() && piece.isAt(z) && world.seenOwner(slot) != self) {
-                for (int fan = 0; fan < originX.length; fan++) {
-                    clip(rays, slot, piece, base, fan, reach, most);
-                }
-            }
-        }
+        meet(world, rays, base, z, reach, most, owner -> owner == self);
         for (Walls walls : world.walls()) {
             if (walls.surface().seenByRangers() && walls.isAt(z)) {
                 walls.end(rays, reach);
             }
         }
         return rays.range;
+    }
+
+    /// The same from anywhere, through walls.
+    ///
+    /// @param through whom rays pass
+    /// @return a copy
+    public double[] castThroughWalls(World world, Pose2d mapFromBase, double reach, Predicate<Body> through) {
+        var base = new Figure(List.of());
+        base.placeAt(mapFromBase, 0);
+        Rays rays = Rays.ofThisThread(cos.length);
+        aim(rays, base);
+        meet(world, rays, base, height, reach, 0, through);
+        return Arrays.copyOf(rays.range, cos.length);
+    }
+
+    /// Ends rays at bodies.
+    private void meet(
+            World world, Rays rays, Figure base, double z, double reach, double astray, Predicate<Body> through) {
+        PieceGrid.Found near = rays.near;
+        world.seenNear(base.pose().x(), base.pose().y(), reach + farthestOrigin, near);
+        for (int i = 0; i < near.count; i++) {
+            int slot = near.slots[i];
+            Piece piece = world.seen(slot);
+            if (piece.surface.seenByRangers() && piece.isAt(z) && !through.test(world.seenOwner(slot))) {
+                for (int fan = 0; fan < originX.length; fan++) {
+                    clip(rays, slot, piece, base, fan, reach, astray);
+                }
+            }
+        }
     }
 
     private void aim(Rays rays, Figure base) {

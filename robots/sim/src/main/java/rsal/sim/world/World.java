@@ -3,19 +3,23 @@ package rsal.sim.world;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiPredicate;
 import java.util.function.DoubleConsumer;
 import java.util.function.DoubleFunction;
+import java.util.function.ToDoubleFunction;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import rsal.robot.Shift;
 
-/// Walls and the bodies between them. No body that moves by itself ever overlaps what is in its way.
+/// Walls and the bodies between them. No body that moves by itself gets into what is in its way, and one into which
+/// something was [#put] gets no deeper into it.
 ///
 /// Bodies keep a hair of 1 mm between themselves and anything solid. That makes a way certain to check in
 /// finitely many poses: a body that is free by d at one pose and by a hair at the next, with no point of it
@@ -26,6 +30,7 @@ public final class World {
     public static final String WALL = "wall";
 
     private static final double HAIR = 0.001; // [m]
+    private static final double STRIDE = 0.005; // [m]; of who makes his way out of others
     private static final double LOOK_AHEAD = 0.3; // [m]; farther away nothing needs to be measured
     private static final double TOUCH = 0.01; // [m]; bodies that are so near touch, as far as others can tell
 
@@ -222,7 +227,14 @@ public final class World {
 
     /// Puts a body somewhere, whether it has room or not.
     public void put(Body body, Pose2d mapFromBase) {
-        body.figure.placeAt(mapFromBase, body.height());
+        put(body, mapFromBase, body.height());
+    }
+
+    /// As above, at a height.
+    ///
+    /// @param height of its base above ground [m]
+    public void put(Body body, Pose2d mapFromBase, double height) {
+        body.figure.placeAt(mapFromBase, height);
         arrive(body);
     }
 
@@ -250,7 +262,60 @@ public final class World {
             body.figure.placeAt(arc.at(1), body.height());
             return 1;
         }
-        return approach(body, way, free, reach, part -> body.trial.placeAt(arc.at(part), body.height()));
+        return free < 0
+                ? withdraw(body, arc, way)
+                : approach(body, way, free, reach, part -> body.trial.placeAt(arc.at(part), body.height()));
+    }
+
+    /// Moves a body that overlaps others, as they were [#put] into it, as far as that leads no deeper into any of them
+    /// and into nothing else. It is checked every few millimeters.
+    ///
+    /// @param way that any point of it makes, at most [m]
+    /// @return how much of the way it made, 0–1; when less than 1, [#obstacle] says why
+    private double withdraw(Body body, Arc arc, double way) {
+        var depths = new HashMap<Body, Double>();
+        isNoDeeper(body.figure, body, _ -> Double.NEGATIVE_INFINITY, depths);
+        int strides = (int) Math.ceil(way / STRIDE);
+        for (int made = 0; made < strides; made++) {
+            body.trial.placeAt(arc.at((made + 1.0) / strides), body.height());
+            var now = new HashMap<Body, Double>();
+            if (!isNoDeeper(body.trial, body, other -> depths.getOrDefault(other, HAIR), now)) {
+                return (double) made / strides;
+            }
+            body.figure.placeAt(body.trial);
+            depths.clear();
+            depths.putAll(now);
+        }
+        return 1;
+    }
+
+    /// Whether a figure keeps off walls, and off each body by as much as that asks for.
+    ///
+    /// @param least by which it must keep off a body [m]; less than 0 for how deep it may be in it
+    /// @param depths takes by how much it is in each that it is in [m], all less than a hair
+    private boolean isNoDeeper(Figure figure, Body itself, ToDoubleFunction<Body> least, Map<Body, Double> depths) {
+        obstacle = null;
+        if (clearanceOfWalls(figure, HAIR) < HAIR) {
+            return false;
+        }
+        for (Piece piece : figure.pieces) {
+            nowGrid.near(piece.x(), piece.y(), piece.radius() + HAIR, near);
+            for (int i = 0; i < near.count; i++) {
+                Body owner = owner(near.slots[i]);
+                Piece other = Objects.requireNonNull(now.get(near.slots[i]));
+                if (owner != itself && inTheWay(piece, other)) {
+                    double gap = piece.separation(other);
+                    if (gap < least.applyAsDouble(owner)) {
+                        obstacle = owner;
+                        return false;
+                    }
+                    if (gap < HAIR) {
+                        depths.merge(owner, gap, Math::min);
+                    }
+                }
+            }
+        }
+        return true;
     }
 
     /// Lets actuators carry pieces of a body until one would touch something, or all the way. What rises or sinks meets

@@ -13,6 +13,8 @@ import java.util.ServiceLoader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
 import rsal.device.Navigator.Tolerance;
 import rsal.robot.RobotSpec;
 import rsal.scene.Scene;
@@ -234,7 +236,7 @@ class PlayerFormatTest {
     void optionsThatNothingHereHasAreOneWarningEach() {
         assertThat(configs(UHH + PLANNER).warnings())
                 .anySatisfy(w -> assertThat(w).contains("(free_space_cutoff_1ms) has no effect"))
-                .anySatisfy(w -> assertThat(w).contains("(init_pose) has no effect", "It starts where its robot does."))
+                .noneSatisfy(w -> assertThat(w).contains("(init_pose)"))
                 .noneSatisfy(w -> assertThat(w).contains("(amcl) has no effect"))
                 .noneSatisfy(w -> assertThat(w).contains("(distance_epsilon)"))
                 .doesNotHaveDuplicates();
@@ -268,7 +270,116 @@ class PlayerFormatTest {
     void whatHasNoEffectIsOneWarningEach() {
         List<String> warnings = configs(UHH).warnings();
         assertThat(warnings).hasSize(1);
-        assertThat(warnings.getFirst()).startsWith("etc/test.cfg:19:1: The image of (mapfile) has no effect");
+        assertThat(warnings.getFirst())
+                .startsWith("etc/test.cfg:19:1: The map is made of the world, as that of (mapfile) can't be read: "
+                        + "There is no file (etc/bitmaps/tams_compl_red_map.png).");
+    }
+
+    /// Three pixels wide, two high: black, gray, white over white, white, black.
+    private static final String IMAGE = "P2 3 2 255 0 128 255 255 255 0";
+
+    private static final String MAP_FILE = """
+            driver ( name "mapfile" provides ["map:0"] filename "map.pgm" resolution 0.5 %s )
+            """;
+
+    private static OccupancyGrid map(String said) {
+        Scene scene = configs(STAGE + MAP_FILE.formatted(said))
+                .and("etc/map.pgm", IMAGE)
+                .read();
+        assertThat(scene.warnings()).extracting(Problem::toString).noneMatch(w -> w.contains("mapfile"));
+        return scene.map();
+    }
+
+    @Test
+    void theMapIsThatOfMapfile() {
+        OccupancyGrid map = map("");
+        assertThat(map.width()).isEqualTo(3);
+        assertThat(map.height()).isEqualTo(2);
+        assertThat(map.resolution()).isEqualTo(0.5);
+        assertThat(map.originX()).as("its middle is at the origin").isEqualTo(-0.75);
+        assertThat(map.originY()).isEqualTo(-0.5);
+        assertThat(map.cells())
+                .as("the lowest row first")
+                .containsExactly(
+                        OccupancyGrid.FREE,
+                        OccupancyGrid.FREE,
+                        OccupancyGrid.OCCUPIED,
+                        OccupancyGrid.OCCUPIED,
+                        OccupancyGrid.UNKNOWN,
+                        OccupancyGrid.FREE);
+        assertThat(map("negate 1").cells()[0]).isEqualTo(OccupancyGrid.OCCUPIED);
+        OccupancyGrid placed = map("origin [-31.5 -7.8]");
+        assertThat(placed.originX()).isEqualTo(-31.5);
+        assertThat(placed.originY()).isEqualTo(-7.8);
+        Scene centimeters = configs("unit_length \"cm\"\n" + STAGE + MAP_FILE.formatted("origin [-50 20]"))
+                .and("etc/map.pgm", IMAGE)
+                .read();
+        assertThat(centimeters.map().resolution()).isEqualTo(0.005);
+        assertThat(centimeters.map().originX()).isEqualTo(-0.5);
+        assertThat(centimeters.walls())
+                .as("what is solid stays")
+                .isEqualTo(configs(STAGE).read().walls());
+    }
+
+    @Test
+    void ofSeveralMapsTheFirstCounts() {
+        String other = MAP_FILE.formatted("").replace("map:0", "map:1");
+        Configs same = configs(STAGE + MAP_FILE.formatted("") + other).and("etc/map.pgm", IMAGE);
+        assertThat(same.warnings()).noneMatch(w -> w.contains("mapfile"));
+        Configs different = configs(STAGE + MAP_FILE.formatted("") + other.replace("0.5", "0.6"))
+                .and("etc/map.pgm", IMAGE);
+        assertThat(different.warnings()).anyMatch(w -> w.contains("This (mapfile) serves the map of the first one"));
+        assertThat(different.read().map().resolution()).isEqualTo(0.5);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "filename \"map.pgm\" | Its (resolution) is not from 0.001 to 100 [m].",
+                "filename \"map.pgm\" resolution -1 | Its (resolution) is not from 0.001 to 100 [m].",
+                "resolution 1 | It names no file.",
+                "filename 7 resolution 1 | It names no file.",
+                "filename \"map.pgm\" resolution 1 origin 7 | Its (origin) is no place.",
+                "filename \"map.pgm\" resolution 1 origin [1] | Its (origin) is no place.",
+                "filename \"test.cfg\" resolution 1 | it is neither a PGM"
+            })
+    void aMapThatCanNotBeReadIsMadeOfTheWorld(String said, String why) {
+        Configs configs = configs(STAGE + "driver ( name \"mapfile\" provides [\"map:0\"] " + said + " )")
+                .and("etc/map.pgm", IMAGE);
+        assertThat(configs.warnings())
+                .filteredOn(w -> w.contains("mapfile"))
+                .singleElement()
+                .satisfies(w -> assertThat(w).contains("The map is made of the world, as that of (mapfile)", why));
+        assertThat(configs.read().map())
+                .usingRecursiveComparison()
+                .isEqualTo(configs(STAGE).read().map());
+    }
+
+    @Test
+    void amclStartsWhereItIsToldTo() {
+        assertThat(localizer(PLANNER).mapFromStart()).contains(new Pose2d(-21, 4, 0));
+        assertThat(localizer(PLANNER.replace("init_pose [-21.0 4.0 0]", "")).mapFromStart())
+                .as("where its robot does")
+                .isEmpty();
+        String turned = PLANNER.replace("init_pose [-21.0 4.0 0]", "init_pose [1 2 -90]")
+                .replace("init_pose_var [3.0 3.0 360.0]", "");
+        assertThat(localizer(turned).mapFromStart()).contains(Pose2d.ofDegrees(1, 2, -90));
+        assertThat(values(localizer(turned)))
+                .as("as uncertain as Player's")
+                .contains(entry("initialDeviation", 1.0), entry("initialAngleDeviation", 360.0));
+        String wrong = PLANNER.replace("init_pose [-21.0 4.0 0]", "init_pose [1 2]");
+        assertThat(localizer(wrong).mapFromStart()).isEmpty();
+        assertThat(configs(UHH + wrong).warnings())
+                .anyMatch(w -> w.contains("(init_pose) has no effect: it is no pose."));
+    }
+
+    private static Software localizer(String planner) {
+        return configs(UHH + planner).read().services().stream()
+                .flatMap(service -> service.software().stream())
+                .filter(software -> software.name().equals("localizer"))
+                .findFirst()
+                .orElseThrow();
     }
 
     @Test

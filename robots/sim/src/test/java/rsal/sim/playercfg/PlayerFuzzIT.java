@@ -19,7 +19,9 @@ class PlayerFuzzIT {
                                 "localhost:6665:gripper:0" ] )
             served ( provides "6666:position2d:0" model "r1" )
             driver ( name "amcl" provides ["localize:0"] requires ["odometry:::position2d:0" "laser:::map:0"]
-                     odom_drift[0] [0.2 0 0] odom_drift[1] [0 0.2 0] alwayson 1 laser_pose [0.13 0 0] )
+                     odom_drift[0] [0.2 0 0] odom_drift[1] [0 0.2 0] alwayson 1 laser_pose [0.13 0 0]
+                     init_pose [1 2 90] init_pose_var [1 1 360] )
+            driver ( name "mapfile" provides ["map:1"] filename "yard.png" resolution 0.5 origin [-1 2] negate 1 )
             interface ( name "own" code 200 plugin "own" )
             """;
     private static final String MAP = """
@@ -61,6 +63,10 @@ class PlayerFuzzIT {
         "\"r0\"",
         "\"r1\"",
         "\"yard.world\"",
+        "\"yard.png\"",
+        "init_pose",
+        "origin",
+        "resolution",
         "\"test.cfg\"",
         "\"map.inc\"",
         "\"position2d:0\"",
@@ -88,7 +94,8 @@ class PlayerFuzzIT {
     void theGoodOneIsGood() {
         Scene scene = configs(GOOD).read();
         assertThat(scene.robots()).hasSize(2);
-        assertThat(scene.services()).hasSize(5);
+        assertThat(scene.services()).hasSize(6);
+        assertThat(scene.map().resolution()).isEqualTo(0.05);
     }
 
     @Test
@@ -149,7 +156,10 @@ class PlayerFuzzIT {
     }
 
     private static Configs configs(String text) {
-        return Configs.of(text).and("etc/map.inc", MAP).and("etc/yard.world", WORLD);
+        return Configs.of(text)
+                .and("etc/map.inc", MAP)
+                .and("etc/yard.world", WORLD)
+                .and("etc/yard.png", "P2 3 2 255 0 128 255 255 255 0");
     }
 
     private static void readOrRefuse(String which, Configs configs) {

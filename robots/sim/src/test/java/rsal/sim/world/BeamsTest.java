@@ -7,10 +7,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import rsal.data.Fan;
 import rsal.data.Footprint;
 import rsal.data.Pose2d;
 import rsal.robot.Shift;
-import rsal.sim.world.Beams.Fan;
 import rsal.testkit.DrawnMap;
 
 class BeamsTest {

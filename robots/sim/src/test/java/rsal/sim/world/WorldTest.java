@@ -10,6 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.Fan;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -269,7 +270,7 @@ class WorldTest {
         var world = new World(Walls.of(DrawnMap.grid(10, ".").grid()));
         Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
         Body other = world.add("other", Chunk.of(BOX), new Pose2d(3, 5, 0), 0);
-        var beams = new Beams(List.of(new Beams.Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
+        var beams = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         assertThat(beams.cast(world, self, 8)[0]).isLessThan(2);
         assertThat(world.hasRoom(Chunk.of(BOX), other.pose(), 0)).isFalse();
         world.remove(other);
@@ -288,7 +289,7 @@ class WorldTest {
         var world = new World(List.of(), new Extent(0, 0, 10, 10));
         Body self = world.add("self", Chunk.of(BOX), new Pose2d(1, 5, 0), 0);
         Body far = world.add("far", Chunk.of(BOX), new Pose2d(6, 5, 0), 0);
-        var ahead = new Beams(List.of(new Beams.Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
+        var ahead = new Beams(List.of(new Fan(Pose2d.ORIGIN, 0, 1, 1)), 0);
         double before = ahead.cast(world, self, 9)[0];
         world.watched(true);
         Body near = world.add("near", Chunk.of(BOX), new Pose2d(3, 5, 0), 0);
