@@ -6,7 +6,8 @@ module rsal.player {
     requires static org.jspecify;
 
     provides rsal.system.BridgeProvider with
-            rsal.player.bridge.PlayerBridgeProvider;
+            rsal.player.bridge.PlayerBridgeProvider,
+            rsal.player.bridge.Player30BridgeProvider;
     provides rsal.system.RobotSystemProvider with
             rsal.player.PlayerProvider;
 }

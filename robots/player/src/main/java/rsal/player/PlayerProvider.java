@@ -1,10 +1,16 @@
 package rsal.player;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import rsal.player.PlayerSystem.Overseer;
+import rsal.player.client.Delivery;
 import rsal.player.device.RemoteRobot;
 import rsal.player.message.Session;
 import rsal.robot.RobotModel.Part;
@@ -36,10 +42,28 @@ public final class PlayerProvider implements RobotSystemProvider {
             "The server's port, when (servers) names none; several robots are on the ports from there on.");
     private static final Parameter INDEX = Parameter.integer(
             "index", 0, 0, 9999, "", "Which robot of its server it is, from 0, when (servers) names none.");
+    private static final Parameter DELIVERY = Parameter.choice(
+            "delivery",
+            words(Delivery.AUTO),
+            Arrays.stream(Delivery.values()).map(PlayerProvider::words).toList(),
+            "How data comes: pushed as soon as there is some; pulled in rounds, which suits slow networks; auto pulls"
+                    + " from other machines.");
     private static final Parameter WATCHDOG =
             Parameter.number("watchdog", 0.5, 0.1, 10, "s", "A base stops when no command came for this long.");
     private static final Parameter ARMED = Parameter.flag(
             "armed", false, "Whether motors are on from the beginning. Else robots stand until somebody arms them.");
+
+    private static final String OWN = "own";
+    private static final Parameter SIMULATION = Parameter.text(
+            "simulation",
+            "",
+            "Who knows where robots really are, when they are simulated: (own), the first of their servers that has a"
+                    + " simulation, or HOST:PORT of another. Left out: nobody.");
+    private static final Parameter NAMES = Parameter.text(
+            "names",
+            "",
+            "What that simulation calls the robots, one after the other, divided by commas. Left out: what they are"
+                    + " called here.");
 
     @Override
     public String key() {
@@ -53,7 +77,7 @@ public final class PlayerProvider implements RobotSystemProvider {
 
     @Override
     public List<Parameter> parameters() {
-        return List.of(SERVERS, HOST, PORT, INDEX, WATCHDOG, ARMED);
+        return List.of(SERVERS, HOST, PORT, INDEX, DELIVERY, WATCHDOG, ARMED, SIMULATION, NAMES);
     }
 
     @Override
@@ -73,16 +97,59 @@ public final class PlayerProvider implements RobotSystemProvider {
                 }
             }
         }
-        var berths = new LinkedHashMap<RobotSpec, Berth>();
-        try {
-            berths.putAll(berths(settings, config.robots()));
-        } catch (IllegalArgumentException e) {
-            problems.add(new Problem(config.robots().getFirst().id(), "mrs", String.valueOf(e.getMessage())));
-        }
+        Optional<Map<RobotSpec, Berth>> berths = read(() -> berths(settings, config.robots()), config, problems);
+        Optional<Optional<Overseer>> overseer = read(() -> overseer(settings, config.robots()), config, problems);
         if (!problems.isEmpty()) {
             throw new InvalidRobots(problems);
         }
-        return new PlayerSystem(berths, settings.seconds(WATCHDOG.name()), settings.flag(ARMED.name()), scheduler);
+        return new PlayerSystem(
+                berths.orElseThrow(),
+                overseer.orElseThrow(),
+                Delivery.valueOf(settings.text(DELIVERY.name()).toUpperCase(Locale.ROOT)),
+                settings.seconds(WATCHDOG.name()),
+                settings.flag(ARMED.name()),
+                scheduler);
+    }
+
+    /// What settings say; empty, with a problem more, when that can't be.
+    private static <T> Optional<T> read(Supplier<T> settings, Config config, List<Problem> problems) {
+        try {
+            return Optional.of(settings.get());
+        } catch (IllegalArgumentException e) {
+            problems.add(new Problem(config.robots().getFirst().id(), "mrs", String.valueOf(e.getMessage())));
+            return Optional.empty();
+        }
+    }
+
+    private static String words(Delivery delivery) {
+        return delivery.name().toLowerCase(Locale.ROOT);
+    }
+
+    private static Optional<Overseer> overseer(Arguments settings, List<RobotSpec> robots) {
+        String who = settings.text(SIMULATION.name()).strip();
+        if (who.isEmpty() || robots.isEmpty()) {
+            return Optional.empty();
+        }
+        List<String> ids = robots.stream().map(RobotSpec::id).toList();
+        String written = settings.text(NAMES.name()).strip();
+        List<String> names = written.isEmpty() ? ids : List.of(written.split("\\s*,\\s*", -1));
+        if (names.size() != ids.size()) {
+            throw new IllegalArgumentException(
+                    "(names) names %d robots, but there are %d.".formatted(names.size(), ids.size()));
+        }
+        var byId = new LinkedHashMap<String, String>();
+        for (int i = 0; i < ids.size(); i++) {
+            byId.put(ids.get(i), names.get(i));
+        }
+        if (who.equals(OWN)) {
+            return Optional.of(new Overseer(Optional.empty(), byId));
+        }
+        List<Berth> there = Berth.read(who);
+        boolean one = there.size() == 1 && there.getFirst().servers().size() == 1;
+        if (!one) {
+            throw new IllegalArgumentException("(simulation) must be (own) or HOST:PORT, not (%s).".formatted(who));
+        }
+        return Optional.of(new Overseer(Optional.of(there.getFirst().servers().getFirst()), byId));
     }
 
     private static Map<RobotSpec, Berth> berths(Arguments settings, List<RobotSpec> robots) {

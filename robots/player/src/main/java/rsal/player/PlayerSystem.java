@@ -1,6 +1,8 @@
 package rsal.player;
 
+import java.io.IOException;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -13,18 +15,23 @@ import rsal.device.Listeners;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.player.Berth.Server;
+import rsal.player.client.Delivery;
 import rsal.player.device.RemoteRobot;
 import rsal.player.device.RemoteServer;
+import rsal.player.device.RemoteTruth;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
+import rsal.time.Task;
 
 /// Robots of Player servers. One whose server is lost is gone, and appears again when that is back.
 final class PlayerSystem implements RobotSystem {
     private static final Duration PATIENCE = Duration.ofSeconds(8);
 
     private final Map<RobotSpec, Berth> berths;
+    private final Optional<Overseer> overseer;
+    private final Delivery delivery;
     private final Duration watchdog;
     private final boolean armed;
     private final Scheduler scheduler;
@@ -33,13 +40,35 @@ final class PlayerSystem implements RobotSystem {
     private final Listeners<Change> changes = new Listeners<>(e -> {
         throw e;
     });
+    private final Task looking; // one for all: each would wake the thread on its own
+    private Optional<RemoteTruth> truth = Optional.empty();
     private boolean closed;
 
-    PlayerSystem(Map<RobotSpec, Berth> berths, Duration watchdog, boolean armed, Scheduler scheduler) {
+    /// Who knows where robots really are.
+    ///
+    /// @param server the one that simulates them; empty for the first of theirs that does so
+    /// @param names what it calls them, by id
+    record Overseer(Optional<Server> server, Map<String, String> names) {}
+
+    PlayerSystem(
+            Map<RobotSpec, Berth> berths,
+            Optional<Overseer> overseer,
+            Delivery delivery,
+            Duration watchdog,
+            boolean armed,
+            Scheduler scheduler) {
         this.berths = berths;
+        this.overseer = overseer;
+        this.delivery = delivery;
         this.watchdog = watchdog;
         this.armed = armed;
         this.scheduler = scheduler;
+        this.looking = scheduler.every(RemoteServer.LOOK, this::look);
+    }
+
+    private void look() {
+        Instant now = scheduler.instant();
+        servers.values().forEach(server -> server.look(now));
     }
 
     @Override
@@ -47,14 +76,31 @@ final class PlayerSystem implements RobotSystem {
         if (closed) {
             return CompletableFuture.failedStage(new IllegalStateException("This robot system is closed."));
         }
-        berths.forEach((spec, berth) -> berth.servers()
-                .forEach(server -> servers.computeIfAbsent(
-                        server, _ -> new RemoteServer(server.host(), server.port(), scheduler))));
+        berths.values().stream().flatMap(berth -> berth.servers().stream()).forEach(this::server);
         List<CompletableFuture<Robot>> found = berths.entrySet().stream()
                 .map(berth -> find(berth.getKey(), berth.getValue()).toCompletableFuture())
                 .toList();
-        CompletionStage<Void> all = all(found);
-        return all.thenApply(_ -> found.stream().map(CompletableFuture::join).toList());
+        CompletionStage<Void> seen = overseer.map(this::oversee).orElse(CompletableFuture.completedStage(null));
+        return seen.thenCompose(_ -> all(found))
+                .thenApply(_ -> found.stream().map(CompletableFuture::join).toList());
+    }
+
+    private RemoteServer server(Server at) {
+        return servers.computeIfAbsent(at, _ -> new RemoteServer(at.host(), at.port(), delivery, scheduler));
+    }
+
+    private CompletionStage<Void> oversee(Overseer how) {
+        List<RemoteServer> all =
+                how.server().map(this::server).map(List::of).orElseGet(() -> List.copyOf(servers.values()));
+        return all(all.stream().map(server -> server.known(PATIENCE)).toList()).thenCompose(_ -> {
+            truth = RemoteTruth.in(all, how.names(), scheduler);
+            return truth.map(RemoteTruth::start)
+                    .orElseGet(() ->
+                            CompletableFuture.failedStage(new IOException("None of the servers %s has a (simulation)."
+                                    .formatted(all.stream()
+                                            .map(server -> "(%s)".formatted(server.name()))
+                                            .toList()))));
+        });
     }
 
     private static CompletionStage<Void> all(List<? extends CompletionStage<?>> stages) {
@@ -67,7 +113,12 @@ final class PlayerSystem implements RobotSystem {
         CompletionStage<Void> known =
                 all(its.stream().map(server -> server.known(PATIENCE)).toList());
         return known.thenCompose(_ -> {
-                    var robot = new RemoteRobot(spec, its, berth.index(), watchdog, armed, scheduler);
+                    RemoteRobot robot;
+                    try {
+                        robot = new RemoteRobot(spec, its, berth.index(), watchdog, armed, scheduler);
+                    } catch (IOException e) {
+                        return CompletableFuture.failedStage(e);
+                    }
                     robots.add(robot);
                     return robot.robot();
                 })
@@ -91,9 +142,15 @@ final class PlayerSystem implements RobotSystem {
         return changes.add(listener);
     }
 
+    /// None that is ours: its robots are as real as any.
     @Override
     public Optional<SimulationControl> simulation() {
         return Optional.empty();
+    }
+
+    @Override
+    public Optional<SimulationControl> truth() {
+        return truth.map(SimulationControl.class::cast);
     }
 
     /// Completes when the servers have got all that was sent, and what they had sent waits for the scheduler's thread.
@@ -104,6 +161,7 @@ final class PlayerSystem implements RobotSystem {
     @Override
     public void close() {
         closed = true;
+        looking.cancel();
         robots.forEach(RemoteRobot::end);
         robots.clear();
         servers.values().forEach(RemoteServer::close);

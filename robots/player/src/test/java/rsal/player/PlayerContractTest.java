@@ -1,16 +1,21 @@
 package rsal.player;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import rsal.device.Mapper;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.ActuatorContract;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.BlobFinderContract;
 import rsal.testkit.contract.BumperContract;
 import rsal.testkit.contract.Capability;
+import rsal.testkit.contract.DeviceContract;
 import rsal.testkit.contract.DriveBaseContract;
 import rsal.testkit.contract.FiducialFinderContract;
 import rsal.testkit.contract.GripperContract;
@@ -131,6 +136,33 @@ class PlayerContractTest {
         @Override
         protected Map<String, String> parts() {
             return Map.of("localizer", "own-localizer");
+        }
+    }
+
+    @Nested
+    class OwnMap extends DeviceContract<Mapper> {
+        OwnMap() {
+            super(Mapper.class);
+        }
+
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire();
+        }
+
+        @Override
+        protected Map<String, String> parts() {
+            return Map.of("map", "own-map");
+        }
+
+        @Test
+        void isTheWholeMapAsItIsTold() {
+            advance(1);
+            assertThat(device().latest().orElseThrow().value())
+                    .usingRecursiveComparison()
+                    .isEqualTo(WORLD.grid());
+            assertThat(device().isComplete()).isTrue();
+            assertThat(device().ends()).isEmpty();
         }
     }
 

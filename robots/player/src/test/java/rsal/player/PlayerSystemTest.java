@@ -10,10 +10,12 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -23,18 +25,25 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Device;
 import rsal.device.DriveBase;
 import rsal.device.Health;
 import rsal.device.LaserScanner;
+import rsal.device.Mapper;
+import rsal.device.Navigator.Tolerance;
+import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Placement;
 import rsal.player.bridge.PlayerBridgeProvider;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModels;
 import rsal.robot.RobotSpec;
 import rsal.scene.Scene;
+import rsal.scene.Service;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
@@ -112,6 +121,10 @@ class PlayerSystemTest {
 
     /// Begins to serve.
     private void serve(int port) {
+        serve(port, RobotBench.WORLD.grid());
+    }
+
+    private void serve(int port, OccupancyGrid map) {
         bridge = on(
                 theirTime,
                 () -> new PlayerBridgeProvider()
@@ -122,7 +135,7 @@ class PlayerSystemTest {
                                                 .discover()
                                                 .toCompletableFuture()
                                                 .join(),
-                                        RobotBench.WORLD.grid(),
+                                        map,
                                         simulation.simulation(),
                                         List.of()),
                                 theirTime));
@@ -188,6 +201,15 @@ class PlayerSystemTest {
         }
     }
 
+    private void untilItStands(Robot robot) {
+        until(() -> robot.require(DriveBase.class)
+                .latest()
+                .orElseThrow()
+                .value()
+                .velocity()
+                .equals(Twist2d.STOP));
+    }
+
     @Test
     void drivesARobotThatSharesNothingButSockets() {
         Robot robot = discover(armed(), spec()).getFirst();
@@ -226,12 +248,7 @@ class PlayerSystemTest {
     void whoeverCommandsNoMoreHasItStop() {
         Robot robot = discover(armed(), spec()).getFirst();
         drive(robot.require(DriveBase.class), Twist2d.drive(0.4, 0), Duration.ofSeconds(1));
-        until(() -> robot.require(DriveBase.class)
-                .latest()
-                .orElseThrow()
-                .value()
-                .velocity()
-                .equals(Twist2d.STOP));
+        untilItStands(robot);
         Pose2d stood = truth();
         LockSupport.parkNanos(300_000_000);
         assertThat(truth()).isEqualTo(stood);
@@ -258,6 +275,182 @@ class PlayerSystemTest {
         assertThat(truth()).as("what was wanted before is forgotten").isEqualTo(stood);
         drive(base, Twist2d.drive(0.4, 0), Duration.ofMillis(700));
         assertThat(truth()).isNotEqualTo(stood);
+    }
+
+    @Test
+    void theMapOfItsServerIsItsOwnAndReadAnew() {
+        Robot robot = discover(armed(), spec("r1", "pioneer2dx", Map.of("laser", "urg04lx", "map", "own-map")))
+                .getFirst();
+        var map = robot.require(Mapper.class);
+        OccupancyGrid world = RobotBench.WORLD.grid();
+        until(() -> map.latest()
+                .map(Stamped::value)
+                .filter(read -> same(read, world))
+                .isPresent());
+        assertThat(on(time, map::isComplete)).isTrue();
+        int port = port();
+        on(theirTime, () -> {
+            bridge.close();
+            return true;
+        });
+        until(() -> map.health() instanceof Health.Lost);
+        OccupancyGrid other = large();
+        serve(port, other);
+        until(() -> map.latest()
+                .map(Stamped::value)
+                .filter(read -> same(read, other))
+                .isPresent());
+        assertThat(on(time, map::health).isOk()).isTrue();
+    }
+
+    /// As large as the floor of the thesis.
+    private static OccupancyGrid large() {
+        var random = new SplittableRandom(1);
+        var cells = new byte[1259 * 312];
+        byte[] values = {OccupancyGrid.FREE, OccupancyGrid.OCCUPIED, OccupancyGrid.UNKNOWN};
+        for (int i = 0; i < cells.length; i++) {
+            cells[i] = values[random.nextInt(3)];
+        }
+        return new OccupancyGrid(1259, 312, 0.05, -31.475, -7.8, cells);
+    }
+
+    private static boolean same(OccupancyGrid one, OccupancyGrid other) {
+        return one.width() == other.width()
+                && one.resolution() == other.resolution()
+                && one.originX() == other.originX()
+                && one.originY() == other.originY()
+                && Arrays.equals(one.cells(), other.cells());
+    }
+
+    @Test
+    void robotsOfOneServerShareItsMap() {
+        var parts = Map.of("laser", "urg04lx", "sonar", "none", "map", "own-map");
+        RobotSpec first = spec("r1", "pioneer2dx", parts);
+        RobotSpec second = spec("r2", "pioneer2dx", parts);
+        on(theirTime, () -> {
+            bridge.close();
+            bridge = open(List.of(
+                    service("stage", Map.of("position2d:0", "base", "ranger:0", "laser")),
+                    service("stage", Map.of("position2d:1", "base", "ranger:1", "laser")),
+                    service("mapfile", Map.of("map:0", Service.MAP))));
+            return true;
+        });
+        String server = "localhost:" + port();
+        List<Robot> robots = discover(Map.of("servers", server + ", " + server + ":1"), first, second);
+        assertThat(robots).hasSize(2);
+        until(() -> robots.stream()
+                .allMatch(its -> its.require(Mapper.class).latest().isPresent()));
+    }
+
+    private static Service service(String driver, Map<String, String> sources) {
+        return new Service(
+                driver,
+                Location.of("test.cfg"),
+                6665,
+                List.copyOf(sources.keySet()),
+                List.of(),
+                Optional.of("r1"),
+                sources,
+                List.of(),
+                Tolerance.DEFAULT,
+                Optional.empty());
+    }
+
+    private static SimulationControl truthOf(RobotSystem system) {
+        return system.truth().orElseThrow();
+    }
+
+    private void untilSeenAt(String robot, Pose2d there) {
+        until(() -> truthOf(system)
+                .truth(robot)
+                .filter(seen -> seen.isNear(there, 1e-6, 1e-6))
+                .isPresent());
+    }
+
+    @Test
+    void itsSimulationSaysWhereARobotReallyIsAndPutsItElsewhere() {
+        Robot robot = discover(Map.of("port", port(), "armed", true, "simulation", "own"), spec())
+                .getFirst();
+        assertThat(on(time, () -> system.simulation())).as("is not ours").isEmpty();
+        assertThat(on(time, () -> truthOf(system).entities())).containsExactly("r1");
+        untilSeenAt("r1", RobotBench.START);
+        drive(robot.require(DriveBase.class), Twist2d.drive(0.4, 0), Duration.ofMillis(700));
+        untilItStands(robot);
+        untilSeenAt("r1", truth());
+        Pose2d there = RobotBench.WORLD.pose('b', 90);
+        assertThat(on(time, () -> {
+                    var placed = truthOf(system).place("r1", there);
+                    assertThat(truthOf(system).truth("r1"))
+                            .as("nobody has looked there yet")
+                            .isEmpty();
+                    return placed;
+                }))
+                .isEqualTo(new Placement.Placed());
+        untilSeenAt("r1", there);
+        assertThat(truth()).isEqualTo(there);
+        assertThat(on(time, () -> truthOf(system).place("r1", RobotBench.WORLD.pose('c', 0))))
+                .isEqualTo(new Placement.Placed());
+        Pose2d outside = new Pose2d(-50, 0, 0);
+        on(time, () -> truthOf(system).place("r1", outside)); // refused there, as what is seen tells
+        untilSeenAt("r1", RobotBench.WORLD.pose('c', 0));
+        assertThat(on(time, () -> truthOf(system).place("nobody", there))).isInstanceOf(Placement.Refused.class);
+        assertThat(on(time, () -> truthOf(system).place("r1", new Pose2d(Double.NaN, 0, 0))))
+                .isInstanceOf(Placement.Refused.class);
+        assertThat(on(time, () -> truthOf(system).truth("nobody"))).isEmpty();
+        assertThat(on(time, () -> truthOf(system).contacts())).isEmpty();
+    }
+
+    @Test
+    void aSimulationThatIsLostKnowsNothingUntilItIsBack() {
+        discover(Map.of("port", port(), "simulation", "localhost:" + port()), spec());
+        untilSeenAt("r1", RobotBench.START);
+        int port = port();
+        on(theirTime, () -> {
+            bridge.close();
+            return true;
+        });
+        until(() -> truthOf(system).health() instanceof Health.Lost);
+        assertThat(on(time, () -> truthOf(system).truth("r1"))).isEmpty();
+        assertThat(on(time, () -> truthOf(system).place("r1", RobotBench.START)))
+                .isInstanceOfSatisfying(
+                        Placement.Refused.class,
+                        refused -> assertThat(refused.why())
+                                .startsWith("The simulation at (localhost:" + port + ") is lost: "));
+        serve(port);
+        untilSeenAt("r1", RobotBench.START);
+    }
+
+    @Test
+    void theSimulationMayCallARobotSomethingElse() {
+        discover(Map.of("port", port(), "simulation", "own", "names", "r1"), spec("hunter", "pioneer2dx", Map.of()));
+        untilSeenAt("hunter", RobotBench.START);
+    }
+
+    @Test
+    void aServerWithoutASimulationIsNamed() {
+        on(theirTime, () -> {
+            bridge.close();
+            bridge = open(List.of(service("stage", Map.of("position2d:0", "base", "ranger:0", "laser"))));
+            return true;
+        });
+        assertThatThrownBy(() -> discover(
+                        Map.of("port", port(), "simulation", "own"),
+                        spec("r1", "pioneer2dx", Map.of("laser", "urg04lx", "sonar", "none"))))
+                .cause()
+                .hasMessage("None of the servers [(localhost:%d)] has a (simulation).".formatted(port()));
+    }
+
+    /// What a file of a world asks for, of the one robot.
+    private Bridge open(List<Service> services) throws IOException {
+        return new PlayerBridgeProvider()
+                .open(
+                        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+                        new Lent(
+                                simulation.discover().toCompletableFuture().join(),
+                                RobotBench.WORLD.grid(),
+                                Optional.empty(),
+                                services),
+                        theirTime);
     }
 
     @Test
@@ -302,6 +495,15 @@ class PlayerSystemTest {
                 .isThrownBy(() ->
                         create(Map.of("port", 65535), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
                 .withMessageContaining("There are no (2) ports from (65535) on.");
+        assertThatExceptionOfType(InvalidRobots.class)
+                .isThrownBy(() -> create(Map.of("simulation", "yes"), spec()))
+                .withMessageContaining("(yes) is no server.");
+        assertThatExceptionOfType(InvalidRobots.class)
+                .isThrownBy(() -> create(Map.of("simulation", "a:1, b:1"), spec()))
+                .withMessageContaining("(simulation) must be (own) or HOST:PORT, not (a:1, b:1).");
+        assertThatExceptionOfType(InvalidRobots.class)
+                .isThrownBy(() -> create(Map.of("simulation", "own", "names", "a, b"), spec()))
+                .withMessageContaining("(names) names 2 robots, but there are 1.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of(), spec("r1", "pioneer2dx", Map.of("light", "beacon"))))
                 .withMessageContaining("(beacon)");

@@ -63,7 +63,7 @@ abstract class Offered implements Served {
     /// Does what a client wants.
     void obey(Packet command) throws MalformedException {}
 
-    /// No client wants it any more.
+    /// No client wants it any more, or the one that commanded it last does not: nobody is there to mind what it does.
     void idle() {}
 
     /// Ours.
@@ -123,6 +123,11 @@ abstract class Offered implements Served {
                 idle();
             }
         });
+    }
+
+    @Override
+    public final void forsaken() {
+        scheduler.execute(this::idle);
     }
 
     @Override

@@ -1,18 +1,25 @@
 package rsal.player.bridge;
 
+import java.util.ArrayList;
 import java.util.List;
 import rsal.data.BumperState;
+import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.player.message.Bumper;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
 import rsal.player.wire.Kind;
+import rsal.robot.RobotModel.Part;
 import rsal.time.Scheduler;
 
 /// Bumpers as `bumper`.
 final class OfferedBumpers extends OfferedSensor<BumperState> {
-    OfferedBumpers(int index, rsal.device.Bumper bumpers, Scheduler scheduler) {
+    private final List<Part.Bumper.Pad> pads;
+
+    /// @param pads what it has, as far as that is known
+    OfferedBumpers(int index, rsal.device.Bumper bumpers, List<Part.Bumper.Pad> pads, Scheduler scheduler) {
         super(Interface.BUMPER, index, bumpers, scheduler);
+        this.pads = List.copyOf(pads);
     }
 
     @Override
@@ -32,8 +39,12 @@ final class OfferedBumpers extends OfferedSensor<BumperState> {
 
     @Override
     Record body(BumperState newest, int subtype) {
-        return new Bumper.Geometry(newest.baseFromBumpers().stream()
-                .map(pose -> new Bumper.Segment(Pose3.of(pose), 0, 0))
-                .toList());
+        List<Pose2d> poses = newest.baseFromBumpers();
+        var segments = new ArrayList<Bumper.Segment>();
+        for (int i = 0; i < poses.size(); i++) {
+            double length = poses.size() == pads.size() ? pads.get(i).length() : 0;
+            segments.add(new Bumper.Segment(Pose3.of(poses.get(i)), (float) length, 0));
+        }
+        return new Bumper.Geometry(segments);
     }
 }

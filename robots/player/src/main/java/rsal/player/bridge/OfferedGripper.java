@@ -3,12 +3,15 @@ package rsal.player.bridge;
 import java.util.Optional;
 import rsal.data.GripperState;
 import rsal.data.GripperState.Paddles;
+import rsal.data.Pose2d;
 import rsal.data.Stamped;
+import rsal.player.message.Box3;
 import rsal.player.message.Gripper;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
 import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
+import rsal.robot.RobotModel.Part;
 import rsal.time.Scheduler;
 
 /// A gripper as `gripper`: its paddles, and STOP for these and the lift; STORE and RETRIEVE, which say nothing of
@@ -22,10 +25,14 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     private static final int BEAMS = 2;
 
     private final Jaws jaws;
+    private final Optional<Part.Gripper> part;
 
-    OfferedGripper(int index, rsal.device.Gripper gripper, Jaws jaws, Scheduler scheduler) {
+    /// @param part what it is made like, if that is known
+    OfferedGripper(
+            int index, rsal.device.Gripper gripper, Jaws jaws, Optional<Part.Gripper> part, Scheduler scheduler) {
         super(Interface.GRIPPER, index, gripper, scheduler);
         this.jaws = jaws;
+        this.part = part;
     }
 
     @Override
@@ -68,10 +75,13 @@ final class OfferedGripper extends OfferedSensor<GripperState> {
     }
 
     @Override
-    Optional<Answer> answer(Packet request) {
-        return understands(Kind.REQUEST, request.header().subtype())
-                ? Optional.of(
-                        new Answer.Told(new Gripper.Geometry(new Pose3(0, 0, 0, 0, 0, 0), NO_SIZE, NO_SIZE, BEAMS, 1)))
-                : Optional.empty();
+    Record body(GripperState newest, int subtype) {
+        return part.map(made -> new Gripper.Geometry(
+                        Pose3.of(made.baseFromGripper()),
+                        new Box3(made.width(), made.length(), made.height()),
+                        new Box3(made.opening(), made.paddleLength(), made.height()),
+                        BEAMS,
+                        1))
+                .orElseGet(() -> new Gripper.Geometry(Pose3.of(Pose2d.ORIGIN), NO_SIZE, NO_SIZE, BEAMS, 1));
     }
 }

@@ -2,8 +2,10 @@ package rsal.player.bridge;
 
 import java.util.List;
 import rsal.data.LaserScan;
+import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.device.LaserScanner;
+import rsal.player.message.Box3;
 import rsal.player.message.Interface;
 import rsal.player.message.Laser;
 import rsal.player.message.Pose3;
@@ -13,6 +15,8 @@ import rsal.time.Scheduler;
 
 /// A laser scanner as `laser`, or as `ranger`.
 final class OfferedLaser extends OfferedSensor<LaserScan> {
+    private static final Box3 SIZE = new Box3(0.1, 0.1, 0.1); // about; no model tells, and without it clients draw none
+
     private int scans;
 
     /// @param as `laser` or `ranger`
@@ -54,7 +58,7 @@ final class OfferedLaser extends OfferedSensor<LaserScan> {
     private static Record ranger(LaserScan scan, int subtype) {
         if (subtype == Ranger.GEOMETRY) {
             return new Ranger.Geometry(
-                    Pose3.of(scan.baseFromLaser()), NO_SIZE, List.of(Pose3.of(scan.baseFromLaser())), List.of(NO_SIZE));
+                    Pose3.of(scan.baseFromLaser()), SIZE, List.of(Pose3.of(Pose2d.ORIGIN)), List.of(SIZE));
         }
         return new Ranger.Configuration(
                 scan.angleMin(),
@@ -68,7 +72,7 @@ final class OfferedLaser extends OfferedSensor<LaserScan> {
 
     private static Record laser(LaserScan scan, int subtype) {
         if (subtype == Laser.GEOMETRY) {
-            return new Laser.Geometry(Pose3.of(scan.baseFromLaser()), NO_SIZE);
+            return new Laser.Geometry(Pose3.of(scan.baseFromLaser()), SIZE);
         }
         return new Laser.Configuration(
                 (float) scan.angleMin(),

@@ -65,12 +65,14 @@ final class OfferedLocalizer extends OfferedSensor<PoseEstimate> {
     }
 
     private Optional<Answer> believe(Localize.SetPose told) {
-        Covariance2d covariance = told.spread();
+        Covariance2d covariance = possible(told.spread());
         var belief = PoseEstimate.of(told.mapFromBase().to2d(), covariance);
-        boolean possible = belief.isFinite()
+        boolean credible = belief.isFinite()
                 && Math.hypot(told.mapFromBase().x(), told.mapFromBase().y()) < FARTHEST
-                && isPossible(covariance);
-        if (!possible) {
+                && isVariance(covariance.xx())
+                && isVariance(covariance.yy())
+                && isVariance(covariance.thetaTheta());
+        if (!credible) {
             return Optional.empty();
         }
         if (settling) {
@@ -93,13 +95,24 @@ final class OfferedLocalizer extends OfferedSensor<PoseEstimate> {
         });
     }
 
-    private static boolean isPossible(Covariance2d c) {
-        return isVariance(c.xx())
-                && isVariance(c.yy())
-                && isVariance(c.thetaTheta())
-                && isProduct(c.xy(), c.xx(), c.yy())
+    /// Its variances alone where its products can't be: playernav hands over three numbers where Player's library
+    /// reads six, so that anything may stand in the others.
+    private static Covariance2d possible(Covariance2d c) {
+        return areProducts(c) ? c : new Covariance2d(c.xx(), 0, 0, c.yy(), 0, c.thetaTheta());
+    }
+
+    /// Whether the matrix is positive semidefinite, if its variances are right.
+    private static boolean areProducts(Covariance2d c) {
+        double variances = c.xx() * c.yy() * c.thetaTheta();
+        double determinant = variances
+                + 2 * c.xy() * c.xTheta() * c.yTheta()
+                - c.xx() * c.yTheta() * c.yTheta()
+                - c.yy() * c.xTheta() * c.xTheta()
+                - c.thetaTheta() * c.xy() * c.xy();
+        return isProduct(c.xy(), c.xx(), c.yy())
                 && isProduct(c.xTheta(), c.xx(), c.thetaTheta())
-                && isProduct(c.yTheta(), c.yy(), c.thetaTheta());
+                && isProduct(c.yTheta(), c.yy(), c.thetaTheta())
+                && determinant >= -SLACK * variances;
     }
 
     private static boolean isVariance(double value) {

@@ -20,7 +20,6 @@ import rsal.time.Scheduler;
 /// What robots know of the world that have been told, as `map`.
 final class OfferedMap extends Offered {
     private static final int OCCUPIED = 1;
-    private static final int LARGEST = 8_000_000; // cells; Player's messages hold no more
     private static final int USUAL = 640; // cells that Player's clients ask for, each way
 
     private final OccupancyGrid map;
@@ -69,7 +68,7 @@ final class OfferedMap extends Offered {
         long count = (long) asked.width() * asked.height();
         boolean inBounds = asked.width() > 0
                 && asked.height() > 0
-                && count <= Math.min(LARGEST, Math.max(USUAL * USUAL, map.cells().length));
+                && count <= Math.min(Maps.LARGEST_TILE, Math.max(USUAL * USUAL, map.cells().length));
         if (!inBounds) {
             return Optional.empty();
         }

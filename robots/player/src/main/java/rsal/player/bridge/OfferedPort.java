@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.List;
 import rsal.device.Subscription;
+import rsal.player.message.Protocol;
 import rsal.player.server.Port;
 import rsal.system.Bridge.Offer;
 import rsal.time.Scheduler;
@@ -17,11 +18,13 @@ final class OfferedPort implements AutoCloseable {
     /// Listens at once, but takes no clients before it is [started][#start].
     ///
     /// @param at where; port 0 for any that is free
+    /// @param protocol of clients that don't show another
     /// @throws IOException when nobody may listen there, which its message says
-    OfferedPort(InetSocketAddress at, List<Offered> offered, Scheduler scheduler) throws IOException {
+    OfferedPort(InetSocketAddress at, List<Offered> offered, Protocol protocol, Scheduler scheduler)
+            throws IOException {
         this.offered = List.copyOf(offered);
         try {
-            this.port = new Port(at, offered, () -> Offered.seconds(scheduler.instant()));
+            this.port = new Port(at, offered, protocol, () -> Offered.seconds(scheduler.instant()), scheduler);
         } catch (IOException e) {
             throw new IOException(
                     "Nobody may listen at (%s:%d): %s.".formatted(at.getHostString(), at.getPort(), e.getMessage()), e);
@@ -31,6 +34,10 @@ final class OfferedPort implements AutoCloseable {
     void start() {
         telling = offered.stream().map(each -> each.begin(port)).toList();
         port.start();
+    }
+
+    boolean isBehind() {
+        return port.isBehind();
     }
 
     List<Offer> offers() {

@@ -5,6 +5,7 @@ import java.util.List;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.device.SonarArray;
+import rsal.player.message.Box3;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose3;
 import rsal.player.message.Ranger;
@@ -14,6 +15,9 @@ import rsal.time.Scheduler;
 
 /// Sonars as `sonar`, or as `ranger`.
 final class OfferedSonars extends OfferedSensor<RangeArray> {
+    private static final Box3 SIZE = new Box3(0.15, 0.15, 0.2); // as Stage has them; no model of ours tells
+    private static final Box3 SIZE_OF_ONE = new Box3(0.01, 0.05, 0.01);
+
     /// @param as `sonar` or `ranger`
     OfferedSonars(Interface as, int index, SonarArray sonars, Scheduler scheduler) {
         super(as, index, sonars, scheduler);
@@ -48,7 +52,7 @@ final class OfferedSonars extends OfferedSensor<RangeArray> {
         }
         if (subtype == Ranger.GEOMETRY) {
             return new Ranger.Geometry(
-                    new Pose3(0, 0, 0, 0, 0, 0), NO_SIZE, poses, Collections.nCopies(poses.size(), NO_SIZE));
+                    new Pose3(0, 0, 0, 0, 0, 0), SIZE, poses, Collections.nCopies(poses.size(), SIZE_OF_ONE));
         }
         return new Ranger.Configuration(
                 -round.fieldOfView() / 2,

@@ -72,7 +72,14 @@ final class Offers {
     }
 
     private boolean hasLift(Gripper gripper) {
-        return robot.model().sensors().get(gripper.info().name()) instanceof Part.Gripper made && made.hasLift();
+        return part(gripper, Part.Gripper.class).filter(Part.Gripper::hasLift).isPresent();
+    }
+
+    /// What a device is made like; empty when its robot's model does not say.
+    private <P extends Part> Optional<P> part(Device device, Class<P> type) {
+        return Optional.ofNullable(robot.model().sensors().get(device.info().name()))
+                .filter(type::isInstance)
+                .map(type::cast);
     }
 
     /// A device by its name under one interface; empty when there is none, or it is nothing like that.
@@ -98,13 +105,15 @@ final class Offers {
                     when as == Interface.RANGER || as == Interface.SONAR ->
                         new OfferedSonars(as, index, sonars, scheduler);
                     case Battery battery when as == Interface.POWER -> new OfferedBattery(index, battery, scheduler);
-                    case Bumper bumper when as == Interface.BUMPER -> new OfferedBumpers(index, bumper, scheduler);
+                    case Bumper bumper
+                    when as == Interface.BUMPER -> new OfferedBumpers(index, bumper, pads(bumper), scheduler);
                     case BlobFinder camera
                     when as == Interface.BLOBFINDER -> new OfferedCamera(index, camera, scheduler);
                     case FiducialFinder finder
                     when as == Interface.FIDUCIAL -> new OfferedMarkers(index, finder, scheduler);
                     case Gripper gripper
-                    when as == Interface.GRIPPER -> new OfferedGripper(index, gripper, jaws(gripper), scheduler);
+                    when as == Interface.GRIPPER ->
+                        new OfferedGripper(index, gripper, jaws(gripper), part(gripper, Part.Gripper.class), scheduler);
                     case Gripper gripper when as == Interface.DIO -> new OfferedBeams(index, gripper, scheduler);
                     case Gripper gripper
                     when as == Interface.ACTARRAY -> new OfferedLift(index, gripper, jaws(gripper), scheduler);
@@ -133,6 +142,10 @@ final class Offers {
 
     private Guide guide(Navigator navigator, Tolerance tolerance) {
         return new Guide(robot.require(DriveBase.class), navigator, robot.require(Localizer.class), tolerance);
+    }
+
+    private List<Part.Bumper.Pad> pads(Bumper bumper) {
+        return part(bumper, Part.Bumper.class).map(Part.Bumper::pads).orElse(List.of());
     }
 
     private Jaws jaws(Gripper gripper) {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rsal.player.message.Interface;
+import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.robot.Robot;
 import rsal.scene.Service;
@@ -17,30 +18,65 @@ import rsal.system.BridgeProvider.Lent;
 import rsal.time.Scheduler;
 
 /// Offers robots to Player's clients for as long as it is open: what the file of their world asks for, or each
-/// robot on a port of its own, as Player's servers have it.
+/// robot on a port of its own, as Player's servers have it. A robot that comes later has the port after all others;
+/// that of one that has gone stays closed.
 final class PlayerBridge implements Bridge {
-    private final List<OfferedPort> ports;
+    private final InetSocketAddress at;
+    private final Lent lent;
+    private final Protocol protocol;
+    private final Scheduler scheduler;
+    private final Map<String, OfferedPort> ports = new LinkedHashMap<>(); // by robot, or by number in a file
+    private int next = Session.USUAL_PORT; // for a robot, as numbers in files are
 
-    private PlayerBridge(List<OfferedPort> ports) {
-        this.ports = List.copyOf(ports);
+    private PlayerBridge(InetSocketAddress at, Lent lent, Protocol protocol, Scheduler scheduler) {
+        this.at = at;
+        this.lent = lent;
+        this.protocol = protocol;
+        this.scheduler = scheduler;
     }
 
     /// @param at where what is at Player's usual port is, and the others as far from there as they would be; port
     /// 0 for any that are free
+    /// @param protocol of clients that don't show another
     /// @throws IOException when nobody may listen there, which its message says
-    static PlayerBridge open(InetSocketAddress at, Lent lent, Scheduler scheduler) throws IOException {
-        var ports = new ArrayList<OfferedPort>();
-        Map<Integer, List<Offered>> offers = lent.services().isEmpty() ? each(lent, scheduler) : asked(lent, scheduler);
+    static PlayerBridge open(InetSocketAddress at, Lent lent, Protocol protocol, Scheduler scheduler)
+            throws IOException {
+        var bridge = new PlayerBridge(at, lent, protocol, scheduler);
         try {
-            for (Map.Entry<Integer, List<Offered>> port : offers.entrySet()) {
-                ports.add(new OfferedPort(moved(at, port.getKey()), port.getValue(), scheduler));
+            if (lent.services().isEmpty()) {
+                for (Robot robot : lent.robots()) {
+                    bridge.listen(robot);
+                }
+            } else {
+                for (Map.Entry<Integer, List<Offered>> port :
+                        asked(lent, scheduler).entrySet()) {
+                    bridge.listen(port.getKey().toString(), port.getKey(), port.getValue());
+                }
             }
         } catch (IOException | RuntimeException e) {
-            ports.forEach(OfferedPort::close);
+            bridge.close();
             throw e;
         }
-        ports.forEach(OfferedPort::start);
-        return new PlayerBridge(ports);
+        bridge.ports.values().forEach(OfferedPort::start);
+        return bridge;
+    }
+
+    /// At the next port.
+    private OfferedPort listen(Robot robot) throws IOException {
+        var offers = new ArrayList<Offered>();
+        if (next == Session.USUAL_PORT) {
+            lent.simulation().ifPresent(truth -> offers.add(new OfferedSimulation(0, truth, scheduler)));
+        }
+        offers.addAll(new Offers(robot, scheduler).all());
+        offers.add(new OfferedMap(0, lent.map(), "rsal", scheduler));
+        next++; // whether it is free or not
+        return listen(robot.id(), next - 1, offers);
+    }
+
+    private OfferedPort listen(String name, int number, List<Offered> offers) throws IOException {
+        var port = new OfferedPort(moved(at, number), offers, protocol, scheduler);
+        ports.put(name, port);
+        return port;
     }
 
     private static InetSocketAddress moved(InetSocketAddress at, int port) throws IOException {
@@ -49,21 +85,6 @@ final class PlayerBridge implements Bridge {
             throw new IOException("There is no port (%d): the last one is %d.".formatted(number, Session.LAST_PORT));
         }
         return new InetSocketAddress(at.getAddress(), number);
-    }
-
-    /// Everything, by port.
-    private static Map<Integer, List<Offered>> each(Lent lent, Scheduler scheduler) {
-        var ports = new LinkedHashMap<Integer, List<Offered>>();
-        for (Robot robot : lent.robots()) {
-            var offers = new ArrayList<Offered>();
-            if (ports.isEmpty()) {
-                lent.simulation().ifPresent(truth -> offers.add(new OfferedSimulation(0, truth, scheduler)));
-            }
-            offers.addAll(new Offers(robot, scheduler).all());
-            offers.add(new OfferedMap(0, lent.map(), "rsal", scheduler));
-            ports.put(Session.USUAL_PORT + ports.size(), offers);
-        }
-        return ports;
     }
 
     /// What the file of the world asks for, by port.
@@ -107,11 +128,35 @@ final class PlayerBridge implements Bridge {
 
     @Override
     public List<Offer> offers() {
-        return ports.stream().flatMap(port -> port.offers().stream()).toList();
+        return ports.values().stream().flatMap(port -> port.offers().stream()).toList();
+    }
+
+    @Override
+    public List<Offer> join(Robot robot) throws IOException {
+        if (!lent.services().isEmpty() || ports.containsKey(robot.id())) {
+            return List.of();
+        }
+        OfferedPort port = listen(robot);
+        port.start();
+        return port.offers();
+    }
+
+    /// What a file asks for stays, and says nothing more of it.
+    @Override
+    public void leave(String robot) {
+        if (lent.services().isEmpty()) {
+            Optional.ofNullable(ports.remove(robot)).ifPresent(OfferedPort::close);
+        }
+    }
+
+    @Override
+    public boolean isBehind() {
+        return ports.values().stream().anyMatch(OfferedPort::isBehind);
     }
 
     @Override
     public void close() {
-        ports.forEach(OfferedPort::close);
+        ports.values().forEach(OfferedPort::close);
+        ports.clear();
     }
 }

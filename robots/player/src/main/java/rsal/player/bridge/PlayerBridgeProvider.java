@@ -2,12 +2,13 @@ package rsal.player.bridge;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
 import rsal.time.Scheduler;
 
-/// Offers robots to Player's clients.
+/// Offers robots to clients of Player 3.1 and later, and to those of 3.0 that show it early enough.
 public final class PlayerBridgeProvider implements BridgeProvider {
     @Override
     public String key() {
@@ -26,6 +27,6 @@ public final class PlayerBridgeProvider implements BridgeProvider {
 
     @Override
     public Bridge open(InetSocketAddress at, Lent lent, Scheduler scheduler) throws IOException {
-        return PlayerBridge.open(at, lent, scheduler);
+        return PlayerBridge.open(at, lent, Protocol.V3_1, scheduler);
     }
 }

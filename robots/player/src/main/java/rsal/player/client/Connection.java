@@ -3,6 +3,7 @@ package rsal.player.client;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -21,6 +22,8 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import rsal.player.message.Chars;
 import rsal.player.message.Interface;
@@ -32,14 +35,17 @@ import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
 import rsal.time.AllowedToReadWallClock;
 
-/// A connection to a Player server, which has its data sent in rounds, the newest of each kind only: so a slow reader
-/// is never behind. One thread reads and one writes; nobody else waits for the network. May be used on any thread.
+/// A connection to a Player server, which keeps the newest data of each kind only for us: so a slow reader is never
+/// behind. One thread reads and one writes; nobody else waits for the network. May be used on any thread.
 @AllowedToReadWallClock("It waits for a network.")
 public final class Connection implements AutoCloseable {
     private static final String CLOSED = "The connection was closed.";
     private static final Duration PARTING = Duration.ofMillis(500); // to send what is left
 
+    private static final Duration ROUND = Duration.ofMillis(20); // from one to the next, at least
+
     private final Socket socket;
+    private final boolean pulls;
     private final String ident;
     private final Protocol protocol;
     private final Consumer<? super Packet> onData;
@@ -47,8 +53,13 @@ public final class Connection implements AutoCloseable {
     private final CompletableFuture<String> lost = new CompletableFuture<>();
     private final Map<Signature, Queue<CompletableFuture<Packet>>> asked = new HashMap<>(); // guarded by itself
 
-    private Connection(Socket socket, String ident, Consumer<? super Packet> onData) {
+    private final AtomicBoolean awaiting = new AtomicBoolean(); // the time for the next round
+    private volatile long roundBegan;
+    private volatile boolean closed;
+
+    private Connection(Socket socket, boolean pulls, String ident, Consumer<? super Packet> onData) {
         this.socket = socket;
+        this.pulls = pulls;
         this.ident = ident;
         this.protocol = Protocol.of(ident);
         this.onData = onData;
@@ -59,7 +70,8 @@ public final class Connection implements AutoCloseable {
     /// @param patience until there must be an answer
     /// @param onData told of all data, on the thread that reads
     /// @throws IOException when there is no server, or none of Player's
-    public static Connection open(InetSocketAddress server, Duration patience, Consumer<? super Packet> onData)
+    public static Connection open(
+            InetSocketAddress server, Delivery delivery, Duration patience, Consumer<? super Packet> onData)
             throws IOException {
         var socket = new Socket();
         try {
@@ -75,7 +87,7 @@ public final class Connection implements AutoCloseable {
                         "(%s) is no Player server; it begins with (%s).".formatted(server, printable(introduction)));
             }
             socket.setSoTimeout(0);
-            var connection = new Connection(socket, ident, onData);
+            var connection = new Connection(socket, delivery.pulls(socket.getInetAddress()), ident, onData);
             connection.start(in, socket.getOutputStream());
             return connection;
         } catch (IOException | RuntimeException e) {
@@ -89,11 +101,13 @@ public final class Connection implements AutoCloseable {
     }
 
     private void start(InputStream in, OutputStream out) {
-        ask(Session.MODE, new Session.Mode(Session.PULL));
+        ask(Session.MODE, new Session.Mode(pulls ? Session.PULL : Session.PUSH));
         ask(
                 Session.REPLACE_RULE,
                 new Session.ReplaceRule(Session.ANY, Session.ANY, Kind.DATA.code(), Session.ANY, Session.REPLACE));
-        nextRound();
+        if (pulls) {
+            nextRound();
+        }
         Thread.ofVirtual().name("player read").start(() -> read(in));
         Thread.ofVirtual().name("player write").start(() -> write(out));
     }
@@ -184,7 +198,33 @@ public final class Connection implements AutoCloseable {
         outbox.command(command);
     }
 
+    /// Sends commands that make sense together only, in place of such for the same device that were not sent yet.
+    public void commands(Address device, List<Packet> together) {
+        outbox.commands(device, together);
+    }
+
+    /// A server whose simulation goes on with each message would race if the next round began at once.
+    private void roundOver() {
+        if (!pulls || !awaiting.compareAndSet(false, true)) {
+            return; // it was not asked for
+        }
+        long wait = roundBegan + ROUND.toNanos() - System.nanoTime();
+        if (wait <= 0) {
+            nextRound();
+        } else {
+            Thread.ofVirtual().name("player round").start(() -> {
+                LockSupport.parkNanos(wait);
+                nextRound();
+            });
+        }
+    }
+
     private void nextRound() {
+        awaiting.set(false);
+        if (closed) {
+            return;
+        }
+        roundBegan = System.nanoTime();
         if (!outbox.request(Packet.of(Session.SERVER, Kind.REQUEST, Session.DATA, 0)) && !lost.isDone()) {
             end("The server takes nothing: too much waits for it.");
         }
@@ -204,7 +244,7 @@ public final class Connection implements AutoCloseable {
         switch (packet.header().kind()) {
             case DATA -> onData.accept(packet);
             case ACK, NACK -> answered(packet);
-            case SYNCH -> nextRound();
+            case SYNCH -> roundOver();
             case COMMAND, REQUEST, UNKNOWN -> {} // not for a client
         }
     }
@@ -228,11 +268,18 @@ public final class Connection implements AutoCloseable {
         }
     }
 
-    private void write(OutputStream out) {
+    /// What waits at the same time goes out at once.
+    private void write(OutputStream network) {
+        var out = new BufferedOutputStream(network);
         try {
-            Optional<Packet> next = outbox.take();
+            Optional<List<Packet>> next = outbox.take();
             while (next.isPresent()) {
-                out.write(next.get().bytes());
+                for (Packet packet : next.get()) {
+                    out.write(packet.bytes());
+                }
+                if (outbox.isEmpty()) {
+                    out.flush();
+                }
                 next = outbox.take();
             }
             end(CLOSED);
@@ -253,6 +300,7 @@ public final class Connection implements AutoCloseable {
     /// an answer.
     @Override
     public void close() {
+        closed = true;
         outbox.close();
         unanswered(CLOSED);
         Thread.ofVirtual().name("player close").start(() -> {

@@ -21,6 +21,7 @@ public final class Link implements AutoCloseable {
 
     private final String host;
     private final int port;
+    private final Delivery delivery;
     private final Listener listener;
     private final CompletableFuture<Void> closed = new CompletableFuture<>();
     private volatile @Nullable Connection current;
@@ -40,9 +41,10 @@ public final class Link implements AutoCloseable {
     }
 
     /// Tries nothing before it is [started][#start].
-    public Link(String host, int port, Listener listener) {
+    public Link(String host, int port, Delivery delivery, Listener listener) {
         this.host = host;
         this.port = port;
+        this.delivery = delivery;
         this.listener = listener;
     }
 
@@ -54,7 +56,8 @@ public final class Link implements AutoCloseable {
         Duration pause = FIRST;
         while (!closed.isDone()) {
             String reason;
-            try (var connection = Connection.open(new InetSocketAddress(host, port), PATIENCE, listener::data)) {
+            try (var connection =
+                    Connection.open(new InetSocketAddress(host, port), delivery, PATIENCE, listener::data)) {
                 current = connection;
                 if (closed.isDone()) {
                     return;

@@ -3,7 +3,10 @@ package rsal.player.device;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
@@ -18,13 +21,19 @@ import rsal.robot.RobotModel.Drive;
 /// dry up: it says the newest again and again while it is fresh, and then once that the robot is to stop. When the
 /// connection is lost what was commanded is forgotten: whoever drives must do so again.
 final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
+    private static final Duration AGAIN =
+            Duration.ofMillis(150); // for servers with a watchdog; agents mostly are sooner
+
     private final RemoteServer server;
     private final Drive drive;
     private final Duration watchdog;
     private final InstantSource clock;
+    private final List<Consumer<Boolean>> motorListeners = new ArrayList<>();
     private boolean enabled;
     private Optional<Twist2d> wanted = Optional.empty();
     private Instant wantedAt = Instant.MIN;
+    private boolean left; // driving, when the server was lost
+    private Instant sentAt = Instant.MIN;
     private Pose2d reported = Pose2d.ORIGIN;
     private Pose2d odomFromTheirs = Pose2d.ORIGIN; // others may use the server's odometry: it is not set, but ours is
 
@@ -71,7 +80,7 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
             Twist2d feasible = drive.feasible(velocity);
             wanted = Optional.of(feasible);
             wantedAt = clock.instant();
-            send(feasible);
+            send(feasible, wantedAt);
         }
     }
 
@@ -82,18 +91,19 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
         if (wanted.isPresent()) {
             if (wantedAt.plus(watchdog).isBefore(now.plus(RemoteServer.LOOK))) {
                 stop();
-            } else {
-                send(wanted.get());
+            } else if (!sentAt.plus(AGAIN).isAfter(now)) {
+                send(wanted.get(), now);
             }
         }
     }
 
     private void stop() {
         wanted = Optional.empty();
-        send(Twist2d.STOP);
+        send(Twist2d.STOP, clock.instant());
     }
 
-    private void send(Twist2d velocity) {
+    private void send(Twist2d velocity, Instant now) {
+        sentAt = now;
         server.command(
                 address(),
                 Position2d.VELOCITY,
@@ -107,9 +117,16 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
             stop();
         }
         motors();
+        motorListeners.forEach(listener -> listener.accept(enabled));
     }
 
-    private void motors() {
+    /// Tells whoever drives it, too, each time that they are switched.
+    void onMotors(Consumer<Boolean> listener) {
+        motorListeners.add(listener);
+    }
+
+    /// Has the server switch them as they are to be.
+    void motors() {
         server.ask(address(), Position2d.MOTORS, Optional.of(new Position2d.Motors(enabled ? 1 : 0)));
     }
 
@@ -127,16 +144,22 @@ final class PlayerBase extends PlayerSensor<Odometry> implements DriveBase {
     public void connected() {
         super.connected();
         motors();
+        if (left) {
+            left = false;
+            stop(); // as the server may not have noticed that we were gone
+        }
     }
 
     @Override
     public void lost(String reason) {
+        left |= wanted.isPresent();
         wanted = Optional.empty();
         super.lost(reason);
     }
 
     /// Stops the robot, for good.
-    void end() {
+    @Override
+    public void end() {
         enabled = false;
         stop();
     }

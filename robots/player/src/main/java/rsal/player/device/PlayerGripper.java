@@ -63,6 +63,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     public void take(Instant time, Record body) {
         if (body instanceof State state) {
             told = state;
+            heard(time);
             changed(time);
         }
     }

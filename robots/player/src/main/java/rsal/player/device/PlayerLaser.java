@@ -37,7 +37,10 @@ final class PlayerLaser extends PlayerSensor<LaserScan> implements LaserScanner 
     @Override
     public void answered(Record body) {
         switch (body) {
-            case Ranger.Geometry geometry -> baseFromLaser = geometry.pose().to2d();
+            case Ranger.Geometry geometry ->
+                baseFromLaser = geometry.poses().size() == 1
+                        ? Ranges.places(geometry).getFirst()
+                        : geometry.pose().to2d();
             case Laser.Geometry geometry -> baseFromLaser = geometry.pose().to2d();
             case Ranger.Configuration configuration -> {
                 if (Ranges.isKnown(configuration)) {
@@ -72,7 +75,8 @@ final class PlayerLaser extends PlayerSensor<LaserScan> implements LaserScanner 
 
     /// Before it knows better, Player's `rangertolaser` tells scans whose angles and ranges are all 0.
     private Optional<LaserScan> laser(Laser.Scan scan) {
-        if (!(scan.resolution() > 0 && scan.maxRange() > 0)) {
+        double width = (double) scan.resolution() * scan.ranges().length;
+        if (!(scan.resolution() > 0 && width < Ranges.WIDEST && scan.maxRange() > 0)) {
             return Optional.empty();
         }
         return Optional.of(new LaserScan(

@@ -71,12 +71,14 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
             return Optional.empty();
         }
         List<Hypothesis> all = hypotheses(told.hypotheses());
-        if (all.isEmpty()) {
-            return Optional.empty();
-        }
+        return all.isEmpty() ? Optional.empty() : Optional.of(estimate(all));
+    }
+
+    /// @param all heaviest first
+    private static PoseEstimate estimate(List<Hypothesis> all) {
         Hypothesis best = all.getFirst();
-        return Optional.of(new PoseEstimate(
-                best.mapFromBase(), best.covariance(), all, Math.clamp(best.weight(), 0, 1), quality(best)));
+        return new PoseEstimate(
+                best.mapFromBase(), best.covariance(), all, Math.clamp(best.weight(), 0, 1), quality(best));
     }
 
     /// Those that are numbers, heaviest first, their weights 1 together at most.
@@ -103,6 +105,19 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
             return Quality.LOST;
         }
         return best.weight() > 0.5 ? Quality.LOCALIZED : Quality.AMBIGUOUS;
+    }
+
+    /// A localizer tells nothing before its robot moves, and one that others use may have begun long ago.
+    @Override
+    public List<Integer> questions() {
+        return List.of(Localize.PARTICLES);
+    }
+
+    @Override
+    public void answered(Record body) {
+        if (body instanceof Localize.Particles told) {
+            Moments.of(told.particles()).ifPresent(best -> believe(estimate(List.of(best)), clock.instant()));
+        }
     }
 
     @Override

@@ -23,19 +23,23 @@ import rsal.player.wire.Address;
 
 /// A robot's own navigator, behind `planner`. A goal is reached when the robot is as near as was asked for, or when the
 /// server has it so. The protocol has no way to call a goal off: the planner is switched off then, until there is a new
-/// one.
+/// one. Nor does every base mind that its motors are off (Stage's does not): so the planner is switched off with them.
 final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     private static final Duration NO_WAY = Duration.ofSeconds(5); // without one a goal has none
     private static final Duration STUCK = Duration.ofSeconds(60); // without getting nearer
     private static final Duration ASK = Duration.ofSeconds(1); // for waypoints
     private static final double NEARER = 0.2; // m
+    private static final double OTHER_WAY = 1; // m, which no robot drives back between two states
+    private static final double CLOSE = 1; // m; a planner that is done farther away speaks of the goal before
 
     private final Address address;
     private final RemoteServer server;
+    private final PlayerBase base;
     private final InstantSource clock;
     private @Nullable Trip trip;
     private boolean paused;
-    private boolean off; // for a goal that was called off
+    private boolean calledOff; // the goal that the planner has
+    private boolean on; // as the planner was told over this connection
 
     /// A goal with how it gets on.
     private static final class Trip {
@@ -43,12 +47,15 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         private final Tolerance tolerance;
         private final Instant begun;
         private final GoalSource<Progress, Result> goal;
+        private boolean sent; // to the planner
+        private boolean underway; // as the planner has it
         private Optional<Planner.State> told = Optional.empty();
         private List<Point2d> waypoints = List.of();
         private Instant asked = Instant.MIN; // for them
         private Instant valid; // when there was a way last
         private Instant nearer; // when it got nearer last
-        private double nearest = Double.POSITIVE_INFINITY; // remaining way [m]
+        private double remaining = Double.POSITIVE_INFINITY; // way, as known last [m]
+        private double nearest = Double.POSITIVE_INFINITY; // shortest of those since it is that way [m]
 
         Trip(Pose2d mapFromGoal, Tolerance tolerance, Instant begun, GoalSource<Progress, Result> goal) {
             this.mapFromGoal = mapFromGoal;
@@ -69,8 +76,14 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             }
             var points = new ArrayList<Point2d>();
             points.add(mapFromBase().position());
-            int next = Math.clamp(told.get().waypointIndex(), 0, waypoints.size());
-            points.addAll(waypoints.subList(next, waypoints.size()));
+            Planner.State state = told.get();
+            if (state.valid() != 0 && state.done() == 0 && state.waypoints() > 0) {
+                points.add(state.waypoint().to2d().position());
+            }
+            int next = Math.clamp(state.waypointIndex(), 0, waypoints.size()); // some count on once they drive to it
+            waypoints.subList(next, waypoints.size()).stream()
+                    .filter(waypoint -> !waypoint.equals(points.getLast()))
+                    .forEach(points::add);
             if (points.size() == 1) {
                 points.add(mapFromGoal.position());
             }
@@ -78,11 +91,22 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         }
     }
 
-    PlayerNavigator(DeviceInfo info, Address address, RemoteServer server, InstantSource clock) {
+    /// @param base that it drives
+    PlayerNavigator(DeviceInfo info, Address address, RemoteServer server, PlayerBase base, InstantSource clock) {
         super(info);
         this.address = address;
         this.server = server;
+        this.base = base;
         this.clock = clock;
+        base.onMotors(this::motors);
+    }
+
+    private void motors(boolean enabled) {
+        if (enabled) {
+            drive();
+        } else {
+            enable(false);
+        }
     }
 
     @Override
@@ -104,12 +128,22 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             return source;
         }
         trip = goal[0];
-        server.command(address, Planner.GOAL, new Planner.Place(Pose.of(mapFromGoal)));
-        if (off && !paused) {
-            enable(true);
-        }
-        off = false;
+        drive();
         return source;
+    }
+
+    /// Has the planner drive to the goal that there is, unless somebody holds it back.
+    private void drive() {
+        Trip now = trip;
+        if (now == null || paused || !base.enabled()) {
+            return;
+        }
+        if (!now.sent) {
+            now.sent = true;
+            calledOff = false;
+            server.command(address, Planner.GOAL, new Planner.Place(Pose.of(now.mapFromGoal)));
+        }
+        enable(true);
     }
 
     private void cancel(Trip old) {
@@ -120,12 +154,25 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     }
 
     private void stop() {
-        off = true;
+        calledOff = true;
         enable(false);
     }
 
-    private void enable(boolean on) {
-        server.ask(address, Planner.ENABLE, Optional.of(new Planner.Enable(on ? 1 : 0)));
+    private void enable(boolean wanted) {
+        if (!wanted || !on) { // off is said again and again, as others may switch it on
+            on = wanted;
+            server.ask(address, Planner.ENABLE, Optional.of(new Planner.Enable(wanted ? 1 : 0)))
+                    .whenComplete((_, error) -> on &= error == null);
+        }
+    }
+
+    /// Stops what it drives, for good.
+    @Override
+    public void end() {
+        if (trip != null) {
+            stop();
+            end(new Result.Cancelled());
+        }
     }
 
     private void end(Result ending) {
@@ -145,16 +192,23 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
         boolean ours = state.mapFromGoal().to2d().isNear(now.mapFromGoal, 0.01, 0.01);
         now.told = Optional.of(state);
         Pose2d mapFromBase = now.mapFromBase();
-        if (ours && state.valid() != 0) {
+        boolean held = paused || !base.enabled();
+        if (held || (ours && state.valid() != 0)) {
             now.valid = time;
         }
         double remaining = now.path().length();
-        if (remaining < now.nearest - NEARER || paused) {
+        if (remaining > now.remaining + OTHER_WAY) {
+            now.nearest = remaining;
+        }
+        now.remaining = remaining;
+        if (held || remaining < now.nearest - NEARER) {
             now.nearest = Math.min(remaining, now.nearest);
             now.nearer = time;
         }
         Duration driving = Duration.between(now.begun, time);
-        boolean done = ours && state.done() != 0;
+        now.underway |= now.sent && ours && state.done() == 0;
+        boolean close = mapFromBase.distanceTo(now.mapFromGoal) < CLOSE;
+        boolean done = now.sent && ours && state.done() != 0 && (now.underway || close);
         if (done || mapFromBase.isNear(now.mapFromGoal, now.tolerance.distance(), now.tolerance.angle())) {
             if (!done) {
                 stop();
@@ -206,9 +260,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     @Override
     public void resume() {
         paused = false;
-        if (!off) {
-            enable(true);
-        }
+        drive();
     }
 
     @Override
@@ -229,7 +281,8 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     @Override
     public void connected() {
         health(Health.ok());
-        if (off || paused) {
+        base.motors(); // planners switch them on when they begin
+        if (calledOff || paused || !base.enabled()) {
             enable(false);
         }
     }
@@ -238,8 +291,10 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
     public void lost(String reason) {
         Trip ended = trip;
         if (ended != null) {
+            stop(); // when it is back, too
             end(new Result.Stuck(ended.mapFromBase(), Duration.between(ended.begun, clock.instant()), reason));
         }
+        on = false;
         health(new Health.Lost(reason));
     }
 }

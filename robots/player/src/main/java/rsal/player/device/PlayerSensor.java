@@ -41,9 +41,14 @@ abstract class PlayerSensor<T> extends SensorCore<T> implements Remote {
     @Override
     public void take(Instant time, Record body) {
         read(body).ifPresent(value -> {
-            toldAt = time;
+            heard(time);
             tell(time, value);
         });
+    }
+
+    /// The server has told something of it.
+    final void heard(Instant time) {
+        toldAt = time;
     }
 
     /// A new reading; times go up, whatever the server says.

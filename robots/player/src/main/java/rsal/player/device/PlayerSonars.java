@@ -36,8 +36,7 @@ final class PlayerSonars extends PlayerSensor<RangeArray> implements SonarArray 
     @Override
     public void answered(Record body) {
         switch (body) {
-            case Ranger.Geometry geometry ->
-                baseFromSensors = geometry.poses().stream().map(Pose3::to2d).toList();
+            case Ranger.Geometry geometry -> baseFromSensors = Ranges.places(geometry);
             case Sonar.Geometry geometry ->
                 baseFromSensors = geometry.poses().stream().map(Pose3::to2d).toList();
             case Ranger.Configuration configuration -> {

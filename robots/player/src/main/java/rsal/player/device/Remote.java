@@ -31,4 +31,7 @@ interface Remote {
 
     /// Time has passed.
     default void look(Instant now) {}
+
+    /// Nobody wants anything of it any more: what moves stops, what was left behind goes.
+    default void end() {}
 }

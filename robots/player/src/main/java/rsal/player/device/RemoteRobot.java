@@ -1,5 +1,6 @@
 package rsal.player.device;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -10,9 +11,12 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.BiFunction;
 import java.util.stream.Collectors;
+import rsal.device.Canvas;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.Localizer;
+import rsal.device.Mapper;
+import rsal.device.Navigator;
 import rsal.player.message.Interface;
 import rsal.player.wire.Address;
 import rsal.robot.Robot;
@@ -33,6 +37,7 @@ public final class RemoteRobot {
     private final Scheduler scheduler;
     private final Map<Kind, Integer> taken = new EnumMap<>(Kind.class);
     private final List<Device> devices = new ArrayList<>();
+    private final List<Remote> remotes = new ArrayList<>(); // its base first
     private final List<CompletionStage<Void>> connecting = new ArrayList<>();
     private final PlayerBase base;
 
@@ -54,7 +59,12 @@ public final class RemoteRobot {
         JOINT,
         INPUTS,
         LOCALIZER,
-        PLANNER;
+        PLANNER,
+        MAP,
+        CANVAS;
+
+        private static final Map<Class<? extends Device>, Kind> OWN =
+                Map.of(Localizer.class, LOCALIZER, Navigator.class, PLANNER, Mapper.class, MAP, Canvas.class, CANVAS);
 
         /// How many of them a robot has.
         private int of(RobotModel model) {
@@ -72,7 +82,7 @@ public final class RemoteRobot {
                 case Part.FiducialFinder _ -> this == MARKERS;
                 case Part.Gripper its -> this == GRIPPER || this == INPUTS || (this == JOINT && its.hasLift());
                 case Part.Actuator _ -> this == JOINT;
-                case Part.Own own -> this == (own.makes().equals(Localizer.class) ? LOCALIZER : PLANNER);
+                case Part.Own own -> this == OWN.get(own.makes());
                 case Part.Light _ -> false;
             };
         }
@@ -93,7 +103,14 @@ public final class RemoteRobot {
                 case INPUTS -> offer.of(Interface.DIO);
                 case LOCALIZER -> offer.of(Interface.LOCALIZE);
                 case PLANNER -> offer.of(Interface.PLANNER);
+                case MAP -> offer.of(Interface.MAP);
+                case CANVAS -> offer.of(Interface.GRAPHICS2D);
             };
+        }
+
+        /// Whether robots may all have the same one.
+        private boolean isShared() {
+            return this == MAP;
         }
     }
 
@@ -101,14 +118,15 @@ public final class RemoteRobot {
     /// @param index which robot of these servers it is
     /// @param watchdog after which it stands when nothing more is commanded
     /// @param armed whether its motors are on from the beginning
-    /// @throws IllegalStateException when these servers have no device for a part of its model
+    /// @throws IOException when these servers have no device for a part of its model
     public RemoteRobot(
             RobotSpec spec,
             List<RemoteServer> servers,
             int index,
             Duration watchdog,
             boolean armed,
-            Scheduler scheduler) {
+            Scheduler scheduler)
+            throws IOException {
         this.spec = spec;
         this.index = index;
         this.watchdog = watchdog;
@@ -130,7 +148,7 @@ public final class RemoteRobot {
         return !(part instanceof Part.Light);
     }
 
-    private void add(String name, Part part) {
+    private void add(String name, Part part) throws IOException {
         switch (part) {
             case Part.Laser laser -> add(Kind.LASER, name, (info, at) -> new PlayerLaser(info, at.address, laser));
             case Part.Sonars sonars -> add(Kind.SONARS, name, (info, at) -> new PlayerSonars(info, at.address, sonars));
@@ -153,8 +171,17 @@ public final class RemoteRobot {
                         Kind.LOCALIZER,
                         name,
                         (info, at) -> new PlayerLocalizer(info, at.address, at.server, base, scheduler));
+            case Part.Own own
+            when own.makes().equals(Mapper.class) ->
+                add(Kind.MAP, name, (info, at) -> new PlayerMap(info, at.address, at.server, scheduler));
+            case Part.Own own
+            when own.makes().equals(Canvas.class) ->
+                add(Kind.CANVAS, name, (info, at) -> new PlayerCanvas(info, at.address, at.server));
             case Part.Own _ ->
-                add(Kind.PLANNER, name, (info, at) -> new PlayerNavigator(info, at.address, at.server, scheduler));
+                add(
+                        Kind.PLANNER,
+                        name,
+                        (info, at) -> new PlayerNavigator(info, at.address, at.server, base, scheduler));
             case Part.Light _ -> throw new IllegalArgumentException("(%s) is refused before.".formatted(part.name()));
         }
     }
@@ -169,9 +196,10 @@ public final class RemoteRobot {
     }
 
     /// Makes a device for the next of a kind.
-    private <D extends Device & Remote> D add(Kind kind, String name, BiFunction<DeviceInfo, Found, D> make) {
+    private <D extends Device & Remote> D add(Kind kind, String name, BiFunction<DeviceInfo, Found, D> make)
+            throws IOException {
         Found at = next(kind)
-                .orElseThrow(() -> new IllegalStateException("Robot (%s) has no device for its (%s): %s."
+                .orElseThrow(() -> new IOException("Robot (%s) has no device for its (%s): %s."
                         .formatted(
                                 spec.id(),
                                 name,
@@ -183,16 +211,21 @@ public final class RemoteRobot {
         return device;
     }
 
-    /// Robots that share their servers have their devices of a kind one after the other.
+    /// Robots that share their servers have their devices of a kind one after the other; where there are fewer of what
+    /// they may share, the last one.
     private Optional<Found> next(Kind kind) {
         int number = index * kind.of(spec.model()) + taken.merge(kind, 1, Integer::sum) - 1;
-        return seen.stream()
+        List<Found> all = seen.stream()
                 .flatMap(one -> kind.of(one.offer).stream().map(address -> new Found(one.server, address)))
-                .skip(number)
-                .findFirst();
+                .toList();
+        if (number < all.size()) {
+            return Optional.of(all.get(number));
+        }
+        return kind.isShared() && !all.isEmpty() ? Optional.of(all.getLast()) : Optional.empty();
     }
 
     private <R extends Remote> R connect(Found at, R device) {
+        remotes.add(device);
         connecting.add(at.server.add(device));
         return device;
     }
@@ -206,8 +239,8 @@ public final class RemoteRobot {
         return all.thenApply(_ -> new Robot(spec.id(), spec.role(), spec.model(), spec.marker(), devices));
     }
 
-    /// Stops it, for good.
+    /// Stops it, for good: first what drives its base, then that.
     public void end() {
-        base.end();
+        remotes.reversed().forEach(Remote::end);
     }
 }

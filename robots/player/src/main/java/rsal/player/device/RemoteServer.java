@@ -12,18 +12,20 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.device.Listeners;
 import rsal.device.Subscription;
 import rsal.player.client.Connection;
+import rsal.player.client.Delivery;
 import rsal.player.client.Link;
 import rsal.player.wire.Address;
 import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
-import rsal.time.Task;
 
 /// A Player server as those here know it who stand for its devices: they are told what is new, and have what they want
 /// sent, as long as there is a connection. All on the scheduler's thread, where of each kind of data the newest counts
@@ -33,15 +35,14 @@ public final class RemoteServer implements AutoCloseable {
     private static final Duration SETUP = Duration.ofSeconds(10); // drivers may take seconds to begin
     private static final Duration PATIENCE = Duration.ofSeconds(2); // with answers
 
-    /// How often [Remote#look] is called.
-    static final Duration LOOK = Duration.ofMillis(50);
+    /// How often [#look] is called.
+    public static final Duration LOOK = Duration.ofMillis(50);
 
     private final String name;
     private final Scheduler scheduler;
     private final Link link;
-    private final Task looking;
     private final ServerClock clock = new ServerClock(); // of the thread that reads
-    private final Map<Address, Member> members = new ConcurrentHashMap<>();
+    private final Map<Address, List<Member>> members = new ConcurrentHashMap<>(); // robots may share a device
     private final Map<Key, News> news = new LinkedHashMap<>(); // guarded by itself
     private final CompletableFuture<Offer> offer = new CompletableFuture<>();
     private final Listeners<Optional<String>> listeners =
@@ -49,7 +50,7 @@ public final class RemoteServer implements AutoCloseable {
     private volatile @Nullable Connection connection; // set on the scheduler's thread
     private String reason = "Nobody has answered yet.";
 
-    private record Key(Address device, int subtype) {}
+    private record Key(Member member, int subtype) {}
 
     private record News(Member member, Instant time, Record body) {}
 
@@ -64,19 +65,15 @@ public final class RemoteServer implements AutoCloseable {
     }
 
     /// Begins to look for the server.
-    public RemoteServer(String host, int port, Scheduler scheduler) {
+    public RemoteServer(String host, int port, Delivery delivery, Scheduler scheduler) {
         this.name = host + ":" + port;
         this.scheduler = scheduler;
-        this.link = new Link(host, port, new Line());
-        this.looking = scheduler.every(LOOK, () -> {
-            Instant now = scheduler.instant();
-            members.values().forEach(member -> member.device.look(now));
-        });
+        this.link = new Link(host, port, delivery, new Line());
         link.start();
     }
 
     /// `localhost:6665`
-    String name() {
+    public String name() {
         return name;
     }
 
@@ -116,9 +113,14 @@ public final class RemoteServer implements AutoCloseable {
     /// @return when it does first; exceptionally when the server has no such device, or its driver does not start
     CompletionStage<Void> add(Remote device) {
         var member = new Member(device);
-        members.put(device.address(), member);
+        members.computeIfAbsent(device.address(), _ -> new CopyOnWriteArrayList<>())
+                .add(member);
         Connection now = connection;
         return now == null ? CompletableFuture.failedStage(new IOException(reason)) : connect(member, now);
+    }
+
+    private Stream<Member> members() {
+        return members.values().stream().flatMap(List::stream);
     }
 
     private CompletionStage<Void> connect(Member member, Connection over) {
@@ -163,7 +165,8 @@ public final class RemoteServer implements AutoCloseable {
         }
     }
 
-    private static String words(Throwable error) {
+    /// What went wrong, for people.
+    static String words(Throwable error) {
         Throwable cause = error instanceof CompletionException && error.getCause() != null ? error.getCause() : error;
         return String.valueOf(cause.getMessage());
     }
@@ -174,13 +177,18 @@ public final class RemoteServer implements AutoCloseable {
     /// @return the answer's body, if it has any; exceptionally when the server refuses, has no connection or says
     /// nothing
     CompletionStage<Optional<Record>> ask(Address device, int subtype, Optional<Record> body) {
+        return ask(device, subtype, body, PATIENCE);
+    }
+
+    /// The same with something that may take longer.
+    CompletionStage<Optional<Record>> ask(Address device, int subtype, Optional<Record> body, Duration patience) {
         Connection now = connection;
         if (now == null) {
             return CompletableFuture.failedStage(new IOException(reason));
         }
         Packet request = body.map(said -> packet(now, device, Kind.REQUEST, subtype, said))
                 .orElseGet(() -> Packet.of(device, Kind.REQUEST, subtype, 0));
-        return scheduler.within(PATIENCE, now.ask(request)).thenApply(answer -> read(now, answer));
+        return scheduler.within(patience, now.ask(request)).thenApply(answer -> read(now, answer));
     }
 
     /// Sends a command, if there is a connection.
@@ -201,8 +209,32 @@ public final class RemoteServer implements AutoCloseable {
         }
     }
 
+    /// What is to be done with a device.
+    ///
+    /// @param body in the words of the newest version of the protocol; empty when the command says no more
+    record Order(int subtype, Optional<Record> body) {}
+
+    /// Sends commands that make sense together only, if there is a connection.
+    void commands(Address device, List<Order> together) {
+        Connection now = connection;
+        if (now != null) {
+            now.commands(
+                    device,
+                    together.stream()
+                            .map(order -> order.body()
+                                    .map(said -> packet(now, device, Kind.COMMAND, order.subtype(), said))
+                                    .orElseGet(() -> Packet.of(device, Kind.COMMAND, order.subtype(), 0)))
+                            .toList());
+        }
+    }
+
     private static Packet packet(Connection over, Address device, Kind kind, int subtype, Record body) {
         return Packet.of(device, kind, subtype, 0, over.protocol().worded(body));
+    }
+
+    /// Time has passed.
+    public void look(Instant now) {
+        members().forEach(member -> member.device.look(now));
     }
 
     /// Completes when the server has got all that was sent, and what it had sent is waiting for the scheduler's thread;
@@ -215,7 +247,7 @@ public final class RemoteServer implements AutoCloseable {
     private void connected(Connection now, Offer found) {
         connection = now;
         offer.complete(found);
-        members.values().forEach(member -> connect(member, now));
+        members().forEach(member -> connect(member, now));
         listeners.tell(Optional.empty());
     }
 
@@ -223,11 +255,11 @@ public final class RemoteServer implements AutoCloseable {
         boolean was = connection != null;
         connection = null;
         reason = why;
-        members.values().forEach(member -> {
-            member.ready = false;
-            member.device.lost(why);
-        });
-        if (was) {
+        if (was) { // else they know, and why at first
+            members().forEach(member -> {
+                member.ready = false;
+                member.device.lost(why);
+            });
             listeners.tell(Optional.of(why));
         }
     }
@@ -252,10 +284,9 @@ public final class RemoteServer implements AutoCloseable {
     @Override
     public void close() {
         link.close();
-        looking.cancel();
         connection = null;
         reason = "It was let go.";
-        members.values().forEach(member -> member.device.lost(reason));
+        members().forEach(member -> member.device.lost(reason));
         members.clear();
     }
 
@@ -275,17 +306,20 @@ public final class RemoteServer implements AutoCloseable {
         @Override
         public void data(Packet packet) {
             Address from = packet.header().address();
-            Member member = members.get(Address.of(from.interf(), from.index()));
+            List<Member> wanting = members.getOrDefault(Address.of(from.interf(), from.index()), List.of()).stream()
+                    .filter(member -> member.ready)
+                    .toList();
             Connection over = connection;
-            if (member == null || !member.ready || over == null) {
+            if (wanting.isEmpty() || over == null) {
                 return;
             }
             read(over, packet).ifPresent(body -> {
-                var one = new News(member, clock.taken(packet.header().time(), scheduler.instant()), body);
+                Instant taken = clock.taken(packet.header().time(), scheduler.instant());
                 boolean first;
                 synchronized (news) {
                     first = news.isEmpty();
-                    news.put(new Key(member.device.address(), packet.header().subtype()), one);
+                    wanting.forEach(member ->
+                            news.put(new Key(member, packet.header().subtype()), new News(member, taken, body)));
                 }
                 if (first) {
                     scheduler.execute(RemoteServer.this::deliver);

@@ -3,18 +3,23 @@ package rsal.player.device;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.time.Duration;
-import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import rsal.player.client.Connection;
-import rsal.player.client.RefusedException;
 import rsal.player.message.Interface;
 import rsal.player.message.Ranger;
 import rsal.player.wire.Address;
 import rsal.player.wire.Kind;
+import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
 import rsal.time.AllowedToReadWallClock;
 
@@ -25,36 +30,57 @@ final class Survey {
 
     private Survey() {}
 
-    /// Rangers are started for a moment, as only then they tell how they are built.
+    /// Rangers are started for a moment, all at once, as only then they tell how they are built.
     static Offer of(Connection connection) throws IOException {
         List<Address> devices = answer(connection.devices(), "which devices it has").stream()
                 .map(device -> Address.of(device.interf(), device.index()))
                 .toList();
-        var scanners = new ArrayList<Address>();
-        var rings = new ArrayList<Address>();
-        for (Address device : new Offer(devices, List.of(), List.of()).of(Interface.RANGER)) {
-            int places = places(connection, device);
-            if (places == 1) {
-                scanners.add(device);
-            } else if (places > 1) {
-                rings.add(device);
-            }
+        List<Address> rangers = new Offer(devices, List.of(), List.of()).of(Interface.RANGER);
+        var places = new LinkedHashMap<Address, CompletableFuture<Integer>>();
+        rangers.forEach(ranger -> places.put(ranger, places(connection, ranger).toCompletableFuture()));
+        await(places.values());
+        if (connection.lost().toCompletableFuture().isDone()) {
+            throw new IOException("The connection was lost while it was asked."); // it will be asked again
         }
-        return new Offer(devices, scanners, rings);
+        rangers.forEach(connection::unsubscribe);
+        return new Offer(
+                devices,
+                rangers.stream().filter(ranger -> told(places, ranger) == 1).toList(),
+                rangers.stream().filter(ranger -> told(places, ranger) > 1).toList());
     }
 
-    /// From how many a ranger measures; 0 when it does not tell.
-    private static int places(Connection connection, Address ranger) throws IOException {
-        String what = "how its (%s) is built".formatted(Interface.words(ranger));
+    /// From how many places a ranger measures.
+    private static CompletionStage<Integer> places(Connection connection, Address ranger) {
+        return connection
+                .subscribe(ranger)
+                .thenCompose(_ -> connection.ask(Packet.of(ranger, Kind.REQUEST, Ranger.GEOMETRY, 0)))
+                .thenApply(answer -> {
+                    try {
+                        return answer.body(Ranger.Geometry.class).poses().size();
+                    } catch (MalformedException e) {
+                        throw new CompletionException(e);
+                    }
+                });
+    }
+
+    /// Waits until all are over, but not for long: one that does not tell, and that perhaps nobody needs, keeps nobody
+    /// from the rest.
+    private static void await(Collection<CompletableFuture<Integer>> all) throws IOException {
         try {
-            answer(connection.subscribe(ranger), what);
-            Packet geometry = answer(connection.ask(Packet.of(ranger, Kind.REQUEST, Ranger.GEOMETRY, 0)), what);
-            return geometry.body(Ranger.Geometry.class).poses().size();
-        } catch (Refusal e) {
-            return 0;
-        } finally {
-            connection.unsubscribe(ranger);
+            CompletableFuture.allOf(all.toArray(CompletableFuture[]::new))
+                    .get(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
+        } catch (TimeoutException | ExecutionException e) {
+            // those that have told count
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new InterruptedIOException();
         }
+    }
+
+    /// 0 when it has not told.
+    private static int told(Map<Address, CompletableFuture<Integer>> places, Address ranger) {
+        CompletableFuture<Integer> answer = places.get(ranger);
+        return answer != null && answer.state() == Future.State.SUCCESS ? answer.resultNow() : 0;
     }
 
     private static <T> T answer(CompletionStage<T> asked, String what) throws IOException {
@@ -63,21 +89,10 @@ final class Survey {
         } catch (TimeoutException e) {
             throw new IOException("The server does not tell %s.".formatted(what), e);
         } catch (ExecutionException e) {
-            if (e.getCause() instanceof RefusedException refused) {
-                throw new Refusal(refused);
-            }
             throw e.getCause() instanceof IOException lost ? lost : new IOException(e.getCause());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new InterruptedIOException();
-        }
-    }
-
-    private static final class Refusal extends IOException {
-        private static final long serialVersionUID = 1;
-
-        Refusal(RefusedException cause) {
-            super(cause);
         }
     }
 }

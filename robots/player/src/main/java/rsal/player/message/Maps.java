@@ -11,6 +11,9 @@ public final class Maps {
     public static final int TILE = 2;
     public static final int LINES = 3;
 
+    /// Cells that a tile can have: Player's messages hold 8 MiB.
+    public static final int LARGEST_TILE = 8_000_000;
+
     private Maps() {}
 
     /// @param scale of a cell [m]

@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import rsal.player.wire.Header;
 import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
@@ -17,7 +18,7 @@ import rsal.player.wire.Packet;
 /// Which message has which body, in a version of Player. Immutable.
 public final class Protocol {
     /// Of Player 3.1 and later.
-    public static final Protocol V3_1 = new Protocol();
+    public static final Protocol V3_1 = new Protocol("3.1.1");
 
     /// Of Player 2 and 3.0: covariances have three numbers, tiles of maps no range, ways no length.
     public static final Protocol V3_0 = V3_1.older();
@@ -25,10 +26,12 @@ public final class Protocol {
     private static final Pattern OLD = Pattern.compile("Player v\\.([012]|3\\.0)\\..*");
 
     private final Map<Key, Class<? extends Record>> bodies = new HashMap<>();
+    private final String version;
 
     private record Key(int interf, Kind kind, int subtype) {}
 
-    private Protocol() {
+    private Protocol(String version) {
+        this.version = version;
         of(Interface.PLAYER, REQUEST)
                 .has(Session.DEVICES, Session.Devices.class)
                 .has(Session.DRIVER, Session.Driver.class)
@@ -164,7 +167,7 @@ public final class Protocol {
     }
 
     private Protocol older() {
-        var older = new Protocol();
+        var older = new Protocol("3.0.2");
         older.of(Interface.LOCALIZE, DATA).has(Localize.HYPOTHESES, Version30.Hypotheses.class);
         older.of(Interface.LOCALIZE, REQUEST).has(Localize.SET_POSE, Version30.SetPose.class);
         older.of(Interface.MAP, REQUEST).has(Maps.TILE, Version30.Tile.class);
@@ -175,6 +178,29 @@ public final class Protocol {
     /// That of a server, by how it introduces itself; of one that says nothing known the newest.
     public static Protocol of(String ident) {
         return OLD.matcher(ident).matches() ? V3_0 : V3_1;
+    }
+
+    /// That of whoever sent a message: this one, unless the body is just what another version has. Clients don't say
+    /// which version they are of.
+    public Protocol ofSender(Packet packet) {
+        return Stream.of(this, V3_1, V3_0)
+                .filter(one -> one.fits(packet))
+                .findFirst()
+                .orElse(this);
+    }
+
+    private boolean fits(Packet packet) {
+        try {
+            read(packet);
+            return true;
+        } catch (MalformedException e) {
+            return false;
+        }
+    }
+
+    /// `3.1.1`
+    public String version() {
+        return version;
     }
 
     /// The record that the body of a message is; empty when it has none that is known. Answers have that of their
@@ -197,6 +223,24 @@ public final class Protocol {
     /// @throws MalformedException when its body is not what it should be
     public Optional<Record> readAsNewest(Packet packet) throws MalformedException {
         return read(packet).map(Version30::newer);
+    }
+
+    /// The same message in the words of the newest version, and without what stands behind the end of its body, as
+    /// Player takes it.
+    ///
+    /// @throws MalformedException when its body ends too early or says what can't be, or such messages have none
+    public Packet asNewest(Packet packet) throws MalformedException {
+        if (packet.body().length == 0) {
+            return packet;
+        }
+        Header header = packet.header();
+        Class<? extends Record> body = body(header)
+                .orElseThrow(() -> new MalformedException("Message %d (%s) of interface (%d) has no body."
+                        .formatted(
+                                header.subtype(),
+                                header.kind(),
+                                header.address().interf())));
+        return packet.with(Version30.newer(packet.start(body)));
     }
 
     /// A message's body in the words of this version.

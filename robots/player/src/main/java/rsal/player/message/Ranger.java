@@ -37,8 +37,8 @@ public final class Ranger {
             int hasConfiguration,
             Configuration configuration) {}
 
-    /// @param poses of its elements: one that turns has all ranges, as evenly as its configuration says; else each has
-    /// one, in their order
+    /// @param poses of its elements, in its frame: one that turns has all ranges, as evenly as its configuration
+    /// says; else each has one, in their order
     /// @param sizes of its elements
     public record Geometry(Pose3 pose, Box3 size, List<Pose3> poses, List<Box3> sizes) {}
 

@@ -8,12 +8,14 @@ import rsal.player.wire.Times;
 public final class Version30 {
     private Version30() {}
 
-    /// The same as newer servers say it; what is no different as it is.
+    /// The same as newer servers and clients say it; what is no different as it is.
     static Record newer(Record body) {
         return switch (body) {
             case Hypotheses(int pending, double time, List<Hypothesis> all) ->
                 new Localize.Hypotheses(
                         pending, time, all.stream().map(Hypothesis::newer).toList());
+            case SetPose(Pose mapFromBase, double[] covariance) ->
+                new Localize.SetPose(mapFromBase, Arrays.copyOf(covariance, 6));
             case Waypoints(List<Pose> waypoints) -> new Planner.Waypoints(0, waypoints);
             case Tile(int column, int row, int width, int height, byte[] cells) ->
                 new Maps.Tile(column, row, width, height, cells.length, 1, cells);
@@ -21,12 +23,15 @@ public final class Version30 {
         };
     }
 
-    /// The same as older servers understand it; what is no different as it is.
+    /// The same as older servers and clients understand it; what is no different as it is.
     static Record older(Record body) {
         return switch (body) {
+            case Localize.Hypotheses(int pending, double time, List<Localize.Hypothesis> all) ->
+                new Hypotheses(pending, time, all.stream().map(Hypothesis::of).toList());
             case Localize.SetPose(Pose mapFromBase, double[] covariance) ->
                 new SetPose(mapFromBase, Arrays.copyOf(covariance, 3));
             case Maps.Tile tile -> new Tile(tile.column(), tile.row(), tile.width(), tile.height(), tile.cells());
+            case Planner.Waypoints ways -> new Waypoints(ways.waypoints());
             default -> body;
         };
     }
@@ -34,6 +39,10 @@ public final class Version30 {
     /// @param covariance xx, yy, θθ [m², rad²]
     /// @param weight among all of them
     public record Hypothesis(Pose mapFromBase, @Times(3) double[] covariance, double weight) {
+        static Hypothesis of(Localize.Hypothesis newest) {
+            return new Hypothesis(newest.mapFromBase(), Arrays.copyOf(newest.covariance(), 3), newest.weight());
+        }
+
         Localize.Hypothesis newer() {
             return new Localize.Hypothesis(mapFromBase, Arrays.copyOf(covariance, 6), weight);
         }

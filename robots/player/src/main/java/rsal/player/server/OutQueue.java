@@ -1,5 +1,6 @@
 package rsal.player.server;
 
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -14,28 +15,39 @@ import rsal.player.message.Session.ReplaceRule;
 import rsal.player.wire.Header;
 import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
+import rsal.time.AllowedToReadWallClock;
 
-/// What one client is to be sent, as Player has it: pushed, all as soon as it can be; pulled, in rounds that the client
-/// asks for, each of which ends with a synch once there was data in it. Data is dropped when there is too much, answers
-/// never: whoever asks waits until there is [room][#awaitRoom]. May be used on any thread.
+/// What one client is to be sent, as Player has it: pushed, all as soon as it can be; pulled, in rounds that the
+/// client asks for, each of which ends with a synch once there was data in it. What came about at the same time is
+/// never torn apart: it is all in one round. Data is dropped when there is too much, answers never: whoever asks
+/// waits until there is [room][#awaitRoom]. May be used on any thread.
+@AllowedToReadWallClock("Clients live in real time.")
 final class OutQueue {
     static final int MOST = 1024; // messages, as Player has it
     private static final int MOST_ANSWERS = 256;
     private static final long LARGEST_ANSWERS = 4L << 20; // bytes of all of them
     private static final int MOST_RULES = 256;
+    private static final Duration PATIENCE = Duration.ofSeconds(1); // with who pulls, of a run that could go on
 
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
-    private final Deque<Packet> queue = new ArrayDeque<>();
+    private final DoubleSupplier time;
+    private final Deque<Packet> going = new ArrayDeque<>(); // before all others, as they are
+    private final Deque<Packet> queue = new ArrayDeque<>(); // what came since
     private final List<ReplaceRule> rules = new ArrayList<>();
     private boolean pulled;
-    private boolean wanted; // a round, that has not ended
-    private int left; // messages of the round, those that were there when it began
-    private int delivered; // data in it
-    private int answers; // in the queue
+    private boolean wanted; // a round, that waits for data
+    private int answers; // not sent yet
     private long answerBytes; // of those
     private int dropped; // since the last synch
+    private boolean asked; // for a round, ever
+    private long askedAt; // last [ns]
     private boolean closed;
+
+    /// @param time of the server, for a synch [s]
+    OutQueue(DoubleSupplier time) {
+        this.time = time;
+    }
 
     void mode(boolean pull) {
         lock.lock();
@@ -58,25 +70,33 @@ final class OutQueue {
         }
     }
 
-    void data(Packet packet) {
+    /// What has come about at the same time.
+    void data(List<Packet> packets) {
         lock.lock();
         try {
-            int fate = fate(packet.header());
-            if (fate == Session.IGNORE) {
-                return;
+            packets.forEach(this::add);
+            if (wanted) {
+                endRound();
             }
-            if (fate == Session.REPLACE) {
-                removeNewestLike(packet.header());
-            }
-            if (queue.size() >= MOST) {
-                dropped++;
-                return;
-            }
-            queue.addLast(packet);
             changed.signalAll();
         } finally {
             lock.unlock();
         }
+    }
+
+    private void add(Packet packet) {
+        int fate = fate(packet.header());
+        if (fate == Session.IGNORE) {
+            return;
+        }
+        if (fate == Session.REPLACE) {
+            removeNewestLike(packet.header());
+        }
+        if (going.size() + queue.size() >= MOST) {
+            dropped++;
+            return;
+        }
+        queue.addLast(packet);
     }
 
     private int fate(Header header) {
@@ -108,11 +128,15 @@ final class OutQueue {
         }
     }
 
+    /// It goes at once, with all that came before it.
     void answer(Packet packet) {
         lock.lock();
         try {
             queue.addLast(packet);
             count(packet, 1);
+            if (pulled) {
+                go();
+            }
             changed.signalAll();
         } finally {
             lock.unlock();
@@ -125,15 +149,29 @@ final class OutQueue {
     void round(Packet ack) {
         lock.lock();
         try {
-            queue.addFirst(ack);
+            going.addLast(ack);
             count(ack, 1);
-            wanted = true;
-            left = queue.size();
-            delivered = 0;
+            asked = true;
+            askedAt = System.nanoTime();
+            endRound();
             changed.signalAll();
         } finally {
             lock.unlock();
         }
+    }
+
+    /// All that is there goes; the round is over if there is data in it, else it waits for some.
+    private void endRound() {
+        wanted = queue.stream().noneMatch(packet -> packet.header().kind() == Kind.DATA);
+        go();
+        if (!wanted) {
+            going.addLast(synch());
+        }
+    }
+
+    private void go() {
+        going.addAll(queue);
+        queue.clear();
     }
 
     /// The client is gone: nobody waits any more.
@@ -160,18 +198,13 @@ final class OutQueue {
     }
 
     /// What is to be sent next; waits for it. Empty once the client is gone.
-    ///
-    /// @param time of the server, for a synch [s]
-    Optional<Packet> take(DoubleSupplier time) throws InterruptedException {
+    Optional<Packet> take() throws InterruptedException {
         lock.lock();
         try {
             while (!closed) {
-                if (wanted && delivered > 0 && (left <= 0 || queue.isEmpty())) {
-                    wanted = false;
-                    return Optional.of(synch(time.getAsDouble()));
-                }
-                if (!queue.isEmpty() && (!pulled || wanted || answers > 0)) {
-                    return Optional.of(next());
+                Optional<Packet> next = next();
+                if (next.isPresent()) {
+                    return next;
                 }
                 changed.await();
             }
@@ -181,16 +214,45 @@ final class OutQueue {
         }
     }
 
-    private Packet next() {
-        Packet packet = queue.removeFirst();
-        left--;
-        if (packet.header().kind() == Kind.DATA) {
-            delivered++;
-        } else {
-            count(packet, -1);
-            changed.signalAll(); // for whoever awaits room
+    /// Whether there is nothing to take now.
+    boolean isIdle() {
+        lock.lock();
+        try {
+            return going.isEmpty() && (pulled || queue.isEmpty());
+        } finally {
+            lock.unlock();
         }
-        return packet;
+    }
+
+    /// Whether there is data for a client that pulls, and has not asked for it yet; but not for more than a second.
+    boolean isBehind() {
+        lock.lock();
+        try {
+            return pulled
+                    && asked
+                    && !wanted
+                    && !closed
+                    && !queue.isEmpty()
+                    && System.nanoTime() - askedAt < PATIENCE.toNanos();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private Optional<Packet> next() {
+        Optional<Packet> next = Optional.ofNullable(going.pollFirst());
+        if (next.isEmpty() && !pulled) {
+            next = Optional.ofNullable(queue.pollFirst());
+        }
+        next.filter(OutQueue::isAnswer).ifPresent(answer -> {
+            count(answer, -1);
+            changed.signalAll(); // for whoever awaits room
+        });
+        return next;
+    }
+
+    private static boolean isAnswer(Packet packet) {
+        return packet.header().kind() == Kind.ACK || packet.header().kind() == Kind.NACK;
     }
 
     private void count(Packet answer, int more) {
@@ -198,11 +260,11 @@ final class OutQueue {
         answerBytes += (long) more * answer.body().length;
     }
 
-    private Packet synch(double time) {
+    private Packet synch() {
         int lost = dropped;
         dropped = 0;
         return lost == 0
-                ? Packet.of(Session.SERVER, Kind.SYNCH, Session.COMPLETE, time)
-                : Packet.of(Session.SERVER, Kind.SYNCH, Session.OVERFLOW, time, new Session.Lost(lost));
+                ? Packet.of(Session.SERVER, Kind.SYNCH, Session.COMPLETE, time.getAsDouble())
+                : Packet.of(Session.SERVER, Kind.SYNCH, Session.OVERFLOW, time.getAsDouble(), new Session.Lost(lost));
     }
 }

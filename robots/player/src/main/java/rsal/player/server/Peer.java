@@ -1,11 +1,13 @@
 package rsal.player.server;
 
 import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.Socket;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Semaphore;
@@ -31,15 +33,18 @@ final class Peer {
 
     private final Socket socket;
     private final Port port;
-    private final OutQueue out = new OutQueue();
+    private final OutQueue out;
     private final Set<Served> subscribed = new HashSet<>(); // guarded by itself
     private final Set<Served> commanded = new HashSet<>(); // of the thread that reads
     private final Semaphore asking = new Semaphore(MOST_ASKED);
     private final AtomicBoolean over = new AtomicBoolean();
+    private volatile Protocol protocol; // as far as it has shown
 
     Peer(Socket socket, Port port) {
         this.socket = socket;
         this.port = port;
+        this.out = new OutQueue(port::time);
+        this.protocol = port.protocol();
     }
 
     /// Serves it on threads of its own.
@@ -48,14 +53,18 @@ final class Peer {
         Thread.ofVirtual().name("player peer writes").start(this::write);
     }
 
-    /// New data of a device, for whoever wants it.
-    void data(Served device, Packet packet) {
+    /// New data that came about at the same time, for whoever wants some of it.
+    void data(List<News> news) {
         synchronized (subscribed) {
-            if (!subscribed.contains(device)) {
-                return;
-            }
+            out.data(news.stream()
+                    .filter(each -> subscribed.contains(each.device()))
+                    .map(each -> each.in(protocol))
+                    .toList());
         }
-        out.data(packet);
+    }
+
+    boolean isBehind() {
+        return out.isBehind();
     }
 
     private void read() {
@@ -72,17 +81,22 @@ final class Peer {
             Thread.currentThread().interrupt();
         } finally {
             end();
-            commanded.forEach(Served::close);
+            commanded.forEach(device -> port.givesBack(this, device));
         }
     }
 
+    /// What waits at the same time goes out at once.
     private void write() {
-        try (OutputStream to = socket.getOutputStream()) {
+        try (OutputStream to = new BufferedOutputStream(socket.getOutputStream())) {
             to.write(port.ident());
-            Optional<Packet> next = out.take(port::time);
+            to.flush();
+            Optional<Packet> next = out.take();
             while (next.isPresent()) {
                 to.write(next.get().bytes());
-                next = out.take(port::time);
+                if (out.isIdle()) {
+                    to.flush();
+                }
+                next = out.take();
             }
         } catch (IOException e) {
             // it has gone
@@ -120,17 +134,31 @@ final class Peer {
             return;
         }
         Served device = port.device(header.address()).orElse(null);
-        if (device == null || !isWhole(packet)) {
+        if (device == null) {
             return; // as Player does
         }
-        if (header.kind() == Kind.COMMAND) {
-            if (commanded.add(device)) {
-                device.open(); // it is used until the client is gone, whether it wants its data or not
-            }
-            device.command(packet);
-        } else if (header.kind() == Kind.REQUEST && header.subtype() == CAPABILITY) {
+        if (header.kind() == Kind.REQUEST && header.subtype() == CAPABILITY) {
             reply(packet, device, capability(device, packet));
-        } else if (header.kind() == Kind.REQUEST) {
+            return;
+        }
+        protocol = protocol.ofSender(packet);
+        try {
+            hand(protocol.asNewest(packet), device);
+        } catch (MalformedException e) {
+            if (header.kind() == Kind.REQUEST) { // kinder than Player: there are clients that wait forever
+                reply(packet, device, new Answer.Refused());
+            }
+        }
+    }
+
+    private void hand(Packet packet, Served device) throws InterruptedException {
+        if (packet.header().kind() == Kind.COMMAND) {
+            if (commanded.add(device)) {
+                device.open(); // used until the client gives it back, whether it wants its data or not
+            }
+            port.commands(this, device);
+            device.command(packet);
+        } else if (packet.header().kind() == Kind.REQUEST) {
             asking.acquire();
             device.ask(packet).whenComplete((answer, error) -> {
                 reply(packet, device, error == null ? answer : null);
@@ -139,20 +167,9 @@ final class Peer {
         }
     }
 
-    private static boolean isWhole(Packet packet) {
-        if (packet.body().length == 0 || packet.header().subtype() == CAPABILITY) {
-            return true;
-        }
-        try {
-            return Protocol.V3_1.read(packet).isPresent();
-        } catch (MalformedException e) {
-            return false;
-        }
-    }
-
     private static Answer capability(Served device, Packet packet) {
         try {
-            var asked = packet.body(Session.Capability.class);
+            var asked = packet.start(Session.Capability.class);
             return device.understands(Kind.of(asked.type()), asked.subtype())
                     ? new Answer.Done()
                     : new Answer.Refused();
@@ -167,14 +184,15 @@ final class Peer {
         out.answer(
                 switch (answer) {
                     case Answer.Done _ -> Packet.of(address, Kind.ACK, subtype, port.time());
-                    case Answer.Told(Record body) -> Packet.of(address, Kind.ACK, subtype, port.time(), body);
+                    case Answer.Told(Record body) ->
+                        Packet.of(address, Kind.ACK, subtype, port.time(), protocol.worded(body));
                     case Answer.Refused _ -> Packet.of(address, Kind.NACK, subtype, port.time());
                     case null -> Packet.of(address, Kind.NACK, subtype, port.time());
                 });
     }
 
     /// Something of the server itself.
-    private void ask(Packet request) {
+    private void ask(Packet request) throws InterruptedException {
         try {
             if (request.header().kind() != Kind.REQUEST) {
                 answer(request, Kind.NACK, null);
@@ -183,15 +201,15 @@ final class Peer {
             switch (request.header().subtype()) {
                 case Session.DEVICES -> answer(request, Kind.ACK, new Session.Devices(port.addresses()));
                 case Session.DRIVER ->
-                    driver(request, request.body(Session.Driver.class).device());
-                case Session.DEVICE -> subscribe(request, request.body(Session.Subscription.class));
+                    driver(request, request.start(Session.Driver.class).device());
+                case Session.DEVICE -> subscribe(request, request.start(Session.Subscription.class));
                 case Session.DATA -> out.round(packet(request, Kind.ACK, null));
                 case Session.MODE -> {
-                    out.mode(request.body(Session.Mode.class).mode() == Session.PULL);
+                    out.mode(request.start(Session.Mode.class).mode() == Session.PULL);
                     answer(request, Kind.ACK, null);
                 }
                 case Session.REPLACE_RULE ->
-                    answer(request, out.add(request.body(Session.ReplaceRule.class)) ? Kind.ACK : Kind.NACK, null);
+                    answer(request, out.add(request.start(Session.ReplaceRule.class)) ? Kind.ACK : Kind.NACK, null);
                 default -> answer(request, Kind.NACK, null);
             }
         } catch (MalformedException e) {
@@ -208,16 +226,20 @@ final class Peer {
                     Kind.ACK,
                     new Session.Driver(address, Chars.of(device.get().driver())));
         } else {
-            answer(request, Kind.NACK, new Session.Driver(asked, new byte[0]));
+            answer(request, Kind.NACK, null); // as Player has it: javaclient3 does not read a body here
         }
     }
 
-    private void subscribe(Packet request, Session.Subscription asked) {
+    private void subscribe(Packet request, Session.Subscription asked) throws InterruptedException {
         Served device = port.device(asked.device()).orElse(null);
         if (device == null) {
             answer(request, Kind.NACK, new Session.Subscription(asked.device(), Session.ERROR, new byte[0]));
         } else if (asked.access() == Session.OPEN) {
-            device.open().whenComplete((works, error) -> opened(request, device, error == null && works));
+            asking.acquire();
+            device.open().whenComplete((works, error) -> {
+                opened(request, device, error == null && works);
+                asking.release();
+            });
         } else {
             boolean was;
             synchronized (subscribed) {
@@ -226,24 +248,29 @@ final class Peer {
             if (was) {
                 device.close();
             }
-            grant(request, device, Session.CLOSE);
+            if (commanded.remove(device)) {
+                port.givesBack(this, device);
+            }
+            out.answer(granted(request, device, Session.CLOSE));
         }
     }
 
+    /// No data may come before the answer: some clients take whatever comes next for it.
     private void opened(Packet request, Served device, boolean works) {
+        Packet granted = granted(request, device, works ? Session.OPEN : Session.ERROR);
         boolean more;
         synchronized (subscribed) {
             more = works && !over.get() && subscribed.add(device);
+            out.answer(granted);
         }
         if (works && !more) {
             device.close(); // it wants it already, or is gone
         }
-        grant(request, device, works ? Session.OPEN : Session.ERROR);
     }
 
-    private void grant(Packet request, Served device, int access) {
+    private Packet granted(Packet request, Served device, int access) {
         Address address = port.address(device);
-        answer(request, Kind.ACK, new Session.Subscription(address, access, Chars.of(device.driver())));
+        return packet(request, Kind.ACK, new Session.Subscription(address, access, Chars.of(device.driver())));
     }
 
     private void answer(Packet request, Kind kind, @Nullable Record body) {

@@ -9,6 +9,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -16,31 +17,44 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
 import java.util.function.DoubleSupplier;
 import rsal.player.message.Interface;
+import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
-import rsal.player.wire.Kind;
-import rsal.player.wire.Packet;
 
 /// A port of a Player server, with its devices and clients. May be used on any thread.
 public final class Port implements AutoCloseable {
     private static final int MOST_CLIENTS = 64;
-    private static final String VERSION = "Player v.3.1.1-rsal";
 
     private final ServerSocket listening;
+    private final Protocol protocol;
     private final DoubleSupplier time;
+    private final Executor afterwards;
     private final int host;
     private final Map<Address, Served> devices = new LinkedHashMap<>(); // by address without host and port
     private final Set<Peer> peers = ConcurrentHashMap.newKeySet();
+    private final Map<Served, Peer> commanders = new ConcurrentHashMap<>(); // who commanded last
+    private final List<News> news = new ArrayList<>(); // not told yet; guarded by itself
 
     /// Listens at once, but takes no clients before it is [started][#start].
     ///
     /// @param at where; port 0 for any that is free
+    /// @param protocol of clients that don't show another
     /// @param time of the server, which its messages carry [s]
+    /// @param afterwards runs what is to be done once the task that publishes something is over
     /// @throws IOException when nobody may listen there
-    public Port(InetSocketAddress at, List<? extends Served> devices, DoubleSupplier time) throws IOException {
+    public Port(
+            InetSocketAddress at,
+            List<? extends Served> devices,
+            Protocol protocol,
+            DoubleSupplier time,
+            Executor afterwards)
+            throws IOException {
+        this.protocol = protocol;
         this.time = time;
+        this.afterwards = afterwards;
         devices.forEach(device -> {
             if (this.devices.put(Address.of(device.interf().code(), device.index()), device) != null) {
                 throw new IllegalArgumentException("There are two devices (%s:%d) on port (%d)."
@@ -92,14 +106,37 @@ public final class Port implements AutoCloseable {
         return peers.size();
     }
 
-    /// Tells whoever wants it of new data of a device.
+    /// Tells whoever wants it of new data of a device, together with all else that the same task publishes: clients
+    /// get in one round what was measured in one step.
     ///
     /// @param at when it was measured, of the server's clock [s]
+    /// @param body in the words of the newest version
     public void publish(Served device, int subtype, double at, Record body) {
-        if (!peers.isEmpty()) {
-            Packet packet = Packet.of(address(device), Kind.DATA, subtype, at, body);
-            peers.forEach(peer -> peer.data(device, packet));
+        if (peers.isEmpty()) {
+            return;
         }
+        boolean first;
+        synchronized (news) {
+            first = news.isEmpty();
+            news.add(new News(device, address(device), subtype, at, body));
+        }
+        if (first) {
+            afterwards.execute(this::tell);
+        }
+    }
+
+    private void tell() {
+        List<News> told;
+        synchronized (news) {
+            told = List.copyOf(news);
+            news.clear();
+        }
+        peers.forEach(peer -> peer.data(told));
+    }
+
+    /// Whether a client that pulls has yet to ask for what there is; not one that has not asked for a second.
+    public boolean isBehind() {
+        return peers.stream().anyMatch(Peer::isBehind);
     }
 
     @Override
@@ -113,7 +150,11 @@ public final class Port implements AutoCloseable {
     }
 
     byte[] ident() {
-        return Arrays.copyOf(VERSION.getBytes(US_ASCII), Session.IDENT);
+        return Arrays.copyOf("Player v.%s-rsal".formatted(protocol.version()).getBytes(US_ASCII), Session.IDENT);
+    }
+
+    Protocol protocol() {
+        return protocol;
     }
 
     double time() {
@@ -135,6 +176,19 @@ public final class Port implements AutoCloseable {
     /// Whatever host and port a client has written: they are those of its connection.
     Optional<Served> device(Address asked) {
         return Optional.ofNullable(devices.get(Address.of(asked.interf(), asked.index())));
+    }
+
+    /// A client commands a device.
+    void commands(Peer peer, Served device) {
+        commanders.put(device, peer);
+    }
+
+    /// A client that has commanded a device gives it back, or is gone.
+    void givesBack(Peer peer, Served device) {
+        if (commanders.remove(device, peer)) {
+            device.forsaken();
+        }
+        device.close();
     }
 
     void remove(Peer peer) {

@@ -23,23 +23,26 @@ public interface Served {
         return CompletableFuture.completedStage(true);
     }
 
-    /// A client that wanted its data does no more, or one that commanded it is gone.
+    /// A client that wanted its data does no more, or one that commanded it has given it back or is gone.
     default void close() {}
+
+    /// The client that commanded it last has given it back, or is gone.
+    default void forsaken() {}
 
     /// Whether it knows such messages.
     boolean understands(Kind kind, int subtype);
 
-    /// @param request whose body is as its layout has it
+    /// @param request whose body is as the newest version has it
     CompletionStage<Answer> ask(Packet request);
 
-    /// @param command whose body is as its layout has it
+    /// @param command whose body is as the newest version has it
     void command(Packet command);
 
     /// To a request.
     sealed interface Answer {
         record Done() implements Answer {}
 
-        /// @param body of the layout that requests of its kind have
+        /// @param body as requests of its kind have it in the newest version
         record Told(Record body) implements Answer {}
 
         record Refused() implements Answer {}

@@ -138,6 +138,13 @@ public final class Layout<T extends Record> {
         return value;
     }
 
+    /// What a body begins with; whatever stands behind that is left.
+    ///
+    /// @throws MalformedException when it is not of that layout
+    public T readStart(byte[] body) throws MalformedException {
+        return read(ByteBuffer.wrap(body));
+    }
+
     T read(ByteBuffer from) throws MalformedException {
         var values = new Object[fields.length];
         for (int i = 0; i < fields.length; i++) {

@@ -66,7 +66,18 @@ public record Packet(Header header, byte[] body) {
         return bytes.put(body).array();
     }
 
+    /// The same with another body.
+    public <T extends Record> Packet with(T other) {
+        return of(header.address(), header.kind(), header.subtype(), header.time(), other)
+                .withSequence(header.sequence());
+    }
+
     public <T extends Record> T body(Class<T> type) throws MalformedException {
         return Layout.of(type).read(body);
+    }
+
+    /// What its body begins with; whatever stands behind that is left.
+    public <T extends Record> T start(Class<T> type) throws MalformedException {
+        return Layout.of(type).readStart(body);
     }
 }

@@ -22,8 +22,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import rsal.device.DriveBase;
 import rsal.player.client.Connection;
+import rsal.player.client.Delivery;
 import rsal.player.client.RefusedException;
 import rsal.player.message.Interface;
+import rsal.player.message.Protocol;
 import rsal.player.wire.Address;
 import rsal.player.wire.Header;
 import rsal.player.wire.Kind;
@@ -54,8 +56,17 @@ abstract class BridgeBench extends RobotBench {
         return List.of();
     }
 
+    /// That its clients are taken to speak.
+    Protocol protocol() {
+        return Protocol.V3_1;
+    }
+
     final Connection client() {
         return client;
+    }
+
+    final PlayerBridge bridge() {
+        return bridge;
     }
 
     final List<Offer> offers() {
@@ -71,11 +82,13 @@ abstract class BridgeBench extends RobotBench {
         bridge = PlayerBridge.open(
                 new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
                 new Lent(List.of(robot()), WORLD.grid(), system().simulation(), services()),
+                protocol(),
                 run);
         client = Connection.open(
                 new InetSocketAddress(
                         InetAddress.getLoopbackAddress(),
                         bridge.offers().getFirst().port()),
+                Delivery.PULL,
                 Duration.ofSeconds(5),
                 this::hear);
     }

@@ -3,6 +3,7 @@ package rsal.player.bridge;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -93,11 +94,31 @@ class NavigatedBridgeTest extends BridgeBench {
         "0, 0, -1, 1, 1, 0",
         "0, 0, 1, Infinity, 1, 0",
         "0, 0, 1, 1, NaN, 0",
-        "0, 0, 1e-300, 1, 1, 1e100",
     })
     void whatNobodyCanBelieveIsRefused(double x, double y, double xx, double yy, double aa, double xy) {
         var covariance = new double[] {xx, yy, aa, xy, 0, 0};
         refused(Interface.LOCALIZE, Localize.SET_POSE, new Localize.SetPose(new Pose(x, y, 0), covariance));
+    }
+
+    /// playernav hands over three numbers where Player's library reads six.
+    @ParameterizedTest
+    @CsvSource({
+        "1e100, 0, 0",
+        "0.1, NaN, 0",
+        "0, 0, -Infinity",
+        "0, 0.04, 0", // more than its variances allow
+        "0.05, 0.02, -0.018", // each of them could be, but not all of them
+    })
+    void productsThatCanNotBeCountAsNone(double xy, double ya, double xa) throws Exception {
+        var covariance = new double[] {0.04, 0.09, 0.01, xy, ya, xa};
+        ask(Interface.LOCALIZE, Localize.SET_POSE, new Localize.SetPose(wire(A), covariance));
+        subscribe(Interface.LOCALIZE);
+        until(() -> Arrays.equals(
+                newest(Interface.LOCALIZE, Localize.Hypotheses.class)
+                        .hypotheses()
+                        .getFirst()
+                        .covariance(),
+                new double[] {0.04, 0.09, 0.01, 0, 0, 0}));
     }
 
     @Test

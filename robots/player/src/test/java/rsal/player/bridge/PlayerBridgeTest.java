@@ -9,8 +9,12 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
+import java.net.Socket;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.zip.InflaterInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,8 +26,11 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.device.DriveBase;
 import rsal.device.LaserScanner;
+import rsal.player.client.Connection;
+import rsal.player.client.Delivery;
 import rsal.player.message.Actarray;
 import rsal.player.message.Blobfinder;
+import rsal.player.message.Box3;
 import rsal.player.message.Bumper;
 import rsal.player.message.Chars;
 import rsal.player.message.Dio;
@@ -36,13 +43,18 @@ import rsal.player.message.Pose;
 import rsal.player.message.Pose3;
 import rsal.player.message.Position2d;
 import rsal.player.message.Power;
+import rsal.player.message.Protocol;
 import rsal.player.message.Ranger;
 import rsal.player.message.Session;
 import rsal.player.message.Simulation;
 import rsal.player.message.Sonar;
+import rsal.player.message.Version30;
 import rsal.player.wire.Address;
+import rsal.player.wire.Header;
 import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
+import rsal.robot.Robot;
+import rsal.robot.RobotModel.Part;
 import rsal.sim.SimProvider;
 import rsal.system.Bridge.Offer;
 import rsal.system.BridgeProvider.Lent;
@@ -78,6 +90,7 @@ class PlayerBridgeTest extends BridgeBench {
         return PlayerBridge.open(
                 new InetSocketAddress(InetAddress.getLoopbackAddress(), port),
                 new Lent(await(two.discover()), WORLD.grid(), two.simulation(), List.of()),
+                Protocol.V3_1,
                 run);
     }
 
@@ -203,17 +216,92 @@ class PlayerBridgeTest extends BridgeBench {
         var config = asked(Interface.RANGER, Ranger.CONFIGURATION, Ranger.Configuration.class);
         assertThat(config.maxAngle() - config.minAngle())
                 .isCloseTo(config.resolution() * (own.count() - 1), within(1e-9));
-        assertThat(asked(Interface.RANGER, Ranger.GEOMETRY, Ranger.Geometry.class)
-                        .poses())
-                .hasSize(1);
-        assertThat(asked(Interface.LASER, Laser.GEOMETRY, Laser.Geometry.class)
-                        .pose()
-                        .x())
-                .isEqualTo(own.baseFromLaser().x());
+        var shape = asked(Interface.RANGER, Ranger.GEOMETRY, Ranger.Geometry.class);
+        assertThat(shape.pose()).isEqualTo(Pose3.of(own.baseFromLaser()));
+        assertThat(shape.poses()).as("in its frame").containsExactly(NOWHERE);
+        var laser = asked(Interface.LASER, Laser.GEOMETRY, Laser.Geometry.class);
+        assertThat(laser.pose()).isEqualTo(Pose3.of(own.baseFromLaser()));
         int sonars = asked(Interface.SONAR, Sonar.GEOMETRY, Sonar.Geometry.class)
                 .poses()
                 .size();
         assertThat(told(Interface.SONAR, Sonar.Ranges.class).ranges()).hasSize(sonars);
+    }
+
+    /// playerv draws nothing of what has no size.
+    @Test
+    void whatClientsDrawHasASize() throws Exception {
+        advance(0.5); // until all have measured
+        var laser = asked(Interface.LASER, Laser.GEOMETRY, Laser.Geometry.class);
+        assertThat(laser.size()).isEqualTo(new Box3(0.1, 0.1, 0.1));
+        for (int ranger = 0; ranger < 2; ranger++) {
+            var shape = answer(client().ask(Packet.of(
+                            Address.of(Interface.RANGER.code(), ranger), Kind.REQUEST, Ranger.GEOMETRY, 0)))
+                    .body(Ranger.Geometry.class);
+            assertThat(shape.size().width()).isBetween(0.05, 0.5);
+            assertThat(shape.sizes()).hasSameSizeAs(shape.poses()).doesNotContain(new Box3(0, 0, 0));
+        }
+        var pads = ((Part.Bumper) model().sensors().get("bumper")).pads();
+        var bumpers = asked(Interface.BUMPER, Bumper.GEOMETRY, Bumper.Geometry.class);
+        assertThat(bumpers.bumpers()).hasSameSizeAs(pads);
+        for (int i = 0; i < pads.size(); i++) {
+            assertThat(bumpers.bumpers().get(i).length())
+                    .isEqualTo((float) pads.get(i).length())
+                    .isPositive();
+        }
+        var made = (Part.Gripper) model().sensors().get("gripper");
+        var gripper = asked(Interface.GRIPPER, Gripper.GEOMETRY, Gripper.Geometry.class);
+        assertThat(gripper.pose()).isEqualTo(Pose3.of(made.baseFromGripper()));
+        assertThat(gripper.outer()).isEqualTo(new Box3(made.width(), made.length(), made.height()));
+        assertThat(gripper.inner()).isEqualTo(new Box3(made.opening(), made.paddleLength(), made.height()));
+    }
+
+    /// A client that always waits for the next step, as Read() of Player's libraries does.
+    @Test
+    void whatWasMeasuredInOneStepComesInOneRound() throws Exception {
+        try (var socket = new Socket(InetAddress.getLoopbackAddress(), port())) {
+            socket.setSoTimeout(10_000);
+            socket.getInputStream().skipNBytes(Session.IDENT);
+            say(socket, Session.MODE, new Session.Mode(Session.PULL));
+            for (Interface each : List.of(Interface.POSITION2D, Interface.LASER, Interface.SONAR)) {
+                var device = Address.of(each.code(), 0);
+                say(socket, Session.DEVICE, new Session.Subscription(device, Session.OPEN, new byte[0]));
+            }
+            for (int answers = 0; answers < 4; ) {
+                until(() -> available(socket));
+                answers += next(socket).kind() == Kind.ACK ? 1 : 0;
+            }
+            for (int round = 0; round < 10; round++) {
+                socket.getOutputStream()
+                        .write(Packet.of(Session.SERVER, Kind.REQUEST, Session.DATA, 0)
+                                .bytes());
+                assertThat(next(socket).kind()).isEqualTo(Kind.ACK);
+                var told = new ArrayList<Header>();
+                do {
+                    until(() -> available(socket));
+                    told.add(next(socket));
+                } while (told.getLast().kind() != Kind.SYNCH);
+                assertThat(told.subList(0, told.size() - 1))
+                        .extracting(header -> header.address().interf())
+                        .contains(Interface.POSITION2D.code(), Interface.LASER.code(), Interface.SONAR.code());
+            }
+        }
+    }
+
+    private static boolean available(Socket socket) {
+        try {
+            return socket.getInputStream().available() > 0;
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static void say(Socket to, int subtype, Record body) throws IOException {
+        to.getOutputStream()
+                .write(Packet.of(Session.SERVER, Kind.REQUEST, subtype, 0, body).bytes());
+    }
+
+    private static Header next(Socket from) throws IOException {
+        return Packet.read(from.getInputStream()).orElseThrow().header();
     }
 
     @Test
@@ -385,6 +473,16 @@ class PlayerBridgeTest extends BridgeBench {
         }
     }
 
+    /// A client of Player 3.0 is known by what it asks.
+    @Test
+    void whoAsksForTilesAsPlayer30DoesGetsThemSo() throws Exception {
+        var asked = new Version30.Tile(0, 0, 3, 2, new byte[0]);
+        Version30.Tile old = ask(Interface.MAP, Maps.TILE, asked).body(Version30.Tile.class);
+        assertThat(old.width()).isEqualTo(3);
+        Maps.Tile now = tile(0, 0, 3, 2);
+        assertThat(unpacked(old.cells(), 6)).isEqualTo(unpacked(now.cells(), 6));
+    }
+
     @ParameterizedTest
     @CsvSource({"0, 5", "5, 0", "-5, -5", "100000, 100000", "2147483647, 2147483647", "-2147483648, -1"})
     void tilesOfNoSizeOrTooLargeAreRefused(int width, int height) {
@@ -401,5 +499,45 @@ class PlayerBridgeTest extends BridgeBench {
     @ValueSource(longs = {1, 2, 3})
     void whoeverBabblesDisturbsNobody(long seed) throws Exception {
         assertBabbleDisturbsNobody(seed, "sim");
+    }
+
+    @Test
+    void aRobotThatComesLaterHasAPortOfItsOwnAndLosesItWhenItGoes() throws Exception {
+        List<String> before = offers().stream().map(Offer::device).toList();
+        Robot second = await(create(List.of(spec("r2", WORLD.pose('b', 0))), 1).discover())
+                .getFirst();
+        List<Offer> its = bridge().join(second);
+        assertThat(its).extracting(Offer::device).contains("r2/base", "map").doesNotContain("simulation");
+        assertThat(its).extracting(Offer::port).doesNotContain(port());
+        assertThat(bridge().join(second)).as("it is there already").isEmpty();
+        assertThat(offers()).containsAll(its).hasSize(before.size() + its.size());
+        try (var newcomers = Connection.open(
+                new InetSocketAddress(
+                        InetAddress.getLoopbackAddress(), its.getFirst().port()),
+                Delivery.PULL,
+                Duration.ofSeconds(5),
+                new ArrayList<Packet>()::add)) {
+            assertThat(answer(newcomers.devices())).extracting(Address::interf).contains(BASE.interf());
+            bridge().leave("r2");
+            assertThat(answer(newcomers.lost())).isNotBlank();
+        }
+        bridge().leave("r2");
+        assertThat(offers()).extracting(Offer::device).isEqualTo(before);
+        assertThat(answer(client().devices())).as("others stay").isNotEmpty();
+    }
+
+    @Test
+    void aRobotThatNobodyMayListenForIsNotOffered() throws IOException {
+        try (var first = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            int taken = first.getLocalPort();
+            var at = new InetSocketAddress(InetAddress.getLoopbackAddress(), taken);
+            var lent = new Lent(List.of(), WORLD.grid(), Optional.empty(), List.of());
+            try (PlayerBridge empty = PlayerBridge.open(at, lent, Protocol.V3_1, run)) {
+                assertThatThrownBy(() -> empty.join(robot()))
+                        .isInstanceOf(IOException.class)
+                        .hasMessageStartingWith("Nobody may listen at (localhost:" + taken + "):");
+                assertThat(empty.offers()).isEmpty();
+            }
+        }
     }
 }

@@ -9,6 +9,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.BlockingQueue;
@@ -21,8 +22,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.player.message.Chars;
+import rsal.player.message.Graphics2d;
+import rsal.player.message.Gripper;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
@@ -48,16 +52,20 @@ class ConnectionTest {
     @BeforeEach
     void connect() throws IOException {
         server = new ScriptedServer();
-        var opening = opening();
+        connect(Delivery.PULL);
+    }
+
+    private void connect(Delivery delivery) throws IOException {
+        var opening = opening(delivery);
         client = server.accept(IDENT);
         connection = opening.join();
     }
 
-    private CompletableFuture<Connection> opening() {
+    private CompletableFuture<Connection> opening(Delivery delivery) {
         var opening = new CompletableFuture<Connection>();
         Thread.ofVirtual().start(() -> {
             try {
-                opening.complete(Connection.open(server.address(), PATIENCE, data::add));
+                opening.complete(Connection.open(server.address(), delivery, PATIENCE, data::add));
             } catch (IOException e) {
                 opening.completeExceptionally(e);
             }
@@ -108,6 +116,57 @@ class ConnectionTest {
             Packet told = data.poll(10, TimeUnit.SECONDS);
             assertThat(told.body(Position2d.State.class).odomFromBase().x()).isEqualTo(round);
         }
+    }
+
+    @Test
+    void roundsDoNotRace() throws Exception {
+        client.next(PLAYER, Session.DATA);
+        long begun = System.nanoTime();
+        for (int round = 0; round < 10; round++) {
+            client.send(state(round));
+            client.send(synch());
+            client.next(PLAYER, Session.DATA);
+        }
+        assertThat(Duration.ofNanos(System.nanoTime() - begun)).isGreaterThan(Duration.ofMillis(150));
+    }
+
+    @Test
+    void understandsAServerThatSendsByteByByte() throws Exception {
+        client.socket().setTcpNoDelay(true);
+        for (byte one : state(3).bytes()) {
+            client.send(new byte[] {one});
+        }
+        assertThat(data.poll(10, TimeUnit.SECONDS)
+                        .body(Position2d.State.class)
+                        .odomFromBase()
+                        .x())
+                .isEqualTo(3);
+    }
+
+    @Test
+    void hasTheNewestOfEachKindPushed() throws Exception {
+        connection.close();
+        client.close();
+        connect(Delivery.PUSH);
+        Packet mode = client.next();
+        assertThat(mode.body(Session.Mode.class)).isEqualTo(new Session.Mode(Session.PUSH));
+        assertThat(client.next().header().subtype()).isEqualTo(Session.REPLACE_RULE);
+        client.send(state(1));
+        assertThat(data.poll(10, TimeUnit.SECONDS)).isNotNull();
+        connection.devices();
+        assertThat(client.next().header().subtype()).as("it asks for no rounds").isEqualTo(Session.DEVICES);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "AUTO, 127.0.0.1, false",
+        "AUTO, ::1, false",
+        "AUTO, 192.168.1.5, true",
+        "PUSH, 192.168.1.5, false",
+        "PULL, 127.0.0.1, true"
+    })
+    void pullsFromOtherMachinesUnlessToldOtherwise(Delivery delivery, String server, boolean pulls) {
+        assertThat(delivery.pulls(InetAddress.ofLiteral(server))).isEqualTo(pulls);
     }
 
     @Test
@@ -218,7 +277,7 @@ class ConnectionTest {
 
     @Test
     void aServerOfSomethingElseIsNamedAtOnce() throws IOException {
-        var opening = opening();
+        var opening = opening(Delivery.PULL);
         try (ScriptedServer.Client web = server.accept("HTTP/1.1 400 Bad Request\r\nServer: x")) {
             assertThatThrownBy(() -> result(opening))
                     .rootCause()
@@ -233,7 +292,19 @@ class ConnectionTest {
         try (var closed = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             nobody = (InetSocketAddress) closed.getLocalSocketAddress();
         }
-        assertThatIOException().isThrownBy(() -> Connection.open(nobody, PATIENCE, data::add));
+        assertThatIOException().isThrownBy(() -> Connection.open(nobody, Delivery.AUTO, PATIENCE, data::add));
+    }
+
+    @Test
+    void whatWasCommandedLastIsSentLast() throws InterruptedException {
+        var outbox = new Outbox();
+        Address gripper = Address.of(Interface.GRIPPER.code(), 0);
+        for (int subtype : new int[] {Gripper.OPEN, Gripper.CLOSE, Gripper.OPEN}) {
+            outbox.command(Packet.of(gripper, Kind.COMMAND, subtype, 0));
+        }
+        assertThat(outbox.take().orElseThrow().getFirst().header().subtype()).isEqualTo(Gripper.CLOSE);
+        assertThat(outbox.take().orElseThrow().getFirst().header().subtype()).isEqualTo(Gripper.OPEN);
+        assertThat(outbox.isEmpty()).isTrue();
     }
 
     @Test
@@ -248,7 +319,7 @@ class ConnectionTest {
         assertThat(outbox.request(Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0)))
                 .isTrue();
         for (int index = 0; index < 2; index++) {
-            Packet sent = outbox.take().orElseThrow();
+            Packet sent = outbox.take().orElseThrow().getFirst();
             assertThat(sent.header().address().index()).isEqualTo(index);
             assertThat(sent.body())
                     .hasSize(28)
@@ -257,7 +328,7 @@ class ConnectionTest {
                                     .x())
                             .isEqualTo(999));
         }
-        assertThat(outbox.take().orElseThrow().header().kind())
+        assertThat(outbox.take().orElseThrow().getFirst().header().kind())
                 .as("in their order")
                 .isEqualTo(Kind.REQUEST);
         int accepted = 0;
@@ -266,5 +337,24 @@ class ConnectionTest {
         }
         assertThat(accepted).as("it does not grow for ever").isEqualTo(1024);
         assertThat(Header.BYTES).isEqualTo(40);
+    }
+
+    @Test
+    void commandsThatBelongTogetherStayTogetherAndTheNewestOfThemCount() throws InterruptedException {
+        Address canvas = Address.of(Interface.GRAPHICS2D.code(), 0);
+        var outbox = new Outbox();
+        for (int lines = 1; lines <= 3; lines++) {
+            var together = new ArrayList<Packet>();
+            together.add(Packet.of(canvas, Kind.COMMAND, Graphics2d.CLEAR, 0));
+            for (int i = 0; i < lines; i++) {
+                together.add(Packet.of(canvas, Kind.COMMAND, Graphics2d.POLYLINE, 0));
+            }
+            outbox.commands(canvas, together);
+        }
+        outbox.command(Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0));
+        assertThat(outbox.take().orElseThrow())
+                .extracting(packet -> packet.header().subtype())
+                .containsExactly(Graphics2d.CLEAR, Graphics2d.POLYLINE, Graphics2d.POLYLINE, Graphics2d.POLYLINE);
+        assertThat(outbox.take().orElseThrow()).hasSize(1);
     }
 }

@@ -15,19 +15,19 @@ import rsal.player.wire.Kind;
 import rsal.player.wire.Packet;
 
 /// A server that says what a test has it say, to one client after the other.
-final class ScriptedServer implements AutoCloseable {
+public final class ScriptedServer implements AutoCloseable {
     private final ServerSocket listening;
 
-    ScriptedServer() throws IOException {
+    public ScriptedServer() throws IOException {
         listening = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
     }
 
-    InetSocketAddress address() {
+    public InetSocketAddress address() {
         return (InetSocketAddress) listening.getLocalSocketAddress();
     }
 
     /// Waits for the next client and introduces itself.
-    Client accept(String ident) throws IOException {
+    public Client accept(String ident) throws IOException {
         Socket socket = listening.accept();
         socket.setSoTimeout(10_000); // a test that waits for ever says nothing
         var client = new Client(socket, new BufferedInputStream(socket.getInputStream()));
@@ -40,21 +40,21 @@ final class ScriptedServer implements AutoCloseable {
         listening.close();
     }
 
-    record Client(Socket socket, InputStream in) implements AutoCloseable {
-        void send(byte[] bytes) throws IOException {
+    public record Client(Socket socket, InputStream in) implements AutoCloseable {
+        public void send(byte[] bytes) throws IOException {
             socket.getOutputStream().write(bytes);
         }
 
-        void send(Packet packet) throws IOException {
+        public void send(Packet packet) throws IOException {
             send(packet.bytes());
         }
 
-        Packet next() throws IOException {
+        public Packet next() throws IOException {
             return Packet.read(in).orElseThrow();
         }
 
         /// Waits for a request, and says yes to all others before it.
-        Packet next(Address device, int subtype) throws IOException {
+        public Packet next(Address device, int subtype) throws IOException {
             while (true) {
                 Packet packet = next();
                 if (packet.header().address().equals(device) && packet.header().subtype() == subtype) {
@@ -64,17 +64,17 @@ final class ScriptedServer implements AutoCloseable {
             }
         }
 
-        void acknowledge(Packet request) throws IOException {
+        public void acknowledge(Packet request) throws IOException {
             send(Packet.of(
                     request.header().address(), Kind.ACK, request.header().subtype(), 0));
         }
 
-        void acknowledge(Packet request, Record body) throws IOException {
+        public void acknowledge(Packet request, Record body) throws IOException {
             send(Packet.of(
                     request.header().address(), Kind.ACK, request.header().subtype(), 0, body));
         }
 
-        void refuse(Packet request) throws IOException {
+        public void refuse(Packet request) throws IOException {
             send(Packet.of(
                     request.header().address(), Kind.NACK, request.header().subtype(), 0));
         }

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.ByteArrayInputStream;
+import java.io.EOFException;
+import java.io.FilterInputStream;
 import java.io.IOException;
 import java.lang.reflect.RecordComponent;
 import java.nio.ByteBuffer;
@@ -193,13 +195,14 @@ class ProtocolTest {
                 .containsExactly(0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 0.5);
     }
 
+    /// A million messages in all.
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
     void noiseIsReadOrRefused(long seed) throws IOException {
         var random = new SplittableRandom(seed);
         List<Recorded.Vector> vectors = Recorded.vectors();
         int read = 0;
-        for (int i = 0; i < 50_000; i++) {
+        for (int i = 0; i < 250_000; i++) {
             Packet packet = packet(vectors.get(random.nextInt(vectors.size())));
             byte[] body = packet.body().clone();
             switch (random.nextInt(4)) {
@@ -223,6 +226,40 @@ class ProtocolTest {
     private static <T extends Record> void rewrites(Class<T> type, byte[] body) throws MalformedException {
         Layout<T> layout = Layout.of(type);
         assertThat(layout.bytes(layout.read(body))).hasSameSizeAs(body);
+    }
+
+    /// As sockets may have it.
+    @Test
+    void messagesThatComeByteByByteAreTheSame() throws IOException {
+        for (Recorded.Vector vector : Recorded.vectors()) {
+            Packet packet = packet(vector);
+            Packet read = Packet.read(new Dribble(packet.bytes())).orElseThrow();
+            assertThat(read.header()).isEqualTo(packet.header());
+            assertThat(read.body()).isEqualTo(packet.body());
+        }
+    }
+
+    @Test
+    void messagesThatEndEarlyAreRefused() throws IOException {
+        for (Recorded.Vector vector : Recorded.vectors()) {
+            byte[] bytes = packet(vector).bytes();
+            for (int length = 1; length < Math.min(bytes.length, 200); length++) {
+                byte[] start = Arrays.copyOf(bytes, length);
+                assertThatExceptionOfType(EOFException.class).isThrownBy(() -> Packet.read(new Dribble(start)));
+            }
+        }
+    }
+
+    /// Gives one byte at a time, however many are asked for.
+    private static final class Dribble extends FilterInputStream {
+        Dribble(byte[] bytes) {
+            super(new ByteArrayInputStream(bytes));
+        }
+
+        @Override
+        public int read(byte[] to, int offset, int length) throws IOException {
+            return super.read(to, offset, Math.min(1, length));
+        }
     }
 
     @Test

@@ -2,8 +2,11 @@ package rsal.player.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.player.message.Interface;
@@ -17,7 +20,79 @@ import rsal.player.wire.Packet;
 class OutQueueTest {
     private static final Packet ANSWER = Packet.of(Address.of(1, 0), Kind.ACK, Session.DEVICES, 0);
 
-    private final OutQueue queue = new OutQueue();
+    private final OutQueue queue = new OutQueue(() -> 0);
+
+    private static Packet data(Interface of, double time) {
+        return Packet.of(Address.of(of.code(), 0), Kind.DATA, 1, time);
+    }
+
+    private static List<Packet> measured(double time) {
+        return Stream.of(Interface.POSITION2D, Interface.LASER, Interface.SONAR)
+                .map(each -> data(each, time))
+                .toList();
+    }
+
+    private List<Packet> sent() throws InterruptedException {
+        var sent = new ArrayList<Packet>();
+        while (!queue.isIdle()) {
+            sent.add(queue.take().orElseThrow());
+        }
+        return sent;
+    }
+
+    @Test
+    void whoPullsIsBehindWhileThereIsDataThatItHasNotAskedFor() {
+        queue.data(measured(1));
+        assertThat(queue.isBehind()).as("it is pushed to").isFalse();
+        queue.mode(true);
+        queue.data(measured(1));
+        assertThat(queue.isBehind()).as("it has not begun").isFalse();
+        queue.round(ANSWER);
+        assertThat(queue.isBehind()).as("it gets all there is").isFalse();
+        queue.data(measured(1));
+        assertThat(queue.isBehind()).isTrue();
+        queue.round(ANSWER);
+        queue.round(ANSWER);
+        queue.data(measured(1));
+        assertThat(queue.isBehind()).as("it waits for more itself").isFalse();
+        queue.data(measured(1));
+        assertThat(queue.isBehind()).isTrue();
+        queue.close();
+        assertThat(queue.isBehind()).isFalse();
+    }
+
+    @Test
+    void aRoundThatWaitedHasAllThatCameAtTheSameTime() throws Exception {
+        queue.mode(true);
+        queue.round(ANSWER);
+        assertThat(sent()).containsExactly(ANSWER);
+        queue.data(List.of());
+        assertThat(sent()).as("none of it wanted").isEmpty();
+        queue.data(measured(1));
+        queue.data(measured(2));
+        List<Packet> round = sent();
+        assertThat(round.subList(0, 3)).isEqualTo(measured(1));
+        assertThat(round.subList(3, round.size()))
+                .extracting(packet -> packet.header().kind())
+                .containsExactly(Kind.SYNCH);
+        queue.round(ANSWER);
+        assertThat(sent()).startsWith(ANSWER).containsAll(measured(2)).hasSize(5);
+    }
+
+    @Test
+    void aRoundThatHasBegunIsNotTornByWhatIsNewer() throws Exception {
+        queue.mode(true);
+        queue.add(new Session.ReplaceRule(Session.ANY, Session.ANY, Kind.DATA.code(), Session.ANY, Session.REPLACE));
+        queue.data(measured(1));
+        queue.data(measured(2));
+        queue.round(ANSWER);
+        assertThat(queue.take()).contains(ANSWER);
+        assertThat(queue.take()).contains(measured(2).getFirst());
+        queue.data(measured(3));
+        assertThat(sent()).startsWith(measured(2).get(1), measured(2).get(2)).hasSize(3);
+        queue.round(ANSWER);
+        assertThat(sent()).startsWith(ANSWER).containsAll(measured(3)).hasSize(5);
+    }
 
     private static CompletableFuture<Boolean> waiting(Waiting what) {
         var done = new CompletableFuture<Boolean>();
@@ -54,7 +129,7 @@ class OutQueueTest {
             queue.answer(ANSWER);
         }
         CompletableFuture<Boolean> asking = someoneWhoHasToWait();
-        assertThat(queue.take(() -> 0)).contains(ANSWER);
+        assertThat(queue.take()).contains(ANSWER);
         assertThat(asking.join()).isTrue();
     }
 
@@ -67,7 +142,7 @@ class OutQueueTest {
             queue.answer(large);
         }
         CompletableFuture<Boolean> asking = someoneWhoHasToWait();
-        queue.take(() -> 0);
+        queue.take();
         assertThat(asking.join()).isTrue();
     }
 
@@ -80,8 +155,8 @@ class OutQueueTest {
             queue.awaitRoom();
             return true;
         });
-        var empty = new OutQueue();
-        CompletableFuture<Boolean> sending = waiting(() -> empty.take(() -> 0).isEmpty());
+        var empty = new OutQueue(() -> 0);
+        CompletableFuture<Boolean> sending = waiting(() -> empty.take().isEmpty());
         queue.close();
         empty.close();
         assertThat(asking.join()).isTrue();

@@ -10,6 +10,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.BlockingQueue;
@@ -24,15 +25,20 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.player.client.Connection;
+import rsal.player.client.Delivery;
 import rsal.player.client.RefusedException;
 import rsal.player.message.Interface;
 import rsal.player.message.Pose;
 import rsal.player.message.Position2d;
+import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
+import rsal.player.wire.Header;
 import rsal.player.wire.Kind;
+import rsal.player.wire.Layout;
 import rsal.player.wire.Packet;
 
 @Timeout(60)
@@ -48,9 +54,11 @@ class PortTest {
     /// A base that notes what it is told.
     private static final class Base implements Served {
         private final BlockingQueue<Packet> commands = new LinkedBlockingQueue<>();
+        private final AtomicInteger forsaken = new AtomicInteger();
         private final AtomicInteger users = new AtomicInteger();
         private final List<CompletableFuture<Answer>> asked = new CopyOnWriteArrayList<>();
         private volatile boolean works = true;
+        private volatile Runnable named = () -> {}; // what happens when it is asked for its driver
 
         @Override
         public Interface interf() {
@@ -64,6 +72,7 @@ class PortTest {
 
         @Override
         public String driver() {
+            named.run();
             return "rsal";
         }
 
@@ -76,6 +85,11 @@ class PortTest {
         @Override
         public void close() {
             users.decrementAndGet();
+        }
+
+        @Override
+        public void forsaken() {
+            forsaken.incrementAndGet();
         }
 
         @Override
@@ -105,7 +119,12 @@ class PortTest {
 
     @BeforeEach
     void listen() throws IOException {
-        port = new Port(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), List.of(base), () -> 12.5);
+        port = new Port(
+                new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+                List.of(base),
+                Protocol.V3_1,
+                () -> 12.5,
+                Runnable::run);
         port.start();
         open.add(port);
     }
@@ -122,7 +141,7 @@ class PortTest {
     }
 
     private Connection connect() throws IOException {
-        Connection connection = Connection.open(address(), Duration.ofSeconds(5), data::add);
+        Connection connection = Connection.open(address(), Delivery.PULL, Duration.ofSeconds(5), data::add);
         open.add(connection);
         return connection;
     }
@@ -164,6 +183,11 @@ class PortTest {
 
         void ask(int subtype, Record body) throws IOException {
             send(Packet.of(PLAYER, Kind.REQUEST, subtype, 0, body).bytes());
+        }
+
+        /// To the base.
+        void send(Kind kind, int subtype, byte[] body) throws IOException {
+            send(new Packet(new Header(BASE, kind, subtype, 0, 0, body.length), body).bytes());
         }
 
         Packet next() throws IOException {
@@ -269,6 +293,97 @@ class PortTest {
     }
 
     @Test
+    void whoCommandedLastForsakesTheDeviceWhenItGoes() throws Exception {
+        subscribed(); // somebody who only looks stays
+        var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
+        byte[] command =
+                Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity).bytes();
+        var first = new Raw();
+        first.send(command);
+        assertThat(base.commands.poll(10, TimeUnit.SECONDS)).isNotNull();
+        var second = new Raw();
+        second.send(command);
+        assertThat(base.commands.poll(10, TimeUnit.SECONDS)).isNotNull();
+        first.close();
+        while (base.users.get() > 2) {
+            Thread.sleep(1);
+        }
+        assertThat(base.forsaken).hasValue(0);
+        second.close();
+        while (base.users.get() > 1) {
+            Thread.sleep(1);
+        }
+        assertThat(base.forsaken).hasValue(1);
+    }
+
+    @Test
+    void commandsThatComeByteByByteCount() throws Exception {
+        var raw = new Raw();
+        raw.socket.setTcpNoDelay(true);
+        var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
+        for (byte one :
+                Packet.of(BASE, Kind.COMMAND, Position2d.VELOCITY, 0, velocity).bytes()) {
+            raw.send(new byte[] {one});
+        }
+        assertThat(base.commands.poll(10, TimeUnit.SECONDS).body(Position2d.Velocity.class))
+                .isEqualTo(velocity);
+    }
+
+    /// As Player does.
+    @Test
+    void whatStandsBehindABodyIsLeft() throws Exception {
+        var raw = new Raw();
+        var velocity = new Position2d.Velocity(new Pose(0.3, 0, 0.1), 1);
+        byte[] body = Layout.of(Position2d.Velocity.class).bytes(velocity);
+        raw.send(Kind.COMMAND, Position2d.VELOCITY, Arrays.copyOf(body, body.length + 4));
+        assertThat(base.commands.poll(5, TimeUnit.SECONDS))
+                .isNotNull()
+                .satisfies(command ->
+                        assertThat(command.body(Position2d.Velocity.class)).isEqualTo(velocity));
+        raw.send(Kind.REQUEST, Position2d.SPEED_GAINS, new byte[24]); // javaclient3 sends as many, for 12
+        assertThat(raw.next().header().subtype()).isEqualTo(Position2d.SPEED_GAINS);
+        raw.ask(Session.MODE, new Session.ReplaceRule(Session.PULL, 0, 0, 0, 0)); // longer than a mode
+        assertThat(raw.next().header().kind()).isEqualTo(Kind.ACK);
+    }
+
+    /// Player's clients wait for an answer, some of them forever.
+    @ParameterizedTest
+    @CsvSource({
+        "5, 4", // too short
+        "77, 4", // there is no such request
+        "254, 20", // properties: there are none
+        "253, 20", "252, 24", "251, 24", "250, 28", "249, 28", "248, 20", "247, 20", "248, 0",
+    })
+    void requestsThatNobodyUnderstandsAreRefused(int subtype, int size) throws IOException {
+        var raw = new Raw();
+        raw.send(Kind.REQUEST, subtype, new byte[size]);
+        Packet answer = raw.next();
+        assertThat(answer.header().kind()).isEqualTo(Kind.NACK);
+        assertThat(answer.header().subtype()).isEqualTo(subtype);
+        assertThat(answer.header().address().interf()).isEqualTo(Interface.POSITION2D.code());
+        assertThat(answer.body()).isEmpty();
+    }
+
+    @Test
+    void aDriverThatIsNotThereIsRefusedWithoutABody() throws IOException {
+        var raw = new Raw();
+        raw.ask(Session.DRIVER, new Session.Driver(Address.of(Interface.LASER.code(), 7), new byte[0]));
+        Packet answer = raw.next();
+        assertThat(answer.header().kind()).isEqualTo(Kind.NACK);
+        assertThat(answer.body()).isEmpty();
+    }
+
+    @Test
+    void noDataComesBeforeAClientKnowsThatItWillGetSome() throws IOException {
+        base.named = () -> publish(1); // between its wish and our answer
+        var raw = new Raw();
+        raw.ask(Session.DEVICE, new Session.Subscription(BASE, Session.OPEN, new byte[0]));
+        assertThat(raw.next().header().kind()).isEqualTo(Kind.ACK);
+        publish(2);
+        assertThat(x(raw.next())).isEqualTo(2);
+    }
+
+    @Test
     void whatIsPushedComesAtOnce() throws IOException {
         Raw raw = subscribed();
         for (int i = 0; i < 5; i++) {
@@ -364,6 +479,19 @@ class PortTest {
     }
 
     @Test
+    void whoUnsubscribesUsesADeviceNoMoreThoughItCommandedIt() throws Exception {
+        Raw raw = subscribed();
+        raw.send(Kind.COMMAND, Position2d.VELOCITY, new byte[28]);
+        base.commands.poll(10, TimeUnit.SECONDS);
+        raw.ask(Session.DEVICE, new Session.Subscription(BASE, Session.CLOSE, new byte[0]));
+        assertThat(raw.next().body(Session.Subscription.class).access()).isEqualTo(Session.CLOSE);
+        assertThat(base.users).hasValue(0);
+        raw.send(Kind.COMMAND, Position2d.VELOCITY, new byte[28]); // changes its mind
+        base.commands.poll(10, TimeUnit.SECONDS);
+        assertThat(base.users).hasValue(1);
+    }
+
+    @Test
     void whatIsUnknownOfTheServerIsRefused() throws IOException {
         var raw = new Raw();
         raw.ask(77);
@@ -422,7 +550,11 @@ class PortTest {
     @Test
     void twoDevicesOfOneAddressAreRefused() {
         assertThatThrownBy(() -> new Port(
-                        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), List.of(base, new Base()), () -> 0))
+                        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+                        List.of(base, new Base()),
+                        Protocol.V3_1,
+                        () -> 0,
+                        Runnable::run))
                 .hasMessageContaining("two devices (position2d:0)");
     }
 }

@@ -1,0 +1,37 @@
+package rsal.player.server;
+
+import java.util.HashMap;
+import java.util.Map;
+import rsal.player.message.Protocol;
+import rsal.player.wire.Address;
+import rsal.player.wire.Kind;
+import rsal.player.wire.Packet;
+
+/// New data of a device, which each client is told in the words of its version. Used by one thread at a time.
+final class News {
+    private final Served device;
+    private final Address address;
+    private final int subtype;
+    private final double time;
+    private final Record body;
+    private final Map<Protocol, Packet> packets = new HashMap<>();
+
+    /// @param time when it was measured, of the server's clock [s]
+    /// @param body in the words of the newest version
+    News(Served device, Address address, int subtype, double time, Record body) {
+        this.device = device;
+        this.address = address;
+        this.subtype = subtype;
+        this.time = time;
+        this.body = body;
+    }
+
+    Served device() {
+        return device;
+    }
+
+    Packet in(Protocol protocol) {
+        return packets.computeIfAbsent(
+                protocol, words -> Packet.of(address, Kind.DATA, subtype, time, words.worded(body)));
+    }
+}
