@@ -41,6 +41,8 @@ final class Format {
             "proxy",
             false,
             "Whether stand-ins of real robots are in the simulated world, where simulated ones see them.");
+    static final Parameter OVERLAY = Parameter.flag(
+            "overlay", false, "Whether lasers and sonars of real robots see what is in the simulated world, too.");
     static final Parameter CLEARANCE = Parameter.number(
             "clearance", 0.4, 0, 100, "m", "Distance to all that is not free, and half of that to other robots.");
     static final Parameter PASSAGE = required(Parameter.number(

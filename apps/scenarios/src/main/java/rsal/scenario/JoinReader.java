@@ -105,8 +105,7 @@ final class JoinReader {
     /// @param isBeside whether it lies in the folder of the one that it joins
     private Optional<Joined> joined(
             Scenario other, Configuration configuration, boolean isBeside, Location at, Section args, Section robots) {
-        Value.Mapping over = other.overlay(configuration.name());
-        Value.Mapping merged = other.settings().merge(over.without("args"));
+        Value.Mapping merged = other.settings(configuration.name());
         Map<String, Value> agents = withoutRobot(merged);
         String name = other.name() + ":" + configuration.name();
         if (agents.isEmpty()) {
@@ -116,7 +115,7 @@ final class JoinReader {
                     "Add its agents here, for robots of this scenario.");
             return Optional.empty();
         }
-        Map<String, Object> values = arguments(other, configuration, over, args);
+        Map<String, Object> values = arguments(other, configuration, args);
         var placed = new LinkedHashMap<String, Map<String, String>>();
         var all = new Section(
                 "agents",
@@ -169,12 +168,12 @@ final class JoinReader {
                 .orElseGet(() -> Value.Mapping.empty(settings.location()));
     }
 
-    private Map<String, Object> arguments(
-            Scenario other, Configuration configuration, Value.Mapping over, Section args) {
+    private Map<String, Object> arguments(Scenario other, Configuration configuration, Section args) {
         var values = new LinkedHashMap<String, Object>();
         other.arguments()
                 .forEach(parameter -> parameter.fallback().ifPresent(value -> values.put(parameter.name(), value)));
-        var section = new Section("configurations." + configuration.name(), over, problems);
+        var section =
+                new Section("configurations." + configuration.name(), other.overlay(configuration.name()), problems);
         values.putAll(ArgumentReader.overridden(other.arguments(), section.section("args")));
         values.putAll(ArgumentReader.overridden(other.arguments(), args));
         return values;

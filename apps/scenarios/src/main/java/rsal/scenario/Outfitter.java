@@ -37,7 +37,7 @@ final class Outfitter {
 
     /// @param drivers of the devices that it has anyway: what replaces one of those is made like it
     PlannedRobot robot(RobotSpec spec, Mrs mrs, List<PlannedDevice> drivers) {
-        return new PlannedRobot(spec, mrs, drivers, new Spares(pilot(spec, drivers), navigation(spec, drivers)), false);
+        return new PlannedRobot(spec, mrs, drivers, new Spares(pilot(spec, drivers), navigation(spec, drivers)));
     }
 
     private Spare pilot(RobotSpec spec, List<PlannedDevice> drivers) {
@@ -115,8 +115,6 @@ final class Outfitter {
                                     own.driver().makes().equals(device.driver().makes())))
                     .forEach(drivers::add);
         }
-        return drivers.size() == robot.drivers().size()
-                ? robot
-                : new PlannedRobot(robot.spec(), robot.mrs(), drivers, robot.spares(), robot.proxy());
+        return drivers.size() == robot.drivers().size() ? robot : robot.with(drivers);
     }
 }

@@ -16,6 +16,7 @@ import rsal.agent.AgentType;
 import rsal.agent.message.NewGoal;
 import rsal.data.OccupancyGrid;
 import rsal.device.Device;
+import rsal.device.RangeSensor;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Clock;
@@ -63,9 +64,7 @@ final class PlanReader {
         checkOverlay(over);
         Map<String, Object> arguments = arguments(configuration, over);
         checkOptions();
-        Value.Mapping merged = RobotReader.under(scenario.settings(), over)
-                .without("configurations")
-                .merge(chosen(over.without("args").without("title")));
+        Value.Mapping merged = chosen(scenario.settings(configuration));
         Value.Mapping body =
                 ArgumentReader.replace(merged.without("arguments"), scenario.arguments(), arguments, problems);
         var root = new Section("", body, problems);
@@ -197,9 +196,9 @@ final class PlanReader {
         }
     }
 
-    /// The overlay with what the options name on top: back ends, and the scenario that joins.
-    private Value.Mapping chosen(Value.Mapping overlay) {
-        Value.Mapping chosen = overlay;
+    /// Settings with what the options name on top: back ends, and the scenario that joins.
+    private Value.Mapping chosen(Value.Mapping settings) {
+        Value.Mapping chosen = settings;
         for (String key : List.of("mas", "mrs")) {
             Optional<String> name = key.equals("mas") ? options.mas() : options.mrs();
             if (name.isPresent()) {
@@ -518,7 +517,7 @@ final class PlanReader {
                     "Leave (things) out, or use robot system (sim).");
         }
         if (!refused) {
-            checkProxies(robots, simulated, roles);
+            checkMixed(robots, simulated, roles);
         }
         simulated.stream().skip(1).forEach(other -> {
             String robot = other.own(robots).getFirst().id();
@@ -531,8 +530,9 @@ final class PlanReader {
     }
 
     /// @param simulated systems
-    private void checkProxies(List<PlannedRobot> robots, List<Mrs> simulated, List<Role> roles) {
+    private void checkMixed(List<PlannedRobot> robots, List<Mrs> simulated, List<Role> roles) {
         for (PlannedRobot robot : robots) {
+            checkSeeing(robot, simulated, roles);
             String id = robot.spec().id();
             Location at = placeOf(id, Format.PROXY.name(), roles);
             if (robot.proxy() && simulated.contains(robot.mrs())) {
@@ -544,6 +544,28 @@ final class PlanReader {
                         "There is no simulated world for a stand-in of robot (%s).".formatted(id),
                         "Leave (proxy) out, or let the scenario use robot system (sim).");
             }
+        }
+    }
+
+    private void checkSeeing(PlannedRobot robot, List<Mrs> simulated, List<Role> roles) {
+        if (!robot.overlay()) {
+            return;
+        }
+        String id = robot.spec().id();
+        Location at = placeOf(id, Format.OVERLAY.name(), roles);
+        if (simulated.contains(robot.mrs())) {
+            problems.add(
+                    at, "Robot (%s) is simulated itself and sees its world.".formatted(id), "Leave (overlay) out.");
+        } else if (simulated.isEmpty()) {
+            problems.add(
+                    at,
+                    "There is no simulated world that robot (%s) could see.".formatted(id),
+                    "Leave (overlay) out, or let the scenario use robot system (sim).");
+        } else if (!Outfitter.has(robot.spec().model(), RangeSensor.class)) {
+            problems.add(
+                    at,
+                    "Robot (%s) has no laser and no sonars by which it could see what is simulated.".formatted(id),
+                    "Add one to its (devices), or leave (overlay) out.");
         }
     }
 

@@ -195,6 +195,7 @@ final class RobotReader {
             String color,
             int firstMarker,
             boolean proxy,
+            boolean overlay,
             boolean complete) {}
 
     private List<Draft> drafts(String name, Section section, String color) {
@@ -279,9 +280,10 @@ final class RobotReader {
         int marker = Math.toIntExact((Long) section.value(Format.FIDUCIAL).orElse(0L));
         int firstMarker = marker == 0 ? 0 : marker + number;
         boolean proxy = Boolean.TRUE.equals(section.value(Format.PROXY).orElse(false));
+        boolean overlay = Boolean.TRUE.equals(section.value(Format.OVERLAY).orElse(false));
         section.done();
         boolean complete = problems.all().size() == before && mrs.isPresent();
-        return new Draft(name, section, ids, mrs, equipment, start, color, firstMarker, proxy, complete);
+        return new Draft(name, section, ids, mrs, equipment, start, color, firstMarker, proxy, overlay, complete);
     }
 
     /// Whether it is the robot system or the localizer that knows where they are.
@@ -330,6 +332,9 @@ final class RobotReader {
                 .map(d ->
                         new PlannedDevice(d.name(), d.driver(), d.options(), seeds.of("device/" + id + "/" + d.name())))
                 .toList();
-        return outfitter.robot(spec, draft.mrs.orElseThrow(), drivers).withProxy(draft.proxy);
+        return outfitter
+                .robot(spec, draft.mrs.orElseThrow(), drivers)
+                .withProxy(draft.proxy)
+                .withOverlay(draft.overlay);
     }
 }

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotSpec;
 import rsal.scenario.condition.Condition;
@@ -179,14 +180,31 @@ public record RunPlan(
     /// @param drivers of its software devices, in the order in which they are made
     /// @param spares what it can be given besides, when somebody wants it
     /// @param proxy whether a stand-in of it is in the simulated world, of which it is not itself
-    public record PlannedRobot(RobotSpec spec, Mrs mrs, List<PlannedDevice> drivers, Spares spares, boolean proxy) {
+    /// @param overlay whether its lasers and sonars see what is in that world, too
+    public record PlannedRobot(
+            RobotSpec spec, Mrs mrs, List<PlannedDevice> drivers, Spares spares, boolean proxy, boolean overlay) {
         public PlannedRobot {
             drivers = List.copyOf(drivers);
         }
 
+        /// A robot that has nothing to do with a simulated world of which it is not.
+        public PlannedRobot(RobotSpec spec, Mrs mrs, List<PlannedDevice> drivers, Spares spares) {
+            this(spec, mrs, drivers, spares, false, false);
+        }
+
+        /// The same robot with other software devices.
+        public PlannedRobot with(List<PlannedDevice> others) {
+            return new PlannedRobot(spec, mrs, others, spares, proxy, overlay);
+        }
+
         /// The same robot with a stand-in, or without one.
         public PlannedRobot withProxy(boolean stands) {
-            return new PlannedRobot(spec, mrs, drivers, spares, stands);
+            return new PlannedRobot(spec, mrs, drivers, spares, stands, overlay);
+        }
+
+        /// The same robot with sensors that see what is simulated, or not.
+        public PlannedRobot withOverlay(boolean sees) {
+            return new PlannedRobot(spec, mrs, drivers, spares, proxy, sees);
         }
 
         /// Whether a device of that name is made from its others.
@@ -227,7 +245,14 @@ public record RunPlan(
 
     /// @param name of the device (`localizer`)
     /// @param seed of its random stream
-    public record PlannedDevice(String name, DeviceDriver driver, Arguments options, long seed) {}
+    /// @param mapFromStart where it is told that its robot starts; empty for where that does
+    public record PlannedDevice(
+            String name, DeviceDriver driver, Arguments options, long seed, Optional<Pose2d> mapFromStart) {
+        /// One that is told where its robot starts.
+        public PlannedDevice(String name, DeviceDriver driver, Arguments options, long seed) {
+            this(name, driver, options, seed, Optional.empty());
+        }
+    }
 
     /// @param robot id of the robot it acts for; empty when it has none
     /// @param seed of its random stream

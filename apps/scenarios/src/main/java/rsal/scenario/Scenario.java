@@ -240,6 +240,14 @@ public final class Scenario {
                 .orElseGet(() -> Value.Mapping.empty(location()));
     }
 
+    /// All that it says with a configuration on top, but for what that says of arguments.
+    Value.Mapping settings(String configuration) {
+        Value.Mapping over = overlay(configuration);
+        return RobotReader.under(settings, over)
+                .without("configurations")
+                .merge(over.without("args").without("title"));
+    }
+
     Value.Mapping settings() {
         return settings;
     }

@@ -236,6 +236,8 @@ public final class ScenarioSchema {
                 parameter(Format.FIDUCIAL),
                 Format.PROXY.name(),
                 parameter(Format.PROXY),
+                Format.OVERLAY.name(),
+                parameter(Format.OVERLAY),
                 SystemReader.KEY,
                 described(
                         systems(true),

@@ -140,7 +140,11 @@ final class WorldReader {
         return driver.filter(_ -> refusal.isEmpty())
                 .flatMap(own -> PlanReader.settings(section, own.parameters())
                         .map(options -> new PlannedDevice(
-                                wanted.name(), own, options, seeds.of("device/" + spec.id() + "/" + wanted.name()))));
+                                wanted.name(),
+                                own,
+                                options,
+                                seeds.of("device/" + spec.id() + "/" + wanted.name()),
+                                wanted.mapFromStart())));
     }
 
     /// Types of the devices that all of them have or can be given.

@@ -48,9 +48,12 @@ class RobotSystemsTest {
     private Path folder;
 
     private Scenario scenario(String text) {
+        return Scenario.load(write("mixed.yaml", text).toString());
+    }
+
+    private Path write(String file, String text) {
         try {
-            return Scenario.load(
-                    Files.writeString(folder.resolve("mixed.yaml"), text).toString());
+            return Files.writeString(folder.resolve(file), text);
         } catch (IOException e) {
             throw new AssertionError(e);
         }
@@ -282,6 +285,32 @@ class RobotSystemsTest {
                 .contains("Robot (virtual1) is simulated itself and has no stand-in.");
         assertThat(mistakes(mixed + "mrs: {use: reality}\n"))
                 .contains("There is no simulated world for a stand-in of robot (real3at).");
+    }
+
+    @Test
+    void realRobotsMaySeeTheSimulatedWorldWhereThereIsOne() {
+        String mixed = MIXED.replace("name: real3at,", "name: real3at, overlay: true,");
+        assertThat(plan(mixed).robots())
+                .filteredOn(PlannedRobot::overlay)
+                .extracting(robot -> robot.spec().id())
+                .containsExactly("real3at");
+        assertThat(mistakes(mixed.replace("name: virtual1", "name: virtual1, overlay: true")))
+                .contains("mixed.yaml:14:")
+                .contains("Robot (virtual1) is simulated itself and sees its world.");
+        assertThat(mistakes(mixed + "mrs: {use: reality}\n"))
+                .contains("There is no simulated world that robot (real3at) could see.");
+        write("blind.yaml", """
+                title: Blind
+                body: {length: 0.3, width: 0.2}
+                drive:
+                  maxSpeed: 1
+                  maxTurnRate: 90
+                  maxAcceleration: 1
+                  maxTurnAcceleration: 90
+                  odometryNoise: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0}
+                """);
+        assertThat(mistakes(mixed.replace("devices: {laser: urg04lx}", "model: blind.yaml")))
+                .contains("Robot (real3at) has no laser and no sonars by which it could see what is simulated.");
     }
 
     @ParameterizedTest

@@ -5,11 +5,12 @@ public interface Facts {
     /// Simulated time since the start [s].
     double time();
 
-    /// Touches so far, with walls and with each other.
-    long collisions();
+    /// Touches so far, with walls and with each other, of robots that are simulated here; NaN when none is, as
+    /// nobody counts those of others.
+    double collisions();
 
-    /// Touches so far of walls (and of all else that is no robot).
-    long wallCollisions();
+    /// Touches so far of walls (and of all else that is no robot); likewise.
+    double wallCollisions();
 
     /// How many robots a role has.
     int robots(String role);

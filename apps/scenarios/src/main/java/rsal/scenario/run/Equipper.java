@@ -6,11 +6,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.Function;
 import rsal.data.Pose2d;
 import rsal.device.Device;
 import rsal.device.DriveBase;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
@@ -25,17 +27,26 @@ final class Equipper implements AutoCloseable {
     private final RobotBreaker breaker;
     private final SimulatedWorld world;
     private final Team team;
+    private final Function<RobotSpec, Overlay> overlays;
     private final Map<String, List<GuardedScheduler>> lanes = new HashMap<>(); // of software devices, by robot
     private boolean closed;
 
+    /// @param overlays by which real robots see what is simulated
     Equipper(
-            RunPlan plan, Scheduler scheduler, Journal journal, RobotBreaker breaker, SimulatedWorld world, Team team) {
+            RunPlan plan,
+            Scheduler scheduler,
+            Journal journal,
+            RobotBreaker breaker,
+            SimulatedWorld world,
+            Team team,
+            Function<RobotSpec, Overlay> overlays) {
         this.plan = plan;
         this.scheduler = scheduler;
         this.journal = journal;
         this.breaker = breaker;
         this.world = world;
         this.team = team;
+        this.overlays = overlays;
     }
 
     /// Makes what was planned for a robot, which then is one of the team.
@@ -44,9 +55,13 @@ final class Equipper implements AutoCloseable {
     void equip(Robot bare, PlannedRobot planned) {
         Optional<Helm> helm = bare.find(DriveBase.class).map(Helm::new);
         Robot robot = helm.map(own -> own.steering(bare, Helm.Hand.AGENTS)).orElse(bare);
+        if (planned.overlay()) {
+            robot = overlays.apply(planned.spec()).over(robot);
+        }
         Optional<Pose2d> start = planned.spec().mapFromBase();
         for (PlannedDevice device : planned.drivers()) {
-            robot = robot.with(breaker.breakable(make(device, robot, start)));
+            robot = robot.with(
+                    breaker.breakable(make(device, robot, device.mapFromStart().or(() -> start))));
         }
         team.join(robot, controls(robot, helm, planned), new Teammate(planned.spec(), world.body(robot.id())));
         robot.devices().forEach(this::watch);
@@ -71,7 +86,12 @@ final class Equipper implements AutoCloseable {
         String name = "Device (%s/%s)".formatted(robot.id(), device.name());
         var lane = new GuardedScheduler(name, scheduler);
         var context = new DeviceDriver.Context(
-                device.name(), robot, plan.map(), mapFromBase, lane, new SplittableRandom(device.seed()));
+                device.name(),
+                Overlay.asSeenBy(device.driver(), robot),
+                plan.map(),
+                mapFromBase,
+                lane,
+                new SplittableRandom(device.seed()));
         Device made = lane.making(() -> device.driver().create(context, device.options()));
         lanes.computeIfAbsent(robot.id(), _ -> new ArrayList<>()).add(lane);
         return made;

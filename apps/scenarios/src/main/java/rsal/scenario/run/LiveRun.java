@@ -51,6 +51,7 @@ public final class LiveRun implements AutoCloseable {
     private static final Logger LOG = System.getLogger(LiveRun.class.getName());
     private static final AtomicLong RUNS = new AtomicLong();
     private static final Duration PATIENCE = Duration.ofSeconds(1);
+    private static final long MOMENT = 500_000; // [ns], after which it looks again whether it may go on
     private static final int AGENTS_MAY_TAKE = 20; // times as long for one turn
 
     private final RunPlan plan;
@@ -241,7 +242,8 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.inside(agent));
     }
 
-    /// Offers the robots that are there now to others, until the run ends. Who has them over the bridge drives them
+    /// Offers the robots to others, until the run ends, those that come later, too. Who has them over the bridge drives
+    /// them
     /// like their agents: what people want comes first.
     ///
     /// @param at where to listen: at this port, and those after it if need be; port 0 for any that are free
@@ -443,6 +445,11 @@ public final class LiveRun implements AutoCloseable {
         long early = paused ? 0 : pace.early(elapsed().toNanos());
         if (early > 0) {
             rest(early);
+            return;
+        }
+        if (pace.isAhead(elapsed().toNanos()) && Objects.requireNonNull(stage).isAwaited()) {
+            time.runPending(); // what such a program asks meanwhile
+            rest(MOMENT);
             return;
         }
         stepsWanted = Math.max(0, stepsWanted - 1);

@@ -87,7 +87,8 @@ final class Newcomers {
                 example.map(PlannedRobot::mrs).orElse(scenarios),
                 drivers,
                 spares,
-                example.map(PlannedRobot::proxy).orElse(false));
+                example.filter(PlannedRobot::proxy).isPresent(),
+                example.filter(PlannedRobot::overlay).isPresent());
         robots.put(id, made);
         example.ifPresent(one -> agents.put(id, agentsLike(one.spec().id(), id)));
         return made;

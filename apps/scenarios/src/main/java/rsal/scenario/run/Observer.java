@@ -53,6 +53,7 @@ final class Observer implements Facts {
     private final Map<Measured, OptionalDouble> firstTimes = new HashMap<>();
     private final Map<String, Pose2d> sentTo = new HashMap<>(); // by robot, or ALL
     private final Set<String> arrived = new HashSet<>(); // where they were sent last
+    private boolean counting; // touches
     private int contacts;
     private RunPlan.@Nullable Stop decided;
     private Duration endsAt = Duration.ZERO;
@@ -108,6 +109,7 @@ final class Observer implements Facts {
     /// @return how the run ends, if it is over
     Optional<String> look(Optional<SimulationControl> simulation, Whereabouts where, Map<String, Robot> robots) {
         simulation.ifPresent(truth -> noteContacts(truth.contacts()));
+        counting = counting || robots.keySet().stream().anyMatch(where::isSimulated);
         if (depots.areThere()) {
             simulation.ifPresent(truth -> depots.look(truth.things()));
         }
@@ -198,7 +200,7 @@ final class Observer implements Facts {
         boolean complete = mapper.isComplete();
         boolean first = started.add(robot);
         Boolean before = exploring.put(robot, !complete);
-        if (complete && !Boolean.FALSE.equals(before)) {
+        if (complete && Boolean.TRUE.equals(before)) { // who has a whole map from the beginning has mapped nothing
             journal.event("mapped", robot, "has mapped all that it can get to");
         } else if (!complete && Boolean.FALSE.equals(before)) {
             journal.event("mapped", robot, "can get to more that is not on its map");
@@ -315,13 +317,13 @@ final class Observer implements Facts {
     }
 
     @Override
-    public long collisions() {
-        return contacts;
+    public double collisions() {
+        return counting ? contacts : Double.NaN;
     }
 
     @Override
-    public long wallCollisions() {
-        return wallCollisions;
+    public double wallCollisions() {
+        return counting ? wallCollisions : Double.NaN;
     }
 
     @Override

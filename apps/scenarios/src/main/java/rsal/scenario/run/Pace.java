@@ -56,6 +56,11 @@ final class Pace {
         return due - now;
     }
 
+    /// Whether it goes as fast as it can, and is faster than real time.
+    boolean isAhead(long simulated) {
+        return speed == Double.POSITIVE_INFINITY && simulated - fromSimulated > clock.getAsLong() - fromReal;
+    }
+
     /// Simulated over real time of late; 0 when it has only just begun.
     double rate(long simulated) {
         long now = clock.getAsLong();

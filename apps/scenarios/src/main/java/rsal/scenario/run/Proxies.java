@@ -2,27 +2,31 @@ package rsal.scenario.run;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
-import rsal.device.DriveBase;
+import rsal.device.Gripper;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Marker;
 import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Thing;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan.PlannedRobot;
+import rsal.scene.Surface;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 
 /// Stand-ins of real robots in the simulated world: bodies without devices under the robots' own ids, which
 /// simulated robots see and run into. Each stands where its robot's localizer says, or, when it has none, where
-/// its odometry has taken it from its start. It stands there whether there is room or not, for the robot does.
+/// its odometry has taken it from its start. It stands there whether there is room or not, for the robot does, and
+/// takes along what its robot has [gripped][Grasp].
 /// All calls on the run's thread.
 ///
 /// Nothing is guessed in between or ahead: what was measured is late by a little at most, while a guess is wrong
@@ -31,7 +35,6 @@ final class Proxies {
     private static final Duration BEAT = Duration.ofMillis(100);
     private static final Duration PATIENCE = Duration.ofSeconds(1);
     private static final double JUMP = 1; // of one update, from which on it is told [m]
-    private static final Rgb GRAY = new Rgb(128, 128, 128);
 
     private final RobotSystems systems;
     private final Team team;
@@ -72,6 +75,13 @@ final class Proxies {
         return proxies.containsKey(robot);
     }
 
+    /// Names of all in the simulated world that stands for what is real: the stand-ins, and what they take along.
+    Set<String> names() {
+        var names = new HashSet<>(proxies.keySet());
+        proxies.values().forEach(proxy -> proxy.grasp.thing().ifPresent(names::add));
+        return names;
+    }
+
     /// Where it is, in the map frame; empty when there is none now.
     Optional<Pose2d> mapFromProxy(String robot) {
         return has(robot) ? systems.simulation().flatMap(world -> world.truth(robot)) : Optional.empty();
@@ -84,18 +94,19 @@ final class Proxies {
     /// One stand-in.
     private final class Proxy {
         private final RobotSpec spec;
+        private final Grasp grasp;
         private @Nullable Stamped<Pose2d> shown;
-        private @Nullable Pose2d mapFromOdom; // without a localizer
         private Instant heard = Instant.MIN;
         private String refused = "";
         private boolean stale;
 
         Proxy(RobotSpec spec) {
             this.spec = spec;
+            this.grasp = new Grasp(spec, thing -> names().contains(thing), this::tell);
         }
 
         void beat(SimulationControl world) {
-            Optional<Stamped<Pose2d>> known = known();
+            Optional<Stamped<Pose2d>> known = where.known(spec);
             if (known.isEmpty()) {
                 hide(world);
             } else if (!known.get().equals(shown)) {
@@ -105,24 +116,10 @@ final class Proxies {
             } else if (heard.plus(PATIENCE).isBefore(scheduler.instant())) {
                 stale(true);
             }
-        }
-
-        private Optional<Stamped<Pose2d>> known() {
-            boolean localizes = team.robot(spec.id()).flatMap(team::localizer).isPresent();
-            return localizes ? where.belief(spec.id()) : spec.mapFromBase().flatMap(this::byOdometry);
-        }
-
-        private Optional<Stamped<Pose2d>> byOdometry(Pose2d mapFromStart) {
-            return team.robot(spec.id())
-                    .flatMap(robot -> robot.find(DriveBase.class))
-                    .flatMap(DriveBase::latest)
-                    .map(odometry -> {
-                        Pose2d odomFromBase = odometry.value().odomFromBase();
-                        if (mapFromOdom == null) {
-                            mapFromOdom = mapFromStart.compose(odomFromBase.inverse());
-                        }
-                        return new Stamped<>(odometry.time(), RobotRecord.WORLD, mapFromOdom.compose(odomFromBase));
-                    });
+            Optional.ofNullable(shown)
+                    .ifPresent(pose -> team.robot(spec.id())
+                            .flatMap(robot -> robot.find(Gripper.class))
+                            .ifPresent(gripper -> grasp.follow(world, gripper, pose.value())));
         }
 
         private void show(SimulationControl world, Stamped<Pose2d> now) {
@@ -149,7 +146,7 @@ final class Proxies {
                     spec.id(),
                     mapFromBase,
                     spec.model().body(),
-                    Rgb.parse(spec.color()).orElse(GRAY),
+                    Rgb.parse(spec.color()).orElse(Surface.PLAIN.color()),
                     true,
                     false,
                     spec.marker().isPresent()
@@ -159,6 +156,7 @@ final class Proxies {
         }
 
         void hide(SimulationControl world) {
+            grasp.letGo(world);
             world.remove(spec.id());
             shown = null;
         }

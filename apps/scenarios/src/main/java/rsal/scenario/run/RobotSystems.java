@@ -131,9 +131,14 @@ final class RobotSystems implements RobotSystem {
         return Optional.ofNullable(homes.get(robot)).flatMap(part -> part.system.simulation());
     }
 
+    /// What knows where a robot really is; empty where nobody does.
+    Optional<SimulationControl> overseer(String robot) {
+        return Optional.ofNullable(homes.get(robot)).flatMap(part -> part.system.truth());
+    }
+
     /// Where a robot really is, in the map frame.
     Optional<Pose2d> truth(String robot) {
-        return simulation(robot).flatMap(world -> world.truth(robot));
+        return overseer(robot).flatMap(world -> world.truth(robot));
     }
 
     /// What a robot looks like, where that is known.

@@ -19,7 +19,7 @@ import rsal.data.Stamped;
 /// @param color `#rrggbb`
 /// @param model name of its model
 /// @param gone whether a fault has taken it away
-/// @param truth where it really is, in the map frame; empty outside of simulated worlds
+/// @param truth where it really is, in the map frame; empty where nobody knows
 /// @param map as it has drawn it itself so far, in the map frame
 /// @param path the way its navigator intends to take
 /// @param goal where its navigator drives to

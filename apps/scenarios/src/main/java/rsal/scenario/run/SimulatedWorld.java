@@ -105,9 +105,8 @@ final class SimulatedWorld {
         if (!mapFromBase.isFinite() || !map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))) {
             return new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromBase)));
         }
-        Optional<SimulationControl> simulation = systems.simulation(id);
-        if (simulation.isPresent()
-                && simulation.get().place(id, mapFromBase) instanceof Placement.Refused(String why)) {
+        Optional<SimulationControl> overseer = systems.overseer(id);
+        if (overseer.isPresent() && overseer.get().place(id, mapFromBase) instanceof Placement.Refused(String why)) {
             return new Answer.Refused(why);
         }
         observer.placed(id);
@@ -115,7 +114,7 @@ final class SimulatedWorld {
                 .map(localizer -> localizer.relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND)))
                 .map(CompletionStage::toCompletableFuture)
                 .orElse(CompletableFuture.completedFuture(null));
-        if (simulation.isPresent()) {
+        if (overseer.isPresent()) {
             placements.add(id, scheduler.instant(), believed);
         }
         journal.event("operator", id, "placed at " + Words.of(mapFromBase));

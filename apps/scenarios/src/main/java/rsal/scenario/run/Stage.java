@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import rsal.agent.Turns;
 import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.system.Bridge;
@@ -31,6 +32,7 @@ final class Stage implements AutoCloseable {
     private final SimulatedWorld world;
     private final Equipper equipper;
     private final Proxies proxies;
+    private final DrawnPlans drawnPlans;
     private final Agents agents;
     private final Orders orders;
     private final RobotViews robotViews;
@@ -55,8 +57,9 @@ final class Stage implements AutoCloseable {
         this.faults = new Faults(plan, scheduler, journal, observer, traffic, breaker);
         this.world = new SimulatedWorld(plan, systems, scheduler, journal, observer, newcomers, team, faults);
         this.proxies = new Proxies(systems, team, where, scheduler, journal);
-        this.equipper = new Equipper(plan, scheduler, journal, breaker, world, team);
+        this.equipper = new Equipper(plan, scheduler, journal, breaker, world, team, this::overlay);
         this.agents = new Agents(plan, scheduler, journal, observer, faults, team, where, traffic, turns);
+        this.drawnPlans = new DrawnPlans(team, scheduler);
         this.orders = new Orders(plan.map(), journal, faults, world, team, agents);
         this.robotViews = new RobotViews(team, world, faults, proxies, scheduler);
     }
@@ -93,6 +96,11 @@ final class Stage implements AutoCloseable {
     private void equip(Robot robot, PlannedRobot planned) {
         equipper.equip(robot, planned);
         proxies.join(planned);
+        drawnPlans.join(planned.spec());
+    }
+
+    private Overlay overlay(RobotSpec spec) {
+        return new Overlay(spec, () -> where.known(spec), systems::simulation, proxies::names, journal);
     }
 
     private void changed(RobotSystem.Change change) {
@@ -129,16 +137,36 @@ final class Stage implements AutoCloseable {
         PlannedRobot planned = newcomers.plan(robot, world.truth(id));
         observer.joined(id, robot.role());
         equip(robot, planned);
+        bridges.forEach(bridge -> offer(bridge, id));
         orders.joined(id);
         if (agents.isGathered()) {
             newcomers.agents(id).forEach(agents::start);
         }
     }
 
+    /// Whether a program that robots are offered to has yet to look at what there is.
+    boolean isAwaited() {
+        return bridges.stream().anyMatch(Bridge::isBehind);
+    }
+
+    private void offer(Bridge bridge, String id) {
+        try {
+            bridge.join(team.robot(id).orElseThrow()).stream()
+                    .mapToInt(Bridge.Offer::port)
+                    .distinct()
+                    .forEach(port -> journal.event("bridge", id, "is offered at port " + port));
+        } catch (IOException e) {
+            journal.event("bridge", id, "is not offered: " + e.getMessage());
+        }
+    }
+
     /// Lets go of all that a robot had.
     private void leave(String id) {
+        bridges.forEach(bridge -> bridge.leave(id));
         team.leave(id);
         proxies.leave(id);
+        drawnPlans.leave(id);
+        where.leave(id);
         agents.leave(id);
         equipper.leave(id);
         breaker.leave(id);

@@ -24,12 +24,12 @@ class GrammarTest {
         }
 
         @Override
-        public long collisions() {
+        public double collisions() {
             return 3;
         }
 
         @Override
-        public long wallCollisions() {
+        public double wallCollisions() {
             return 1;
         }
 

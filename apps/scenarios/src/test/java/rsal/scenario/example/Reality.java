@@ -57,7 +57,7 @@ public class Reality implements RobotSystemProvider {
     }
 
     /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for them,
-    /// and `stuck` can't let go of them; all others are fine
+    /// `stuck` can't let go of them, and `watched` knows where they are; all others are fine
     private record Robots(RobotSystem fakes, String host) implements RobotSystem {
         @Override
         public CompletionStage<List<Robot>> discover() {
@@ -77,6 +77,11 @@ public class Reality implements RobotSystemProvider {
         @Override
         public Optional<SimulationControl> simulation() {
             return Optional.empty();
+        }
+
+        @Override
+        public Optional<SimulationControl> truth() {
+            return host.equals("watched") ? fakes.simulation() : Optional.empty();
         }
 
         @Override

@@ -2,9 +2,13 @@ package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
@@ -16,7 +20,11 @@ import org.junit.jupiter.api.io.TempDir;
 import rsal.agent.Society;
 import rsal.data.Pose2d;
 import rsal.device.SimulationControl.Standing;
+import rsal.robot.Robot;
 import rsal.scenario.RunOptions;
+import rsal.system.Bridge;
+import rsal.system.BridgeProvider;
+import rsal.time.Scheduler;
 
 /// Robots and things come and go while a run goes on.
 @Timeout(60)
@@ -189,5 +197,78 @@ class ComingTest {
         }
         assertThat(hashes[1]).isEqualTo(hashes[0]);
         assertThat(hashes[2]).isEqualTo(hashes[0]);
+    }
+
+    /// Notes who comes and goes.
+    private static final class Notes implements BridgeProvider, Bridge {
+        private final List<String> notes = new CopyOnWriteArrayList<>();
+
+        @Override
+        public String key() {
+            return "notes";
+        }
+
+        @Override
+        public String description() {
+            return "Notes who comes and goes.";
+        }
+
+        @Override
+        public int defaultPort() {
+            return 7000;
+        }
+
+        @Override
+        public Bridge open(InetSocketAddress at, Lent lent, Scheduler scheduler) {
+            lent.robots().forEach(robot -> notes.add("has " + robot.id()));
+            return this;
+        }
+
+        @Override
+        public List<Offer> offers() {
+            return List.of();
+        }
+
+        @Override
+        public List<Offer> join(Robot robot) throws IOException {
+            notes.add("gets %s with %d devices"
+                    .formatted(robot.id(), robot.devices().size()));
+            if (robot.id().equals("prey-2")) {
+                throw new IOException("There is no port left.");
+            }
+            return List.of(new Offer(7002, "base", robot.id()), new Offer(7002, "laser", robot.id()));
+        }
+
+        @Override
+        public void leave(String robot) {
+            notes.add("loses " + robot);
+        }
+
+        @Override
+        public void close() {}
+    }
+
+    @Test
+    void robotsThatComeAndGoAreOfferedAndTakenBack() throws InterruptedException {
+        var notes = new Notes();
+        assertThat(answer(run.bridge(notes, new InetSocketAddress(InetAddress.getLoopbackAddress(), 0))))
+                .isInstanceOf(Answer.Bridged.class);
+        assertThat(answer(run.addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-1"));
+        await(now -> has(now, "prey-1"));
+        assertThat(answer(run.remove("prey-1"))).isEqualTo(DONE);
+        await(now -> !has(now, "prey-1"));
+        assertThat(answer(run.addRobot("prey", THERE))).isEqualTo(new Answer.Added("prey-2"));
+        await(now -> has(now, "prey-2"));
+        assertThat(notes.notes)
+                .containsExactly(
+                        "has prey",
+                        "has hunter-1",
+                        "gets prey-1 with 4 devices",
+                        "loses prey-1",
+                        "gets prey-2 with 4 devices");
+        assertThat(run.events(0))
+                .filteredOn(event -> event.kind().equals("bridge"))
+                .extracting(event -> event.subject() + " " + event.text())
+                .containsExactly("prey-1 is offered at port 7002", "prey-2 is not offered: There is no port left.");
     }
 }

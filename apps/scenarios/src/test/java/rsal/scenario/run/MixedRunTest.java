@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -125,6 +126,45 @@ class MixedRunTest {
             assertThat(result.measures().get("way.real")).isEmpty();
             assertThat(Runs.result(plan(stands)).eventHash()).isEqualTo(result.eventHash());
         }
+    }
+
+    @Test
+    void realRobotsThatSomebodyWatchesAreMeasuredAndPlacedInTruthButStayReal() {
+        String watched = MIXED.replace("host: lab", "host: watched");
+        try (var run = LiveRun.start(plan(watched))) {
+            RunResult result = Runs.result(run);
+            assertThat(result.measures().get("error.real").orElseThrow()).isCloseTo(0.25, within(0.01));
+            assertThat(result.measures().get("way.real").orElseThrow()).isGreaterThan(1);
+            assertThat(view(run, "real").truth()).isPresent();
+            assertThat(view(run, "real").real()).isPresent();
+        }
+        try (var run = LiveRun.start(plan(watched.replace("speed: max", "speed: 1")))) {
+            Pose2d there = new Pose2d(-2, -1, 0);
+            assertThat(answer(run.place("real", there))).isEqualTo(new Answer.Done());
+            while (run.snapshot().robots().stream()
+                    .flatMap(view -> view.truth().stream())
+                    .noneMatch(truth -> truth.distanceTo(there) < 0.5)) {
+                LockSupport.parkNanos(1_000_000); // snapshots come some times a second
+            }
+            assertThat(answer(run.remove("real")))
+                    .isEqualTo(
+                            new Answer.Refused("Robot (real) is real: it can't be taken out of the simulated world."));
+        }
+    }
+
+    @Test
+    void nobodyCountsCollisionsOfRealRobots() {
+        String counting = MIXED.replace(
+                "measure:",
+                "measure:\n  - {name: touches, from: count(collisions)}\n"
+                        + "  - {name: walls, from: count(wallCollisions)}");
+        assertThat(Runs.result(plan(counting)).measures().get("touches")).isPresent();
+        String real = counting.replace("host: lab", "host: watched")
+                .replace("mrs: {odometryNoise: 0}", "mrs: {use: reality, host: watched}");
+        RunResult result = Runs.result(plan(real));
+        assertThat(result.measures().get("way.real").orElseThrow()).isGreaterThan(1);
+        assertThat(result.measures().get("touches")).isEmpty();
+        assertThat(result.measures().get("walls")).isEmpty();
     }
 
     @Test

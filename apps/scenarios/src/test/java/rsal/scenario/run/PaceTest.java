@@ -37,6 +37,16 @@ class PaceTest {
     }
 
     @Test
+    void isAheadWhenItGoesAsFastAsItCanAndFasterThanRealTime() {
+        now += SECOND;
+        assertThat(pace.isAhead(3 * SECOND)).as("it has a speed").isFalse();
+        pace.speed(Double.POSITIVE_INFINITY, 0);
+        now += SECOND;
+        assertThat(pace.isAhead(SECOND / 2)).isFalse();
+        assertThat(pace.isAhead(2 * SECOND)).isTrue();
+    }
+
+    @Test
     void neverWaitsWhenItShallGoAsFastAsItCan() {
         pace.speed(Double.POSITIVE_INFINITY, 0);
         assertThat(pace.early(1000 * SECOND)).isZero();

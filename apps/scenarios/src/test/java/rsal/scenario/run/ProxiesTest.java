@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import java.time.Duration;
@@ -15,17 +16,26 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.data.Covariance2d;
+import rsal.data.GripperState;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.Rgb;
+import rsal.data.Shape;
+import rsal.data.Solid;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
+import rsal.device.GoalHandle;
+import rsal.device.Gripper;
 import rsal.device.LaserScanner;
 import rsal.device.Localizer;
 import rsal.device.SensorCore;
 import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Placement;
+import rsal.device.SimulationControl.Standing;
+import rsal.device.SimulationControl.Thing;
 import rsal.robot.Robot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -40,7 +50,7 @@ class ProxiesTest {
             world: {map: office}
             robots:
               rover: {model: pioneer2dx, pose: [-12, -1, 0], devices: {laser: urg04lx}}
-              real: {model: pioneer2dx, pose: [-8, -1, 90], mrs: {use: reality}, proxy: true, color: "#ff0000"}
+              real: {model: pioneer2dx, pose: [-8, -1, 90], mrs: {use: reality}, proxy: true, color: "#ff0000", devices: {gripper: pioneer-gripper}}
             mrs: {odometryNoise: 0, sensorNoise: 0}
             """;
 
@@ -72,6 +82,47 @@ class ProxiesTest {
         @Override
         public CompletionStage<Void> relocalize(PoseEstimate belief) {
             return CompletableFuture.completedStage(null);
+        }
+    }
+
+    /// Holds something when it is told to.
+    private final class Paw extends SensorCore<GripperState> implements Gripper {
+        Paw() {
+            super(new DeviceInfo("real", "gripper", "paw"));
+        }
+
+        void show(boolean holding, double raised) {
+            var state = new GripperState(
+                    holding ? GripperState.Paddles.CLOSED : GripperState.Paddles.OPEN,
+                    holding ? 0.5 : 0,
+                    GripperState.Lift.STOPPED,
+                    raised,
+                    holding,
+                    false,
+                    holding,
+                    holding,
+                    holding);
+            deliver(new Stamped<>(time.instant(), "real/gripper", state));
+        }
+
+        @Override
+        public GoalHandle<GripperState, Result> open() {
+            throw new AssertionError();
+        }
+
+        @Override
+        public GoalHandle<GripperState, Result> close() {
+            throw new AssertionError();
+        }
+
+        @Override
+        public GoalHandle<GripperState, Result> lift() {
+            throw new AssertionError();
+        }
+
+        @Override
+        public GoalHandle<GripperState, Result> lower() {
+            throw new AssertionError();
         }
     }
 
@@ -234,6 +285,83 @@ class ProxiesTest {
             seconds(0.1);
         }
         assertThat(told()).containsExactly("jumped by 1.3 m");
+    }
+
+    /// A can, or what only looks like one.
+    private void put(String name, double x, boolean grippable) {
+        Thing can = Thing.of(
+                name,
+                new Pose2d(x, -1, 0),
+                Solid.standing(new Shape.Disc(new Point2d(0, 0), 0.08), 0.1),
+                new Rgb(0, 200, 0));
+        assertThat(world().add(grippable ? can.asGrippable() : can)).isInstanceOf(Placement.Placed.class);
+    }
+
+    private Paw joinWithGripper() {
+        var paw = new Paw();
+        Robot real = found("real").with(localizer);
+        join(real.replacing(real.require(Gripper.class), paw));
+        localizer.tell(THERE);
+        return paw;
+    }
+
+    private Standing thing(String name) {
+        return world().things().stream()
+                .filter(one -> one.name().equals(name))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    @Test
+    void takesAlongWhatItsRobotHasGrippedAndPutsItDownWhereThatDoes() {
+        put("near", -9.4, true);
+        put("nearer", -9.6, true);
+        put("paper", -9.75, false);
+        Paw paw = joinWithGripper();
+        paw.show(false, 0);
+        seconds(0.2);
+        assertThat(thing("nearer").mapFromThing()).isEqualTo(new Pose2d(-9.6, -1, 0));
+        paw.show(true, 0);
+        seconds(0.1);
+        assertThat(thing("nearer").mapFromThing().x()).as("between the paddles").isCloseTo(-9.77, within(1e-9));
+        assertThat(proxies.names()).containsExactlyInAnyOrder("real", "nearer");
+        localizer.tell(new Pose2d(-9, -1, 0));
+        paw.show(true, 0.5);
+        seconds(0.1);
+        assertThat(thing("nearer").mapFromThing().x()).isCloseTo(-8.77, within(1e-9));
+        assertThat(thing("nearer").height()).isCloseTo(0.1, within(1e-9));
+        paw.show(false, 0.5);
+        seconds(0.1);
+        localizer.tell(THERE);
+        seconds(0.1);
+        assertThat(thing("nearer").mapFromThing().x()).isCloseTo(-8.77, within(1e-9));
+        assertThat(thing("nearer").height()).isZero();
+        assertThat(proxies.names()).containsExactly("real");
+        assertThat(thing("near").mapFromThing()).isEqualTo(new Pose2d(-9.4, -1, 0));
+        assertThat(told()).containsExactly("takes (nearer) along", "puts (nearer) down");
+    }
+
+    @Test
+    void whatTheSimulatedWorldHasNotIsNotTakenAlong() {
+        put("far", -9.2, true);
+        Paw paw = joinWithGripper();
+        paw.show(true, 1);
+        seconds(0.3);
+        assertThat(thing("far").mapFromThing()).isEqualTo(new Pose2d(-9.2, -1, 0));
+        paw.show(false, 1);
+        seconds(0.1);
+        assertThat(told()).containsExactly("has gripped something that is not in the simulated world");
+    }
+
+    @Test
+    void whenItsRobotHasLeftWhatWasTakenAlongLiesWhereItWas() {
+        put("can", -9.8, true);
+        Paw paw = joinWithGripper();
+        paw.show(true, 1);
+        seconds(0.1);
+        assertThat(thing("can").height()).isPositive();
+        proxies.leave("real");
+        assertThat(thing("can").height()).isZero();
     }
 
     @Test

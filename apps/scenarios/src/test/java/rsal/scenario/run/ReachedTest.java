@@ -48,7 +48,7 @@ class ReachedTest {
 
     /// Where robots of a role are at a time [s].
     private void look(String role, char place, double now) {
-        var standing = new Standing(1, "victim-1", BODY, VICTIM, 0);
+        var standing = new Standing(1, "victim-1", BODY, VICTIM, 0, false);
         reached.look(List.of(standing), List.of(new There("r", role, ROOM.pose(place, 0))), now);
     }
 
