@@ -12,5 +12,6 @@ module rsal.bench {
     exports rsal.bench;
 
     uses rsal.robot.DeviceDriver;
+    uses rsal.system.BridgeProvider;
     uses rsal.system.RobotSystemProvider;
 }

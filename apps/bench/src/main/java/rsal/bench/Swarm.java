@@ -54,13 +54,13 @@ final class Swarm implements AutoCloseable {
             return new Kind(label, new RobotModel(label, label, body, drive, Map.of(device, part)));
         }
 
-        private static Part laser(int beams, double reach) {
+        static Part.Laser laser(int beams, double reach) {
             double increment = Math.PI / (beams - 1);
             return new Part.Laser(
                     "laser", Pose2d.ORIGIN, -Math.PI / 2, increment, beams, 0, reach, RangeNoise.of(0.01), PERIOD);
         }
 
-        private static Part ring(int sensors, double radius, double reach) {
+        static Part.Sonars ring(int sensors, double radius, double reach) {
             var poses = new ArrayList<Pose2d>();
             for (int i = 0; i < sensors; i++) {
                 double angle = 2 * Math.PI * (i + 0.5) / sensors;

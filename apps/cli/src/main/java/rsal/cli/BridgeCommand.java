@@ -33,7 +33,10 @@ import rsal.system.BridgeProvider;
                     + " It goes on until the run ends, or Ctrl-C."
         })
 final class BridgeCommand extends Subcommand {
-    @Parameters(index = "0", paramLabel = "PROTOCOL", description = "player")
+    @Parameters(
+            index = "0",
+            paramLabel = "PROTOCOL",
+            description = "player; player-3.0 for programs that were built for Player 3.0")
     private String key = "";
 
     @Parameters(
@@ -142,7 +145,10 @@ final class BridgeCommand extends Subcommand {
                 out().print(table);
                 out().flush();
             }
-            case Answer.Refused(String why) -> throw new Unreachable(why);
+            case Answer.Refused(String why) ->
+                throw new Unreachable(why + System.lineSeparator()
+                        + "    Maybe a Player server or another 'rsal bridge' is there ('ss -ltnp' tells). Take other ports"
+                        + " by --port P, or any that are free by --port 0.");
             default -> throw new AssertionError(answer);
         }
     }

@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -127,6 +129,11 @@ public final class Main implements Runnable {
                 yield Exit.UNREACHABLE;
             }
             case RunBroken broken
+            when unreachable(broken).isPresent() -> {
+                err.println("rsal: " + unreachable(broken).get());
+                yield Exit.UNREACHABLE;
+            }
+            case RunBroken broken
             when broken.getCause() == null -> { // it says all, and is no mistake of ours
                 err.println("rsal: The run broke: " + broken.getMessage());
                 yield Exit.INTERNAL;
@@ -136,6 +143,14 @@ public final class Main implements Runnable {
                 yield Exit.INTERNAL;
             }
         };
+    }
+
+    /// What the robot systems of a run could not reach or have, if it is that.
+    private static Optional<String> unreachable(RunBroken broken) {
+        return Stream.<Throwable>iterate(broken, Objects::nonNull, Throwable::getCause)
+                .filter(IOException.class::isInstance)
+                .findFirst()
+                .map(Throwable::getMessage);
     }
 
     private static void tellInternal(Exception failure, CommandLine command, List<String> typed) throws IOException {

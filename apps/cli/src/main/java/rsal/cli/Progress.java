@@ -17,7 +17,8 @@ import rsal.scenario.run.Snapshot;
 /// Tells on stderr how a run goes: what happens, and on a terminal a line with the time, drawn over and over.
 final class Progress {
     private static final long PERIOD_MILLIS = 250;
-    private static final Set<String> KINDS = Set.of("caught", "collision", "fault", "health", "mapped", "operator");
+    private static final Set<String> KINDS =
+            Set.of("bridge", "caught", "collision", "fault", "health", "mapped", "operator");
     private static final String CLEAR_LINE = "\r\033[K";
 
     private final PrintWriter err;

@@ -74,7 +74,8 @@ final class ScenarioText {
         for (var role : roles) {
             table.row(role.role(), role.ids().size() + " × " + role.model(), String.join(", ", role.sensors()));
             String proxy = role.proxy() ? ", with a stand-in in the simulated world" : "";
-            role.mrs().ifPresent(mrs -> table.row("", "mrs: " + mrs, String.join(", ", role.ids()) + proxy));
+            String overlay = role.overlay() ? ", seeing what is simulated" : "";
+            role.mrs().ifPresent(mrs -> table.row("", "mrs: " + mrs, String.join(", ", role.ids()) + proxy + overlay));
             role.devices().forEach(device -> table.row("", device.name() + ": " + device.driver(), made(device)));
         }
         return table;

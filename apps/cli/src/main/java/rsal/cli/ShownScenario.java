@@ -111,12 +111,14 @@ record ShownScenario(
     /// @param mrs their robot system, with its settings that are not the usual ones: `player, host=lab`; empty
     /// when it is the scenario's
     /// @param proxy whether stand-ins of them are in the simulated world
+    /// @param overlay whether their lasers and sonars see what is in that world
     /// @param devices in the order in which they are made
     record Role(
             String role,
             List<String> ids,
             Optional<String> mrs,
             boolean proxy,
+            boolean overlay,
             String model,
             List<String> sensors,
             List<Start> starts,
@@ -127,6 +129,7 @@ record ShownScenario(
                     robots.stream().map(robot -> robot.spec().id()).toList(),
                     mrs,
                     proxy,
+                    overlay,
                     model,
                     sensors,
                     robots.stream().map(Start::of).toList(),
@@ -249,6 +252,7 @@ record ShownScenario(
                 List.of(),
                 Optional.of(robot.mrs()).filter(mrs -> !mrs.equals(plan.mrs())).map(RunPlan.Mrs::words),
                 robot.proxy(),
+                robot.overlay(),
                 robot.spec().model().name(),
                 robot.spec().model().sensors().entrySet().stream()
                         .map(sensor -> sensor.getKey() + " " + sensor.getValue().name())

@@ -3,6 +3,8 @@ package rsal.cli;
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
@@ -17,6 +19,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.zip.InflaterInputStream;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
@@ -27,6 +30,7 @@ class BridgeIT {
     private static final int DATA = 1;
     private static final int COMMAND = 2;
     private static final int REQUEST = 3;
+    private static final int SYNCH = 5;
     private static final int PLAYER = 1;
     private static final int POSITION2D = 4;
 
@@ -34,7 +38,7 @@ class BridgeIT {
     Path folder;
 
     /// What has come of the next message of a kind, for a client that pushes.
-    private record Message(int interf, int type, int subtype, DataInputStream body) {}
+    private record Message(int interf, int type, int subtype, double time, DataInputStream body) {}
 
     private static void send(DataOutputStream to, int interf, int type, int subtype, byte[] body) throws IOException {
         for (int number : new int[] {0, 0, interf, 0, type, subtype}) {
@@ -53,9 +57,10 @@ class BridgeIT {
         from.readInt();
         int type = from.readInt();
         int subtype = from.readInt();
-        from.skipNBytes(12);
+        double time = from.readDouble();
+        from.readInt();
         byte[] body = from.readNBytes(from.readInt());
-        return new Message(interf, type, subtype, new DataInputStream(new java.io.ByteArrayInputStream(body)));
+        return new Message(interf, type, subtype, time, new DataInputStream(new java.io.ByteArrayInputStream(body)));
     }
 
     private static byte[] bytes(Writer writer) throws IOException {
@@ -105,6 +110,75 @@ class BridgeIT {
             Ended.signal("INT", process);
             assertThat(process.waitFor()).isEqualTo(130);
         }
+    }
+
+    @Test
+    void aRunThatGoesAsFastAsItCanWaitsForWhoPulls() throws Exception {
+        Process process =
+                new Rsal(folder).start("bridge", "player", "teleop", "--port", "0", "--json", "--speed", "max");
+        try (BufferedReader out = process.inputReader()) {
+            JsonNode told = JsonMapper.shared().readTree(out.readLine());
+            int port = told.get("offers").get(0).get("port").asInt();
+            try (var socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+                socket.setSoTimeout(20_000);
+                var from = new DataInputStream(socket.getInputStream());
+                var to = new DataOutputStream(socket.getOutputStream());
+                from.skipNBytes(32);
+                send(to, PLAYER, REQUEST, 5, bytes(body -> body.writeInt(2))); // pull
+                subscribe(to, POSITION2D);
+                List<Double> times = new ArrayList<>();
+                for (int round = 0; round < 300; round++) {
+                    send(to, PLAYER, REQUEST, 4, new byte[0]);
+                    times.addAll(timesOfRound(from));
+                    Thread.sleep(2); // in which it would go on for seconds
+                }
+                for (int i = 1; i < times.size(); i++) {
+                    assertThat(times.get(i) - times.get(i - 1)).isBetween(0.0, 0.101); // a step of the simulation
+                }
+            }
+        } finally {
+            Ended.signal("INT", process);
+            assertThat(process.waitFor()).isEqualTo(130);
+        }
+    }
+
+    @Test
+    void clientsOfPlayer30AreServedByAnotherName() throws Exception {
+        Process process = new Rsal(folder).start("bridge", "player-3.0", "teleop", "--port", "0", "--json");
+        try (BufferedReader out = process.inputReader()) {
+            JsonNode told = JsonMapper.shared().readTree(out.readLine());
+            int port = told.get("offers").get(0).get("port").asInt();
+            try (var socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+                assertThat(new String(socket.getInputStream().readNBytes(32), US_ASCII))
+                        .startsWith("Player v.3.0");
+            }
+        } finally {
+            Ended.signal("INT", process);
+            assertThat(process.waitFor()).isEqualTo(130);
+        }
+    }
+
+    @Test
+    void serversThatAreNotThereCantBeReached() throws Exception {
+        Ended nobody = new Rsal(folder)
+                .run("run", "teleop:real", "--headless", "--arm", "--set", "servers=localhost:1,localhost:2");
+        assertThat(nobody.code()).isEqualTo(5);
+        assertThat(nobody.err())
+                .contains("There is no Player server at (localhost:")
+                .doesNotContain("went wrong");
+    }
+
+    /// When the odometry of a round was measured [s].
+    private static List<Double> timesOfRound(DataInputStream from) throws IOException {
+        List<Double> times = new ArrayList<>();
+        Message message = next(from);
+        while (message.type != SYNCH) {
+            if (message.type == DATA && message.interf == POSITION2D) {
+                times.add(message.time);
+            }
+            message = next(from);
+        }
+        return times;
     }
 
     private static final int SIMULATION = 31;
@@ -165,6 +239,19 @@ class BridgeIT {
             driver ( name "mapfile" provides ["6666:map:0"] filename "room.png" resolution 0.05 )
             """;
 
+    /// The room as an image, white where robots can drive: 8.2 m × 6.2 m, its middle at the origin.
+    private static BufferedImage drawn() {
+        var image = new BufferedImage(164, 124, BufferedImage.TYPE_INT_RGB);
+        var pen = image.createGraphics();
+        pen.setColor(Color.WHITE);
+        pen.fillRect(4, 4, 156, 116);
+        pen.setColor(Color.BLACK);
+        pen.fillRect(80, 42, 4, 80); // between
+        pen.fillRect(10, 10, 16, 12); // box
+        pen.dispose();
+        return image;
+    }
+
     private static Message answer(DataInputStream from, int interf, int subtype) throws IOException {
         for (int i = 0; i < 1000; i++) {
             Message message = next(from);
@@ -188,6 +275,7 @@ class BridgeIT {
     void aConfigurationIsServedAsPlayernavWantsIt() throws Exception {
         Files.writeString(folder.resolve("room.world"), WORLD);
         Files.writeString(folder.resolve("room.cfg"), CONFIGURATION);
+        ImageIO.write(drawn(), "png", folder.resolve("room.png").toFile());
         Process process =
                 new Rsal(folder).start("bridge", "player", "room.cfg", "--port", "0", "--json", "--speed", "10");
         try (BufferedReader out = process.inputReader()) {
@@ -253,8 +341,8 @@ class BridgeIT {
         int width = info.body.readInt();
         int height = info.body.readInt();
         assertThat(scale).isEqualTo(0.05f);
-        assertThat(width * scale).isBetween(8f, 10f);
-        assertThat(height * scale).isBetween(6f, 8f);
+        assertThat(width).as("of the image").isEqualTo(164);
+        assertThat(height).isEqualTo(124);
         send(to, MAP, REQUEST, 2, bytes(body -> {
             for (int number : new int[] {0, 0, width, height, 0, 0, 0}) {
                 body.writeInt(number);
@@ -327,7 +415,7 @@ class BridgeIT {
             String port = Integer.toString(taken.getLocalPort());
             Ended inUse = new Rsal(folder).run("bridge", "player", "teleop", "--port", port);
             assertThat(inUse.code()).isEqualTo(5);
-            assertThat(inUse.err()).contains("Nobody may listen at (").contains(port);
+            assertThat(inUse.err()).contains("Nobody may listen at (", port, "another 'rsal bridge'", "--port 0");
         }
     }
 }

@@ -3,70 +3,157 @@ package rsal.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.BufferedReader;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.RunResult;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /// Agents in one process, robots in another, as with real ones: nothing is shared but sockets.
 @Timeout(value = 5, unit = TimeUnit.MINUTES)
 class PlayerRunIT {
+    private static final int COLLECT_SEED = 1;
+
     @TempDir
     Path folder;
 
     /// Serves a scenario's robots, which nobody drives there.
-    private Process serve(List<String> arguments) throws Exception {
+    ///
+    /// @param port of the first; 0 for any
+    private Process serve(List<String> arguments, int port) throws Exception {
         var all = new ArrayList<>(List.of("bridge", "player"));
         all.addAll(arguments);
-        all.addAll(List.of("--no-agents", "--port", "0", "--json"));
+        all.addAll(List.of("--no-agents", "--port", Integer.toString(port), "--json"));
         return new Rsal(folder).start(all.toArray(String[]::new));
     }
 
-    /// Of the first ones.
-    private static String servers(BufferedReader told, int robots) throws Exception {
+    /// Of those robots, by their numbers from 0.
+    private static String servers(BufferedReader told, int... robots) throws Exception {
         Set<String> ports = new LinkedHashSet<>();
         JsonNode json = JsonMapper.shared().readTree(told.readLine());
         json.get("offers")
                 .forEach(offer -> ports.add("localhost:" + offer.get("port").asInt()));
-        return String.join(",", List.copyOf(ports).subList(0, robots));
+        List<String> all = List.copyOf(ports);
+        return Arrays.stream(robots).mapToObj(all::get).collect(Collectors.joining(","));
     }
 
-    /// Of three robots all are real, or two, while the third is simulated.
-    @ParameterizedTest
-    @CsvSource({"real, 3", "mixed, 2"})
-    void huntersOnPlayerServersCatchTheirPrey(String configuration, int real) throws Exception {
-        Process robots = serve(List.of("hunt-and-prey", "--seed", "7"));
-        try (BufferedReader told = robots.inputReader()) {
-            String servers = servers(told, real);
-            Process agents = new Rsal(folder)
-                    .start(
-                            "run",
-                            "hunt-and-prey:" + configuration,
-                            "--seed",
-                            "7",
-                            "--set",
-                            "servers=" + servers,
-                            "--headless",
-                            "--arm",
-                            "--json");
-            JsonNode result;
+    /// Has agents drive robots that another process serves.
+    ///
+    /// @param robots which of those are the run's real ones, by their numbers from 0
+    /// @param arguments of the scenario
+    /// @return what came of it
+    private JsonNode run(String scenario, String configuration, int seed, int[] robots, List<String> arguments)
+            throws Exception {
+        var served = new ArrayList<>(List.of(scenario, "--seed", Integer.toString(seed)));
+        served.addAll(arguments);
+        Process real = serve(served, 0);
+        try (BufferedReader told = real.inputReader()) {
+            var driven =
+                    new ArrayList<>(List.of("run", scenario + ":" + configuration, "--headless", "--arm", "--json"));
+            driven.addAll(List.of("--seed", Integer.toString(seed), "--set", "servers=" + servers(told, robots)));
+            driven.addAll(arguments);
+            Process agents = new Rsal(folder).start(driven.toArray(String[]::new));
             try (BufferedReader out = agents.inputReader()) {
-                result = JsonMapper.shared().readTree(out.readLine());
+                JsonNode result = JsonMapper.shared().readTree(out.readLine());
+                assertThat(agents.waitFor()).isZero();
+                assertThat(result.get("outcome").asString()).isEqualTo("success");
+                return result.get("measures");
             }
-            assertThat(agents.waitFor()).isZero();
-            assertThat(result.get("outcome").asString()).isEqualTo("success");
-            assertThat(result.get("measures").get("captureTime").asDouble()).isBetween(5.0, 290.0);
         } finally {
-            Ended.signal("INT", robots);
-            assertThat(robots.waitFor()).isEqualTo(130);
+            Ended.signal("INT", real);
+            assertThat(real.waitFor()).isEqualTo(130);
+        }
+    }
+
+    /// Of the prey and two hunters all are real, or the prey and a hunter, or a hunter alone.
+    @ParameterizedTest
+    @CsvSource({"real, 0 1 2", "mixed, 0 1", "virtual-prey, 1"})
+    void huntersCatchTheirPrey(String configuration, String real) throws Exception {
+        int[] robots =
+                Arrays.stream(real.split(" ")).mapToInt(Integer::parseInt).toArray();
+        JsonNode measures = run("hunt-and-prey", configuration, 7, robots, List.of());
+        assertThat(measures.get("captureTime").asDouble()).isBetween(5.0, 290.0);
+    }
+
+    /// What it grips is a can of the other process; what counts is a simulated one.
+    @Test
+    void aRealCollectorBringsWhatASimulatedExplorerFinds() throws Exception {
+        JsonNode measures = run(
+                "find-and-collect",
+                "mixed",
+                COLLECT_SEED,
+                new int[] {1},
+                List.of("--set", "collectors=1", "--set", "cans=1"));
+        assertThat(measures.get("collected").asDouble()).isEqualTo(1);
+    }
+
+    /// The robots' simulation is gone with their server; a new one has them where they began.
+    @Test
+    void aHuntGoesOnWhenItsServersWereKilledAndAreBack() throws Exception {
+        var served = List.of("hunt-and-prey", "--seed", "7");
+        int port = threeFree();
+        Process robots = serve(served, port);
+        String servers;
+        try (BufferedReader told = robots.inputReader()) {
+            servers = servers(told, 0, 1, 2);
+        }
+        var options = RunOptions.NONE.withConfiguration("real").withSeed(7).withArguments(Map.of("servers", servers));
+        try (LiveRun hunt = LiveRun.start(Scenario.load("hunt-and-prey").plan(options))) {
+            hunt.rearm().toCompletableFuture().join();
+            until(hunt, event -> event.kind().equals("message"), 1);
+            Ended.signal("KILL", robots);
+            until(hunt, event -> event.kind().equals("fault") && event.text().startsWith("is gone: "), 3);
+            until(
+                    hunt,
+                    event -> event.kind().equals("health") && event.subject().endsWith("/base"),
+                    3);
+            robots = serve(served, port);
+            until(hunt, event -> event.kind().equals("run") && event.text().equals("is there"), 3);
+            RunResult result = hunt.result().toCompletableFuture().get(4, TimeUnit.MINUTES);
+            assertThat(result.outcome()).isEqualTo("success");
+        } finally {
+            robots.destroy();
+        }
+    }
+
+    private static void until(LiveRun run, Predicate<RunEvent> isSo, int times) throws InterruptedException {
+        while (run.events(0).stream().filter(isSo).count() < times) {
+            assertThat(run.result().toCompletableFuture()).isNotDone();
+            Thread.sleep(10);
+        }
+    }
+
+    /// The first of three ports that nobody has just now.
+    private static int threeFree() throws IOException {
+        var loopback = InetAddress.getLoopbackAddress();
+        while (true) {
+            try (var first = new ServerSocket(0, 1, loopback);
+                    var _ = new ServerSocket(first.getLocalPort() + 1, 1, loopback);
+                    var _ = new ServerSocket(first.getLocalPort() + 2, 1, loopback)) {
+                return first.getLocalPort();
+            } catch (IOException | IllegalArgumentException e) {
+                // one of them is taken; the next first is another
+            }
         }
     }
 }

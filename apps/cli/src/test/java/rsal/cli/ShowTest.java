@@ -54,6 +54,6 @@ class ShowTest {
                 .containsPattern("mrs: sim, sensorNoise=0.0 +bea\n");
         assertThat(show("show", file.toString(), "--json"))
                 .contains(
-                        "\"ids\":[\"bea\"],\"mrs\":\"sim, sensorNoise=0.0\",\"proxy\":false,\"model\":\"pioneer3at\"");
+                        "\"ids\":[\"bea\"],\"mrs\":\"sim, sensorNoise=0.0\",\"proxy\":false,\"overlay\":false,\"model\":\"pioneer3at\"");
     }
 }

@@ -136,7 +136,7 @@ class FrameEncoderTest {
 
     private static Standing moved(int number, double height) {
         var body = Solid.standing(new Shape.Disc(new Point2d(0, 0), 1), 1);
-        return new Standing(number, "thing", body, new Pose2d(-1.5, 2.25, 1), height);
+        return new Standing(number, "thing", body, new Pose2d(-1.5, 2.25, 1), height, false);
     }
 
     /// A robot with one of everything; the page's `frame.test.ts` knows these numbers.

@@ -21,7 +21,7 @@ class SurveyorTest {
                 ? new Shape.Disc(new Point2d(0.1, 0), 0.2)
                 : new Shape.Polygon(List.of(new Point2d(0, 0), new Point2d(1, 0), new Point2d(0, 1.00004)));
         var piece = rsal.data.Prism.standing(shape, 0.5).in(new Rgb(1, 2, 3));
-        return new Standing(number, "thing-" + number, new Solid(List.of(piece)), new Pose2d(x, 0, 0), 0);
+        return new Standing(number, "thing-" + number, new Solid(List.of(piece)), new Pose2d(x, 0, 0), 0, false);
     }
 
     @Test
