@@ -46,10 +46,23 @@ final class Channel<M> {
         };
     }
 
+    boolean isHeardBy(String agent) {
+        return byAgent.containsKey(agent);
+    }
+
     void tell(Message<M> said) {
-        Listeners<Message<M>> those = said.isForAll() ? all : byAgent.get(said.to());
-        if (those != null) {
-            those.tell(said);
+        if (said.isForAll()) {
+            all.tell(said);
+        } else {
+            tell(said, said.to());
+        }
+    }
+
+    /// Tells one of those it is for.
+    void tell(Message<M> said, String agent) {
+        Listeners<Message<M>> own = byAgent.get(agent);
+        if (own != null) {
+            own.tell(said);
         }
     }
 }

@@ -273,8 +273,7 @@ final class Member implements AgentContext {
     @Override
     public <M> Subscription subscribe(Topic<M> topic, Interest<M> interest, Consumer<? super Message<M>> listener) {
         onLane("subscribe");
-        return new MessageEar<>(interest, listener)
-                .listenTo(ear -> society.channel(topic, name()).add(name(), ear));
+        return new MessageEar<>(interest, listener).listenTo(ear -> society.listen(topic, name(), ear));
     }
 
     /// The same for all of this agent's listeners.

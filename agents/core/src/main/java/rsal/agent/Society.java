@@ -25,7 +25,8 @@ import rsal.time.Scheduler;
 ///
 /// What is said is heard at the same instant, after what is running now, by all who listen by then but the one
 /// who said it, in the order in which they subscribed, or by the one it is said to, unless [#deliverBy] says
-/// otherwise. An agent that throws ends alone: its robot is told to stop, and the others learn why it went.
+/// otherwise; where the host carries it ([AgentHost#carrier]), by each as soon as it has reached that one. An agent
+/// that throws ends alone: its robot is told to stop, and the others learn why it went.
 ///
 /// All calls on the run's thread.
 public final class Society implements AutoCloseable {
@@ -33,6 +34,7 @@ public final class Society implements AutoCloseable {
 
     private final Scheduler scheduler;
     private final AgentHost host;
+    private final Optional<Carrier> carrier;
     private final Optional<SimulationControl> simulation;
     private final Map<String, Member> members = new LinkedHashMap<>();
     private final Map<String, Channel<?>> channels = new HashMap<>();
@@ -50,6 +52,7 @@ public final class Society implements AutoCloseable {
     public Society(Scheduler scheduler, AgentHost host, Optional<SimulationControl> simulation, Turns turns) {
         this.scheduler = scheduler;
         this.host = host;
+        this.carrier = host.carrier();
         this.simulation = simulation;
         this.turns = turns;
     }
@@ -141,7 +144,9 @@ public final class Society implements AutoCloseable {
         Channel<M> channel = channel(topic, sender);
         var said = new Message<>(topic, sender, to, scheduler.instant(), message);
         traffic.forEach(listener -> listener.accept(said));
-        scheduler.execute(() -> channel.tell(said));
+        carrier.ifPresentOrElse(
+                way -> way.carry(said, agent -> channel.tell(said, agent)),
+                () -> scheduler.execute(() -> channel.tell(said)));
     }
 
     /// Hears everything that is said, before those it is said to. What it throws, the one who speaks gets, as when the
@@ -183,12 +188,31 @@ public final class Society implements AutoCloseable {
         return Optional.ofNullable(members.get(name));
     }
 
+    /// Tells an agent what is said there, until it does not want that any more.
+    <M> Subscription listen(Topic<M> topic, String agent, Consumer<? super Message<M>> listener) {
+        Channel<M> channel = channel(topic, agent);
+        if (!channel.isHeardBy(agent)) {
+            carrier.ifPresent(way -> way.listens(agent, topic));
+        }
+        Subscription heard = channel.add(agent, listener);
+        return () -> {
+            boolean listened = channel.isHeardBy(agent);
+            heard.cancel();
+            if (listened && !channel.isHeardBy(agent)) {
+                carrier.ifPresent(way -> way.ignores(agent, topic));
+            }
+        };
+    }
+
     void offer(Directory.Entry agent, Capability capability) {
         roster.offer(agent, capability);
+        carrier.ifPresent(way -> way.offers(agent.name(), capability));
     }
 
     void withdraw(Directory.Entry agent, Capability capability) {
-        roster.withdraw(agent, capability);
+        if (roster.withdraw(agent, capability)) {
+            carrier.ifPresent(way -> way.withdraws(agent.name(), capability));
+        }
     }
 
     Turns turns() {
@@ -200,7 +224,7 @@ public final class Society implements AutoCloseable {
     }
 
     /// @param user who wants it, to name when somebody else wants it for another type
-    <M> Channel<M> channel(Topic<M> topic, String user) {
+    private <M> Channel<M> channel(Topic<M> topic, String user) {
         Channel<?> channel =
                 channels.computeIfAbsent(topic.name(), _ -> new Channel<>(topic, user, Society::listeners));
         if (!channel.topic().equals(topic)) {
@@ -284,11 +308,14 @@ public final class Society implements AutoCloseable {
             listeners.tell(new Change.Offered(agent, capability));
         }
 
-        void withdraw(Entry agent, Capability capability) {
+        /// @return whether it was offered
+        boolean withdraw(Entry agent, Capability capability) {
             SortedMap<String, Capability> own = offers.get(agent.name());
-            if (own != null && own.remove(capability.name(), capability)) {
-                listeners.tell(new Change.Withdrew(agent, capability));
+            if (own == null || !own.remove(capability.name(), capability)) {
+                return false;
             }
+            listeners.tell(new Change.Withdrew(agent, capability));
+            return true;
         }
 
         void came(Entry agent) {

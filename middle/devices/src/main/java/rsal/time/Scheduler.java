@@ -9,13 +9,25 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 
 /// What time it is, and which code runs when. Tasks of one scheduler never overlap: all callbacks, behaviors and
-/// agents of a run live on its one thread and need no locks.
+/// agents of a run live on its one thread, or on another while it is that one's turn ([#exclusively]), and need no
+/// locks.
 ///
-/// All methods but [#execute] and [#instant] may only be called on the scheduler's thread or before it runs.
+/// All methods but [#execute], [#exclusively] and [#instant] may only be called on the scheduler's thread, by what runs
+/// exclusively, or before it runs.
 public interface Scheduler extends InstantSource, Executor {
     /// Runs the task once on the scheduler's thread as soon as it may. The only way in from other threads.
     @Override
     void execute(Runnable task);
+
+    /// Runs the task on the calling thread, at once or as soon as nothing else of the run does: for those who bring
+    /// threads of their own, as multi-agent systems do. Returns when it is done. What it throws is treated as what
+    /// tasks of the scheduler throw. May be called on any thread that holds nothing the run may wait for.
+    ///
+    /// @throws UnsupportedOperationException in simulated time, in which the order of threads must not count
+    default void exclusively(Runnable task) {
+        throw new UnsupportedOperationException(
+                "In simulated time all runs on one thread. Maybe hand it over: scheduler.execute(...).");
+    }
 
     /// What tells whether two schedulers are of the same run: equal for all views of one, as parts of a run have
     /// them.

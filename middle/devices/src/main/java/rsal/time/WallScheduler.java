@@ -15,7 +15,8 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /// Real time, for real robots. Tasks run on one thread of its own, a daemon, by time, then [Phase], then the order in
-/// which they were scheduled; tasks that other threads hand in run between them.
+/// which they were scheduled; tasks that other threads hand in run between them, as does what other threads run
+/// exclusively, which get their turns in no particular order.
 ///
 /// Its time is that of the machine when it was made, plus what has passed since: it never jumps.
 ///
@@ -27,6 +28,8 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
 
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
+    private final ReentrantLock turn =
+            new ReentrantLock(); // of whoever runs something; never wanted while `lock` is held
     private final PriorityQueue<Entry> due = new PriorityQueue<>();
     private final Consumer<? super Throwable> onFailure;
     private final Executor workers;
@@ -38,7 +41,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
 
     /// @param name of its thread (`run-1`)
     /// @param workers where [#compute] runs; not shared with tasks that wait
-    /// @param onFailure told what a task threw, on the scheduler's thread
+    /// @param onFailure told what a task threw, on the thread that ran it
     public WallScheduler(String name, Executor workers, Consumer<? super Throwable> onFailure) {
         this.workers = workers;
         this.onFailure = onFailure;
@@ -58,6 +61,11 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     @Override
     public void execute(Runnable task) {
         add(new Entry(nanos(), Phase.WORLD, 0, task));
+    }
+
+    @Override
+    public void exclusively(Runnable task) {
+        run(task);
     }
 
     @Override
@@ -89,7 +97,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     }
 
     /// Ends its thread once the task that runs now is over, and waits for that unless it is called by that task.
-    /// Closing twice does nothing.
+    /// Closing twice does nothing. What wants to run exclusively afterwards is dropped.
     @Override
     public void close() {
         lock.lock();
@@ -100,7 +108,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
         } finally {
             lock.unlock();
         }
-        if (!Thread.currentThread().equals(thread)) {
+        if (!turn.isHeldByCurrentThread()) {
             boolean interrupted = false;
             while (thread.isAlive()) {
                 try {
@@ -109,6 +117,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
                     interrupted = true;
                 }
             }
+            run(() -> {}); // whoever runs something exclusively is done with it by then
             if (interrupted) {
                 Thread.currentThread().interrupt();
             }
@@ -117,11 +126,29 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
 
     private void work() {
         for (Entry next = take(); next != null; next = take()) {
-            try {
-                next.task.run();
-            } catch (RuntimeException | Error e) {
-                report(e);
+            run(next.task);
+        }
+    }
+
+    private void run(Runnable task) {
+        turn.lock();
+        try {
+            if (!isClosed()) {
+                task.run();
             }
+        } catch (RuntimeException | Error e) {
+            report(e);
+        } finally {
+            turn.unlock();
+        }
+    }
+
+    private boolean isClosed() {
+        lock.lock();
+        try {
+            return closed;
+        } finally {
+            lock.unlock();
         }
     }
 

@@ -53,6 +53,11 @@ final class GuardedScheduler implements Scheduler {
     }
 
     @Override
+    public void exclusively(Runnable task) {
+        scheduler.exclusively(guarded(task));
+    }
+
+    @Override
     public Task after(Duration delay, Phase phase, Runnable task) {
         return scheduler.after(delay, phase, guarded(task));
     }
