@@ -4,99 +4,264 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.AgentHostProvider;
-import rsal.agent.AgentSpec;
-import rsal.agent.Society;
+import rsal.agent.AgentType;
+import rsal.agent.Capability;
+import rsal.agent.Directory;
 import rsal.agent.Society.Status;
 import rsal.agent.Topic;
+import rsal.agent.protocol.Auction;
+import rsal.agent.protocol.ContractNet;
+import rsal.agent.protocol.Conversation;
+import rsal.agent.protocol.Ending;
+import rsal.agent.protocol.Propose;
+import rsal.agent.protocol.Request;
+import rsal.agent.protocol.Subscribe;
+import rsal.device.LaserScanner;
+import rsal.robot.Robot;
 import rsal.settings.Arguments;
-import rsal.testkit.fake.TestedType;
-import rsal.time.LockstepScheduler;
+import rsal.settings.Parameter;
+import rsal.testkit.fake.FakeSystem;
+import rsal.time.Task;
 
-/// What every agent host that follows simulated time must do: agents on it start, hear, wait and end alike.
+/// What every agent host owes to agents and to the run: they start, hear, wait, talk and end alike, each on its lane,
+/// one at a time, and when all is over nothing of the host is left. Tested in simulated time where the host follows
+/// that, else in real time, in which only orders count, not instants.
 public abstract class AgentHostContract {
     private static final Topic<String> WORDS = new Topic<>("words", String.class);
+    private static final Topic<Integer> NUMBERS = new Topic<>("numbers", Integer.class);
+    private static final int MANY = 1000;
 
     /// The host under test, set up with its fallbacks.
     protected abstract AgentHostProvider provider();
 
+    /// Written by agents, in turn.
     private final List<String> log = new ArrayList<>();
 
-    @Test
-    void hasAKeyAndFollowsSimulatedTime() {
-        assertThat(provider().key()).isNotBlank();
-        assertThat(provider().followsSchedulerTime()).isTrue();
+    private HostRun run() {
+        return new HostRun(provider());
+    }
+
+    private boolean isLogged(int lines) {
+        return log.size() >= lines;
     }
 
     @Test
-    void agentsBeginInTheOrderInWhichTheyAreStarted() {
-        try (var run = new Run()) {
-            run.start("zoe", self -> log.add(self.name()));
-            run.start("amy", self -> log.add(self.name()));
-            run.advance(0);
-        }
-        assertThat(log).containsExactly("zoe", "amy");
+    void hasAKey() {
+        assertThat(provider().key()).matches("[a-z][a-z0-9-]*");
     }
 
     @Test
-    void tasksRunWhenTheyAreDueAndInOrder() {
-        try (var run = new Run()) {
-            run.start("amy", self -> {
-                self.scheduler().after(Duration.ofMillis(200), () -> log.add("200 at " + run.millis()));
-                self.scheduler().every(Duration.ofMillis(100), () -> log.add("beat at " + run.millis()));
-                self.scheduler().execute(() -> log.add("executed at " + run.millis()));
-                log.add("begun at " + run.millis());
-            });
-            run.advance(250);
-        }
-        assertThat(log).containsExactly("begun at 0", "executed at 0", "beat at 100", "200 at 200", "beat at 200");
-    }
-
-    @Test
-    void allHearInTheOrderInWhichTheySubscribedAtTheInstantItIsSaid() {
-        try (var run = new Run()) {
-            for (String name : List.of("zoe", "amy", "bob")) {
-                run.start(name, self -> {
-                    self.subscribe(WORDS, m -> log.add(name + " heard " + m.content() + " at " + run.millis()));
-                });
+    void agentsGetTheirArguments() {
+        var type = new AgentType() {
+            @Override
+            public String key() {
+                return "greeter";
             }
-            run.start("eve", self -> self.scheduler().after(Duration.ofMillis(300), () -> self.publish(WORDS, "hi")));
-            run.advance(1000);
+
+            @Override
+            public String description() {
+                return "Says what it is to say.";
+            }
+
+            @Override
+            public List<Parameter> parameters() {
+                return List.of(Parameter.text("words", "hello", "What it says."));
+            }
+
+            @Override
+            public Agent create(Arguments arguments) {
+                return self -> log.add(self.name() + " (" + self.role() + "): " + arguments.text("words"));
+            }
+        };
+        try (var run = run()) {
+            run.start("amy", type, Arguments.defaults(type.parameters()));
+            run.until("it has begun", () -> isLogged(1));
+            run.start("bob", type, Arguments.of(type.parameters(), Map.of("words", "good morning")));
+            run.until("the other has begun", () -> isLogged(2));
         }
-        assertThat(log).containsExactly("zoe heard hi at 300", "amy heard hi at 300", "bob heard hi at 300");
+        assertThat(log).containsExactly("amy (tested): hello", "bob (tested): good morning");
+    }
+
+    @Test
+    void tasksRunInTheOrderInWhichTheyAreDue() {
+        try (var run = run()) {
+            run.start("amy", self -> {
+                self.scheduler().after(Duration.ofMillis(200), () -> log.add("late"));
+                self.scheduler().after(Duration.ofMillis(50), () -> log.add("early"));
+                self.scheduler()
+                        .after(Duration.ofMillis(20), () -> log.add("never"))
+                        .cancel();
+                self.scheduler().execute(() -> log.add("at once"));
+                log.add("begun");
+            });
+            run.until("all have run", () -> log.contains("late"));
+        }
+        assertThat(log).containsExactly("begun", "at once", "early", "late");
+    }
+
+    @Test
+    void beatsGoOnUntilTheyAreCancelled() {
+        try (var run = run()) {
+            run.start("amy", self -> {
+                var beats = new AtomicInteger();
+                var task = new ArrayList<Task>();
+                task.add(self.scheduler().every(Duration.ofMillis(10), () -> {
+                    log.add("beat");
+                    if (beats.incrementAndGet() == 5) {
+                        task.getFirst().cancel();
+                    }
+                }));
+            });
+            run.until("it has beaten", () -> isLogged(5));
+            run.pass(100);
+        }
+        assertThat(log).hasSize(5);
+    }
+
+    @Test
+    void whatIsComputedElsewhereComesBackOnTheLane() {
+        try (var run = run()) {
+            run.start(
+                    "amy",
+                    self -> self.scheduler()
+                            .compute(() -> 6 * 7)
+                            .thenAccept(answer -> self.scheduler()
+                                    .execute(() ->
+                                            log.add(answer + " " + self.random().nextInt(1)))));
+            run.until("it has come", () -> isLogged(1));
+        }
+        assertThat(log).containsExactly("42 0");
+    }
+
+    @Test
+    void oneHearsAnotherInTheOrderInWhichItSpeaks() {
+        var heard = new HashMap<String, List<Integer>>();
+        List<String> listeners = List.of("zoe", "amy", "bob");
+        try (var run = run()) {
+            for (String name : listeners) {
+                var all = new ArrayList<Integer>();
+                heard.put(name, all);
+                run.start(name, self -> self.subscribe(NUMBERS, m -> all.add(m.content())));
+            }
+            run.start("eve", self -> {
+                self.subscribe(NUMBERS, _ -> log.add("heard itself"));
+                self.scheduler()
+                        .after(
+                                Duration.ofMillis(300),
+                                () -> IntStream.range(0, 200).forEach(i -> self.publish(NUMBERS, i)));
+            });
+            run.until("all have heard all", () -> heard.values().stream().allMatch(all -> all.size() == 200));
+        }
+        assertThat(log).isEmpty();
+        heard.values().forEach(all -> assertThat(all).isSorted());
+    }
+
+    @Test
+    void whatIsForOneReachesThatOneAlone() {
+        try (var run = run()) {
+            for (String name : List.of("amy", "bob")) {
+                run.start(name, self -> self.subscribe(WORDS, m -> log.add(name + ": " + m.content())));
+            }
+            run.start(
+                    "eve",
+                    self -> self.scheduler().after(Duration.ofMillis(200), () -> {
+                        self.send("bob", WORDS, "psst");
+                        self.send("nobody", WORDS, "hello?");
+                        self.publish(WORDS, "all");
+                    }));
+            run.until("they have heard", () -> isLogged(3));
+            run.pass(100);
+        }
+        assertThat(log).containsExactlyInAnyOrder("bob: psst", "bob: all", "amy: all");
+        assertThat(log.indexOf("bob: psst")).isLessThan(log.indexOf("bob: all"));
+    }
+
+    @Test
+    void aPersonIsHeard() {
+        try (var run = run()) {
+            run.start("amy", self -> self.subscribe(WORDS, m -> log.add(m.sender() + ": " + m.content())));
+            run.pass(200);
+            run.act(() -> run.society().publish("operator", WORDS, "to all"));
+            run.act(() -> run.society().send("operator", "amy", WORDS, "to you"));
+            run.until("it has heard", () -> isLogged(2));
+        }
+        assertThat(log).containsExactly("operator: to all", "operator: to you");
+    }
+
+    @Test
+    void oneThatListensNoMoreHearsNothing() {
+        try (var run = run()) {
+            run.start("amy", self -> {
+                var words = self.subscribe(WORDS, m -> log.add(m.content()));
+                self.scheduler().after(Duration.ofMillis(200), words::cancel);
+            });
+            run.pass(100);
+            run.act(() -> run.society().publish("operator", WORDS, "before"));
+            run.pass(400);
+            run.act(() -> run.society().publish("operator", WORDS, "after"));
+            run.pass(200);
+        }
+        assertThat(log).containsExactly("before");
+    }
+
+    @Test
+    void whatIsLostIsNotHeard() {
+        try (var run = run()) {
+            run.start("amy", self -> self.subscribe(WORDS, m -> log.add(m.content())));
+            run.pass(200);
+            run.deliverBy(
+                    (message, _) -> message.content().equals("lost") ? List.of() : List.of(Duration.ofMillis(50)));
+            run.act(() -> run.society().publish("operator", WORDS, "lost"));
+            run.act(() -> run.society().publish("operator", WORDS, "late"));
+            run.until("it has heard", () -> isLogged(1));
+        }
+        assertThat(log).containsExactly("late");
     }
 
     @Test
     void oneThatThrowsEndsAlone() {
-        try (var run = new Run()) {
-            run.start("amy", self -> self.scheduler().every(Duration.ofMillis(100), () -> log.add("amy lives")));
+        try (var run = run()) {
+            run.start("amy", self -> {
+                self.directory().onDeparture(went -> log.add(went.agent().name() + " went: " + went.reason()));
+                self.scheduler().every(Duration.ofMillis(20), () -> log.add("amy lives"));
+            });
             run.start("bob", self -> {
-                self.scheduler().every(Duration.ofMillis(100), () -> log.add("bob lives"));
-                self.scheduler().after(Duration.ofMillis(150), () -> {
+                self.scheduler().every(Duration.ofMillis(20), () -> log.add("bob lives"));
+                self.scheduler().after(Duration.ofMillis(110), () -> {
                     throw new IllegalStateException("a slip");
                 });
             });
-            run.advance(250);
-            assertThat(run.society.views())
-                    .extracting(Society.View::status)
-                    .containsExactly(Status.RUNNING, Status.FAILED);
+            run.until("the others know", () -> log.contains("bob went: a slip"));
+            int before = log.size();
+            run.until("amy goes on", () -> isLogged(before + 3));
+            assertThat(log.subList(before, log.size())).containsOnly("amy lives");
+            assertThat(run.status("amy")).isEqualTo(Status.RUNNING);
+            assertThat(run.status("bob")).isEqualTo(Status.FAILED);
         }
-        assertThat(log).containsExactly("amy lives", "bob lives", "amy lives");
     }
 
     @Test
     void nothingOfAStoppedAgentRuns() {
-        try (var run = new Run()) {
+        try (var run = run()) {
             run.start("amy", new Agent() {
                 @Override
                 public void start(AgentContext self) {
                     self.subscribe(WORDS, _ -> log.add("heard"));
-                    self.scheduler().every(Duration.ofMillis(100), () -> log.add("beat"));
+                    self.scheduler().every(Duration.ofMillis(50), () -> log.add("beat"));
                 }
 
                 @Override
@@ -104,90 +269,405 @@ public abstract class AgentHostContract {
                     log.add("stopped");
                 }
             });
-            run.advance(100);
-            run.society.stop("amy");
-            run.society.publish("operator", WORDS, "hi");
-            run.advance(500);
+            run.until("it beats", () -> isLogged(1));
+            run.stop("amy");
+            run.act(() -> run.society().publish("operator", WORDS, "hi"));
+            run.pass(300);
+            assertThat(log.getLast()).isEqualTo("stopped");
+            assertThat(log.subList(0, log.size() - 1)).containsOnly("beat");
+            assertThat(run.status("amy")).isEqualTo(Status.ENDED);
         }
-        assertThat(log).containsExactly("beat", "stopped");
+    }
+
+    @Test
+    void lastWordsAreHeard() {
+        try (var run = run()) {
+            run.start("amy", self -> self.subscribe(WORDS, m -> log.add(m.content())));
+            run.start("bob", new Agent() {
+                @Override
+                public void start(AgentContext self) {}
+
+                @Override
+                public void stop(AgentContext self) {
+                    self.publish(WORDS, "farewell");
+                }
+            });
+            run.pass(200);
+            run.stop("bob");
+            run.until("they are", () -> isLogged(1));
+        }
+        assertThat(log).containsExactly("farewell");
     }
 
     @Test
     void oneMayStartAgainUnderItsName() {
-        try (var run = new Run()) {
+        try (var run = run()) {
             run.start("amy", _ -> log.add("first"));
-            run.advance(0);
-            run.society.stop("amy");
-            run.start("amy", _ -> log.add("second"));
-            run.advance(0);
+            run.until("it has begun", () -> isLogged(1));
+            run.stop("amy");
+            run.start("amy", self -> {
+                log.add("second");
+                self.subscribe(WORDS, m -> log.add(m.content()));
+            });
+            run.until("it has begun again", () -> isLogged(2));
+            run.pass(100);
+            run.act(() -> run.society().publish("operator", WORDS, "hi"));
+            run.until("it hears", () -> isLogged(3));
         }
-        assertThat(log).containsExactly("first", "second");
+        assertThat(log).containsExactly("first", "second", "hi");
     }
 
     @Test
-    void closingStopsAll() {
-        var run = new Run();
-        run.start("amy", self -> self.atEnd(() -> log.add("amy")));
-        run.start("bob", self -> self.atEnd(() -> log.add("bob")));
-        run.advance(0);
+    void closingStopsAllTheNewestFirst() {
+        var run = run();
+        run.start("amy", self -> {
+            self.atEnd(() -> log.add("amy"));
+            log.add("begun");
+        });
+        run.start("bob", self -> {
+            self.atEnd(() -> log.add("bob"));
+            log.add("begun");
+        });
+        run.until("both have begun", () -> isLogged(2));
         run.close();
-        assertThat(log).containsExactly("bob", "amy");
+        assertThat(log).containsExactly("begun", "begun", "bob", "amy");
     }
 
     @Test
-    void sameSeedsGiveTheSameTalk() {
-        assertThat(talkOfAHundred()).isEqualTo(talkOfAHundred()).hasSizeGreaterThan(1000);
-    }
-
-    private List<String> talkOfAHundred() {
-        var said = new ArrayList<String>();
-        try (var run = new Run()) {
-            run.society.onMessage(m -> said.add(run.millis() + " " + m.sender() + " " + m.content()));
-            for (int i = 0; i < 100; i++) {
-                run.start("agent-" + i, self -> {
-                    var pause = Duration.ofMillis(100 + self.random().nextInt(900));
-                    self.scheduler()
-                            .every(
-                                    pause,
-                                    () -> self.publish(WORDS, "" + self.random().nextInt()));
-                    self.subscribe(WORDS, m -> {
-                        if (self.random().nextInt(500) == 0) {
-                            self.publish(WORDS, "to " + m.sender());
+    void oneAsksAnother() {
+        try (var run = run()) {
+            run.start(
+                    "bob",
+                    self -> service(self).answer(asked -> {
+                        if (asked.what().equals("lie")) {
+                            asked.refuse("never");
+                        } else {
+                            asked.agree();
+                            self.scheduler().after(Duration.ofMillis(100), () -> asked.inform(asked.what() + ", done"));
                         }
-                    });
-                });
-            }
-            run.advance(5000);
+                    }));
+            run.start(
+                    "amy",
+                    self -> self.scheduler().after(Duration.ofMillis(200), () -> {
+                        service(self).ask("bob", "carry", how -> log.add(how.toString()));
+                        service(self).ask("bob", "lie", how -> log.add(how.toString()));
+                    }));
+            run.until("both have ended", () -> isLogged(2));
         }
-        return said;
+        assertThat(log)
+                .containsExactlyInAnyOrder(
+                        new Ending.Informed<>("carry, done").toString(), new Ending.Refused<>("never").toString());
     }
 
-    private final class Run implements AutoCloseable {
-        final LockstepScheduler scheduler = new LockstepScheduler();
-        final Society society = new Society(
-                scheduler, provider().create(Arguments.defaults(provider().parameters()), scheduler), Optional.empty());
+    private final Map<String, Request<String, String>> services = new HashMap<>(); // one for each agent
 
-        void start(String name, Agent agent) {
-            society.start(new AgentSpec(
-                    name,
-                    "tested",
-                    new TestedType(agent),
-                    Arguments.defaults(List.of()),
-                    Optional.empty(),
-                    name.hashCode()));
+    private Request<String, String> service(AgentContext self) {
+        return services.computeIfAbsent(self.name(), _ -> new Request<>(self, "help", String.class, String.class));
+    }
+
+    @Test
+    void whoAsksLearnsThatTheOtherHasGone() {
+        try (var run = run()) {
+            run.start(
+                    "bob",
+                    self -> service(self).answer(asked -> {
+                        asked.agree();
+                        log.add("agreed");
+                    }));
+            run.start(
+                    "amy",
+                    self -> self.scheduler()
+                            .after(
+                                    Duration.ofMillis(200),
+                                    () -> service(self)
+                                            .ask(
+                                                    "bob",
+                                                    "carry",
+                                                    how -> log.add(
+                                                            how.getClass().getSimpleName()))));
+            run.until("it was asked", () -> isLogged(1));
+            run.stop("bob");
+            run.until("who asked knows", () -> isLogged(2));
         }
+        assertThat(log.getLast()).isIn("Silent", "Failed");
+    }
 
-        void advance(long millis) {
-            scheduler.advance(Duration.ofMillis(millis));
+    @Test
+    void oneProposesToAnother() {
+        try (var run = run()) {
+            run.start(
+                    "bob",
+                    self -> new Propose<>(self, "deal", String.class)
+                            .answer(offer -> offer.what().equals("half")
+                                    ? Propose.Verdict.accept()
+                                    : Propose.Verdict.reject("too little")));
+            run.start("amy", self -> {
+                var deal = new Propose<>(self, "deal", String.class);
+                self.scheduler().after(Duration.ofMillis(200), () -> {
+                    deal.propose(
+                            "bob",
+                            "half",
+                            how -> log.add("half " + how.getClass().getSimpleName()));
+                    deal.propose(
+                            "bob",
+                            "tenth",
+                            how -> log.add("tenth " + how.getClass().getSimpleName()));
+                });
+            });
+            run.until("both have ended", () -> isLogged(2));
         }
+        assertThat(log).containsExactlyInAnyOrder("half Informed", "tenth Refused");
+    }
 
-        long millis() {
-            return scheduler.elapsed().toMillis();
+    @Test
+    void oneSubscribesToNewsOfAnother() {
+        try (var run = run()) {
+            run.start(
+                    "bob",
+                    self -> new Subscribe<>(self, "news", String.class, Integer.class).answer(reader -> {
+                        var number = new AtomicInteger();
+                        reader.agree();
+                        var issues = self.scheduler()
+                                .every(Duration.ofMillis(20), () -> reader.inform(number.incrementAndGet()));
+                        reader.whenUnwanted(() -> {
+                            issues.cancel();
+                            log.add("unwanted");
+                        });
+                    }));
+            run.start("amy", self -> {
+                var news = new Subscribe<>(self, "news", String.class, Integer.class);
+                self.scheduler().after(Duration.ofMillis(200), () -> {
+                    var reading = new ArrayList<Conversation>();
+                    reading.add(news.subscribe(
+                            "bob",
+                            "sports",
+                            number -> {
+                                log.add("number " + number);
+                                if (number == 5) {
+                                    reading.getFirst().cancel();
+                                }
+                            },
+                            _ -> {}));
+                });
+            });
+            run.until("it wants no more", () -> log.contains("unwanted"));
+        }
+        assertThat(log).startsWith("number 1", "number 2", "number 3", "number 4", "number 5");
+    }
+
+    @Test
+    void theCheapestGetsTheTask() {
+        try (var run = run()) {
+            for (int i = 1; i <= 20; i++) {
+                double bid = 100 - i;
+                run.start("worker-" + i, self -> net(self).answer(new Worker(bid)));
+            }
+            run.start(
+                    "boss",
+                    self -> self.scheduler()
+                            .after(
+                                    Duration.ofMillis(300),
+                                    () -> net(self)
+                                            .call(
+                                                    IntStream.rangeClosed(1, 20)
+                                                            .mapToObj(i -> "worker-" + i)
+                                                            .toList(),
+                                                    "dig",
+                                                    Duration.ofSeconds(20),
+                                                    new Boss())));
+            run.until("it is done", () -> log.contains("Informed[result=dug]"));
+        }
+        assertThat(log).containsExactly("20 bids", "80.0 digs", "Informed[result=dug]");
+    }
+
+    private static ContractNet<String, Double, String> net(AgentContext self) {
+        return new ContractNet<>(self, "work", String.class, Double.class, String.class);
+    }
+
+    private final class Worker implements ContractNet.Contractor<String, Double, String> {
+        private final double bid;
+
+        Worker(double bid) {
+            this.bid = bid;
         }
 
         @Override
-        public void close() {
-            society.close();
+        public void called(ContractNet.Call<String, Double> call) {
+            call.propose(bid);
         }
+
+        @Override
+        public void accepted(ContractNet.Contract<String, String> contract) {
+            log.add(bid + " digs");
+            contract.inform("dug");
+        }
+    }
+
+    private final class Boss implements ContractNet.Manager<String, Double, String> {
+        @Override
+        public ContractNet.Verdict<String> decide(ContractNet.Round<Double> round) {
+            log.add(round.proposals().size() + " bids");
+            return round.proposals().stream()
+                    .min(Comparator.comparingDouble(ContractNet.Proposal::bid))
+                    .map(ContractNet.Verdict::<String>award)
+                    .orElseGet(ContractNet.Verdict::none);
+        }
+
+        @Override
+        public void ended(ContractNet.Proposal<Double> accepted, Ending<String> how) {
+            log.add(how.toString());
+        }
+    }
+
+    @Test
+    void whoPaysMostGetsIt() {
+        try (var run = run()) {
+            for (int i = 1; i <= 3; i++) {
+                int purse = 10 * i;
+                run.start(
+                        "bidder-" + i,
+                        self -> Auction.english(self, "sale", String.class).answer((_, price) -> price <= purse));
+            }
+            run.start(
+                    "seller",
+                    self -> self.scheduler()
+                            .after(
+                                    Duration.ofMillis(300),
+                                    () -> Auction.english(self, "sale", String.class)
+                                            .sell(
+                                                    List.of("bidder-1", "bidder-2", "bidder-3"),
+                                                    "vase",
+                                                    new Auction.Prices(5, 10, 5),
+                                                    Duration.ofMillis(500),
+                                                    sale -> log.add(
+                                                            sale.winner().orElse("nobody") + " for " + sale.price()))));
+            run.until("it is sold", () -> isLogged(1));
+        }
+        assertThat(log).containsExactly("bidder-3 for 25.0");
+    }
+
+    @Test
+    void oneIsFoundByWhatItOffers() {
+        try (var run = run()) {
+            run.start("bob", self -> {
+                var offer = self.offer(new Capability("gripper", Map.of("reach", "0.3 m")));
+                self.offer(Capability.of("lift"));
+                self.subscribe(WORDS, _ -> offer.cancel());
+            });
+            run.start("amy", self -> {
+                self.directory().onChange(change -> {
+                    if (change instanceof Directory.Change.Withdrew withdrew) {
+                        log.add("withdrew " + withdrew.capability().name());
+                    }
+                });
+                self.scheduler().after(Duration.ofMillis(200), () -> {
+                    log.add(self.directory().offering("gripper").getFirst().name());
+                    self.send("bob", WORDS, "no more");
+                });
+            });
+            run.until("it is no more", () -> isLogged(2));
+            run.act(() ->
+                    assertThat(run.society().directory().capabilities("bob")).containsExactly(Capability.of("lift")));
+        }
+        assertThat(log).containsExactly("bob", "withdrew gripper");
+    }
+
+    @Test
+    void devicesTellAgentsOnTheirLane() {
+        try (var run = run()) {
+            var world = run.ask(() -> FakeSystem.pioneers(run.scheduler(), RobotBench.WORLD, RobotBench.START));
+            Robot robot = world.robots().getFirst();
+            var threads = new HashSet<Thread>();
+            run.start(
+                    "amy",
+                    self -> {
+                        threads.add(Thread.currentThread());
+                        self.subscribe(self.robot().orElseThrow().require(LaserScanner.class), _ -> {
+                            threads.add(Thread.currentThread());
+                            self.random().nextInt(); // else it would be refused that
+                            log.add("seen");
+                        });
+                    },
+                    robot);
+            run.act(world::discover);
+            run.until("it has seen", () -> isLogged(5));
+            run.act(world::close);
+            assertThat(threads).hasSize(1);
+        }
+    }
+
+    @Test
+    void agentsAreNeverAtWorkTogether() {
+        var atWork = new AtomicInteger();
+        var together = new AtomicInteger();
+        var heard = new int[1]; // no lock: it is written in turn
+        try (var run = run()) {
+            for (int i = 0; i < 20; i++) {
+                run.start("agent-" + i, self -> {
+                    self.subscribe(NUMBERS, _ -> {
+                        if (atWork.incrementAndGet() > 1) {
+                            together.incrementAndGet();
+                        }
+                        heard[0]++;
+                        atWork.decrementAndGet();
+                    });
+                    self.scheduler()
+                            .after(
+                                    Duration.ofMillis(500),
+                                    () -> IntStream.range(0, 100).forEach(k -> self.publish(NUMBERS, k)));
+                });
+            }
+            run.until("all have heard all", () -> heard[0] == 20 * 19 * 100);
+        }
+        assertThat(together).hasValue(0);
+    }
+
+    @Test
+    void aThousandTalk() {
+        var heard = new TreeSet<String>();
+        try (var run = run()) {
+            run.start("boss", self -> self.subscribe(WORDS, m -> heard.add(m.sender())));
+            run.pass(200);
+            for (int i = 0; i < MANY; i++) {
+                run.start("agent-" + i, self -> self.publish(WORDS, "here"));
+            }
+            run.until("it has heard all", () -> heard.size() == MANY);
+        }
+    }
+
+    @Test
+    void opensNoPortAndLeavesNoThread() {
+        Set<Thread> before = Thread.getAllStackTraces().keySet();
+        Set<String> portsBefore = Ports.listening();
+        try (var run = run()) {
+            for (int i = 0; i < 20; i++) {
+                run.start("agent-" + i, self -> {
+                    self.subscribe(WORDS, m -> log.add(m.content()));
+                    self.scheduler().every(Duration.ofMillis(50), () -> self.publish(WORDS, "hi"));
+                });
+            }
+            run.until("they talk", () -> isLogged(100));
+            assertThat(Ports.listening()).isSubsetOf(portsBefore);
+        }
+        assertThat(threadsLeft(before)).isEmpty();
+    }
+
+    /// Those that are still there after a while.
+    private static List<String> threadsLeft(Set<Thread> before) {
+        Optional<List<String>> left = Optional.empty();
+        for (int look = 0; look < 100 && left.filter(List::isEmpty).isEmpty(); look++) {
+            List<Thread> more = Thread.getAllStackTraces().keySet().stream()
+                    .filter(thread -> !before.contains(thread) && thread.isAlive())
+                    .toList();
+            for (Thread thread : more.stream().limit(1).toList()) {
+                try {
+                    thread.join(Duration.ofMillis(100));
+                } catch (InterruptedException e) {
+                    throw new AssertionError(e);
+                }
+            }
+            left = Optional.of(more.stream().map(Thread::getName).toList());
+        }
+        return left.orElseThrow();
     }
 }

@@ -3,7 +3,7 @@ package rsal.testkit.contract;
 import java.util.ServiceLoader;
 import rsal.agent.AgentHostProvider;
 
-class PlainHostTest extends AgentHostContract {
+class PlainHostTest extends RepeatableHostContract {
     @Override
     protected AgentHostProvider provider() {
         return ServiceLoader.load(AgentHostProvider.class).stream()

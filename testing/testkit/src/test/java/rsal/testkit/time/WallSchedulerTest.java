@@ -143,4 +143,47 @@ class WallSchedulerTest extends SchedulerContract {
             throw new AssertionError(e);
         }
     }
+
+    @Test
+    void whatOthersRunExclusivelyRunsOnTheirThreadAndNeverBesideATask() {
+        var running = new AtomicInteger();
+        var together = new AtomicInteger();
+        var done = new AtomicInteger();
+        Runnable task = () -> {
+            if (running.incrementAndGet() > 1) {
+                together.incrementAndGet();
+            }
+            done.incrementAndGet();
+            running.decrementAndGet();
+        };
+        var threads = new CopyOnWriteArrayList<Thread>();
+        try (ExecutorService others = Executors.newFixedThreadPool(2)) {
+            for (int i = 0; i < 1000; i++) {
+                others.execute(() -> {
+                    scheduler.exclusively(task);
+                    scheduler.exclusively(() -> threads.add(Thread.currentThread()));
+                });
+                scheduler.execute(task);
+            }
+        }
+        settle();
+        assertThat(together).hasValue(0);
+        assertThat(done).hasValue(2000);
+        assertThat(threads).doesNotContain(onScheduler(Thread::currentThread)).hasSize(1000);
+    }
+
+    @Test
+    void whatFailsExclusivelyGoesToTheHandler() {
+        scheduler.exclusively(() -> {
+            throw new IllegalStateException("a slip");
+        });
+        assertThat(failures).singleElement().extracting(Throwable::getMessage).isEqualTo("a slip");
+    }
+
+    @Test
+    void nothingRunsExclusivelyOnceItIsClosed() {
+        scheduler.close();
+        scheduler.exclusively(() -> failures.add(new AssertionError("It ran.")));
+        assertThat(failures).isEmpty();
+    }
 }

@@ -1,0 +1,160 @@
+package rsal.testkit.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import rsal.agent.Agent;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentSpec;
+import rsal.agent.AgentType;
+import rsal.agent.Delivery;
+import rsal.agent.Society;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.testkit.fake.TestedType;
+import rsal.time.LockstepScheduler;
+import rsal.time.Phase;
+import rsal.time.Scheduler;
+import rsal.time.Task;
+import rsal.time.WallScheduler;
+
+/// A run for agents of a host under test: in simulated time where the host follows that, else in real time. All is done
+/// while it is the caller's turn.
+final class HostRun implements AutoCloseable {
+    private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+    /// Said of what went wrong outside of agents.
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+
+    private final Optional<LockstepScheduler> simulated;
+    private final Scheduler scheduler;
+    private final Society society;
+
+    HostRun(AgentHostProvider provider) {
+        simulated = provider.followsSchedulerTime() ? Optional.of(new LockstepScheduler()) : Optional.empty();
+        scheduler = simulated
+                .<Scheduler>map(time -> time)
+                .orElseGet(() -> new WallScheduler("tested run", Runnable::run, failures::add));
+        society = ask(() -> new Society(
+                scheduler, provider.create(Arguments.defaults(provider.parameters()), scheduler), Optional.empty()));
+    }
+
+    Scheduler scheduler() {
+        return scheduler;
+    }
+
+    Society society() {
+        return society;
+    }
+
+    void start(String name, Agent agent) {
+        start(name, new TestedType(agent), Arguments.defaults(List.of()), Optional.empty());
+    }
+
+    void start(String name, Agent agent, Robot robot) {
+        start(name, new TestedType(agent), Arguments.defaults(List.of()), Optional.of(robot));
+    }
+
+    void start(String name, AgentType type, Arguments arguments) {
+        start(name, type, arguments, Optional.empty());
+    }
+
+    private void start(String name, AgentType type, Arguments arguments, Optional<Robot> robot) {
+        act(() -> society.start(new AgentSpec(name, "tested", type, arguments, robot, name.hashCode())));
+    }
+
+    void stop(String name) {
+        act(() -> society.stop(name));
+    }
+
+    void deliverBy(Delivery way) {
+        act(() -> society.deliverBy(way));
+    }
+
+    Society.Status status(String name) {
+        return ask(() -> society.views().stream()
+                .filter(view -> view.agent().name().equals(name))
+                .map(Society.View::status)
+                .findFirst()
+                .orElseThrow());
+    }
+
+    void act(Runnable deed) {
+        ask(() -> {
+            deed.run();
+            return true;
+        });
+    }
+
+    /// Done at the run's next turn, and what it throws is thrown here.
+    <T> T ask(Supplier<T> question) {
+        if (simulated.isPresent()) {
+            return question.get();
+        }
+        var answer = new CompletableFuture<T>();
+        scheduler.exclusively(() -> {
+            try {
+                answer.complete(question.get());
+            } catch (RuntimeException | Error e) {
+                answer.completeExceptionally(e);
+            }
+        });
+        return await(answer, "its turn");
+    }
+
+    /// Lets time pass until it is so; fails when it never is.
+    void until(String what, BooleanSupplier done) {
+        if (simulated.isPresent()) {
+            LockstepScheduler time = simulated.get();
+            Duration end = time.elapsed().plus(PATIENCE);
+            while (!done.getAsBoolean() && time.elapsed().compareTo(end) < 0) {
+                time.advance(Duration.ofMillis(10));
+            }
+            assertThat(done.getAsBoolean()).as(what).isTrue();
+        } else {
+            var reached = new CompletableFuture<Boolean>();
+            Task looks = scheduler.every(Duration.ofMillis(5), Phase.OBSERVE, () -> {
+                if (done.getAsBoolean()) {
+                    reached.complete(true);
+                }
+            });
+            await(reached, what);
+            looks.cancel();
+        }
+    }
+
+    void pass(long millis) {
+        var over = new ArrayList<Boolean>();
+        act(() -> scheduler.after(Duration.ofMillis(millis), Phase.OBSERVE, () -> over.add(true)));
+        until("time passes", () -> !over.isEmpty());
+    }
+
+    private static <T> T await(CompletableFuture<T> future, String what) {
+        try {
+            return future.get(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+        } catch (ExecutionException e) {
+            throw new AssertionError(what, e.getCause());
+        } catch (InterruptedException | TimeoutException e) {
+            throw new AssertionError(what, e);
+        }
+    }
+
+    @Override
+    public void close() {
+        act(society::close);
+        if (scheduler instanceof WallScheduler time) {
+            time.close();
+        }
+        assertThat(failures).isEmpty();
+    }
+}
