@@ -18,6 +18,7 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunResult;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 import rsal.settings.Suggestion;
@@ -82,9 +83,13 @@ final class BridgeCommand extends Subcommand {
         try (LiveRun run = LiveRun.start(plan)) {
             var ending = new ClosedAtExit(run);
             tell(at, run.bridge(provider, at).toCompletableFuture().get());
-            new Progress(err()).await(run);
+            RunResult result = new Progress(err()).await(run);
             ending.checkNoSignal();
-            return Exit.SUCCESS;
+            if (!json) {
+                out().print(new ResultText(plan, result));
+                out().flush();
+            }
+            return RunCommand.exit(result);
         }
     }
 

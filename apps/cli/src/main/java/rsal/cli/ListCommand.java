@@ -9,7 +9,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rsal.map.Maps;
 import rsal.robot.RobotModels;
+import rsal.scenario.Providers;
 import rsal.scenario.Scenario;
+import rsal.system.BridgeProvider;
 
 /// `rsal list`
 @Command(name = "list", description = "List the scenarios that come with RSAL, or what scenarios can be made of.")
@@ -30,10 +32,11 @@ final class ListCommand extends Subcommand {
         agents,
         drivers,
         mas,
-        mrs
+        mrs,
+        bridges
     }
 
-    private static final Set<What> WITH_MORE = EnumSet.complementOf(EnumSet.of(What.scenarios));
+    private static final Set<What> WITH_MORE = EnumSet.complementOf(EnumSet.of(What.scenarios, What.bridges));
 
     record Entry(String name, String description) {}
 
@@ -70,6 +73,10 @@ final class ListCommand extends Subcommand {
             case drivers -> entries(Kind.drivers());
             case mas -> entries(Kind.hosts());
             case mrs -> entries(Kind.systems());
+            case bridges ->
+                Providers.byKey(BridgeProvider.class, BridgeProvider::key).values().stream()
+                        .map(bridge -> new Entry(bridge.key(), bridge.description()))
+                        .toList();
         };
     }
 

@@ -113,6 +113,11 @@ final class RunCommand extends Subcommand {
         }
         Optional<SavedMaps> maps = Optional.ofNullable(saveMaps).map(folder -> SavedMaps.to(folder, plan, force));
         RunResult result = headless ? runHeadless(plan, maps) : runWithPage(plan, maps);
+        return exit(result);
+    }
+
+    /// What a run's end means to whoever started it.
+    static int exit(RunResult result) {
         return EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS);
     }
 

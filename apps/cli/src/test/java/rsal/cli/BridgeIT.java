@@ -161,7 +161,15 @@ class BridgeIT {
     @Test
     void serversThatAreNotThereCantBeReached() throws Exception {
         Ended nobody = new Rsal(folder)
-                .run("run", "teleop:real", "--headless", "--arm", "--set", "servers=localhost:1,localhost:2");
+                .run(
+                        "run",
+                        "teleop:real",
+                        "--headless",
+                        "--arm",
+                        "--set",
+                        "servers=localhost:1,localhost:2",
+                        "--for",
+                        "1");
         assertThat(nobody.code()).isEqualTo(5);
         assertThat(nobody.err())
                 .contains("There is no Player server at (localhost:")

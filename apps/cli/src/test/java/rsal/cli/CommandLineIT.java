@@ -888,7 +888,7 @@ class CommandLineIT {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"scenarios", "maps", "models", "parts", "agents", "drivers", "mas", "mrs"})
+    @ValueSource(strings = {"scenarios", "maps", "models", "parts", "agents", "drivers", "mas", "mrs", "bridges"})
     void listsWhatThereIs(String what) throws Exception {
         Ended ended = rsal.run("list", what, "--json");
         assertThat(JsonMapper.shared().readTree(ended.out()).get(what).isEmpty())

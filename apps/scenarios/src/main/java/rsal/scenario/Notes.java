@@ -41,6 +41,9 @@ final class Notes {
                             place.x(),
                             place.y())));
         }
+        if (plan.clock() == RunPlan.Clock.WALL && plan.speed() != 1) {
+            notes.add("A run in real time goes at speed 1, whatever (speed) says. Maybe (clock: {mode: simulated}).");
+        }
         Location at = plan.scenario().location();
         return Stream.concat(
                         notes.stream().map(note -> new Problem(at, note, "")), Destinations.misplaced(plan).stream())

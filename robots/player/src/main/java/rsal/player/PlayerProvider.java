@@ -135,7 +135,7 @@ public final class PlayerProvider implements RobotSystemProvider {
         List<String> names = written.isEmpty() ? ids : List.of(written.split("\\s*,\\s*", -1));
         if (names.size() != ids.size()) {
             throw new IllegalArgumentException(
-                    "(names) names %d robots, but there are %d.".formatted(names.size(), ids.size()));
+                    "As many (names) as robots are needed: %d, not %d.".formatted(ids.size(), names.size()));
         }
         var byId = new LinkedHashMap<String, String>();
         for (int i = 0; i < ids.size(); i++) {
@@ -167,7 +167,7 @@ public final class PlayerProvider implements RobotSystemProvider {
         }
         if (all.size() < robots.size()) {
             throw new IllegalArgumentException(
-                    "(servers) names %d robots, but there are %d.".formatted(all.size(), robots.size()));
+                    "As many (servers) as robots are needed: %d, not %d.".formatted(robots.size(), all.size()));
         }
         var berths = new LinkedHashMap<RobotSpec, Berth>();
         var taken = new HashMap<Berth, String>();

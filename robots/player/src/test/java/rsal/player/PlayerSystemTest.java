@@ -486,7 +486,7 @@ class PlayerSystemTest {
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() ->
                         create(Map.of("servers", "a:1"), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
-                .withMessageContaining("(servers) names 1 robots, but there are 2.");
+                .withMessageContaining("As many (servers) as robots are needed: 2, not 1.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(
                         Map.of("servers", "a:1,a:1"), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
@@ -503,7 +503,7 @@ class PlayerSystemTest {
                 .withMessageContaining("(simulation) must be (own) or HOST:PORT, not (a:1, b:1).");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("simulation", "own", "names", "a, b"), spec()))
-                .withMessageContaining("(names) names 2 robots, but there are 1.");
+                .withMessageContaining("As many (names) as robots are needed: 1, not 2.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of(), spec("r1", "pioneer2dx", Map.of("light", "beacon"))))
                 .withMessageContaining("(beacon)");

@@ -243,8 +243,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// Offers the robots to others, until the run ends, those that come later, too. Who has them over the bridge drives
-    /// them
-    /// like their agents: what people want comes first.
+    /// them like their agents: what people want comes first.
     ///
     /// @param at where to listen: at this port, and those after it if need be; port 0 for any that are free
     /// @return [Answer.Bridged] when it is open
@@ -403,7 +402,9 @@ public final class LiveRun implements AutoCloseable {
         stage = everything;
         everything.begin();
         scheduler.every(plan.step(), Phase.OBSERVE, () -> {
-            everything.observe().ifPresent(this::end);
+            if (everything.isReady()) { // else its end would hide that robots can't be reached
+                everything.observe().ifPresent(this::end);
+            }
             if (!isSimulated()) {
                 serve();
             }

@@ -104,7 +104,7 @@ final class Orders {
     Answer stop(boolean stop) {
         stopped = stop;
         team.controls().forEach(stop ? Controls::stop : Controls::rearm);
-        journal.event("operator", "", stop ? "emergency stop" : "motors on again");
+        journal.event("operator", "", stop ? "emergency stop" : "motors on");
         return new Answer.Done();
     }
 

@@ -44,6 +44,7 @@ public final class RemoteTruth extends DeviceCore implements SimulationControl, 
         private Instant askedAt = Instant.MIN;
         private Object question = new Object(); // whose answer counts
         private boolean asking;
+        private boolean isRefused; // which was said
 
         Seen(String name) {
             this.name = name;
@@ -125,7 +126,20 @@ public final class RemoteTruth extends DeviceCore implements SimulationControl, 
                     seen.asking = false;
                     seen.toldAt = scheduler.instant();
                     seen.mapFromRobot = error == null ? pose(seen, answer) : Optional.empty();
+                    warnIfRefused(seen, Optional.ofNullable(error));
                 });
+    }
+
+    /// Says once that the server does not tell where a robot is, as one does whose world has none of that name.
+    private void warnIfRefused(Seen seen, Optional<Throwable> error) {
+        if (error.isPresent() && server.isConnected() && !seen.isRefused) {
+            seen.isRefused = true;
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    () ->
+                            "The simulation at (%s) does not tell where (%s) is: %s Maybe it has another name there (names)."
+                                    .formatted(server.name(), seen.name, RemoteServer.words(error.get())));
+        }
     }
 
     private static Simulation.Placed placed(Seen seen, Pose2d mapFromRobot) {
