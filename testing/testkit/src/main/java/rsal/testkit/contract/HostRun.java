@@ -11,9 +11,11 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import rsal.agent.Agent;
+import rsal.agent.AgentContext;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
@@ -36,9 +38,11 @@ final class HostRun implements AutoCloseable {
     /// Said of what went wrong outside of agents.
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
 
+    private final AtomicInteger begun = new AtomicInteger(); // of those it has started
     private final Optional<LockstepScheduler> simulated;
     private final Scheduler scheduler;
     private final Society society;
+    private int started;
 
     HostRun(AgentHostProvider provider) {
         simulated = provider.followsSchedulerTime() ? Optional.of(new LockstepScheduler()) : Optional.empty();
@@ -70,7 +74,43 @@ final class HostRun implements AutoCloseable {
     }
 
     private void start(String name, AgentType type, Arguments arguments, Optional<Robot> robot) {
-        act(() -> society.start(new AgentSpec(name, "tested", type, arguments, robot, name.hashCode())));
+        var noting = new Noting(type, begun::incrementAndGet);
+        started++;
+        act(() -> society.start(new AgentSpec(name, "tested", noting, arguments, robot, name.hashCode())));
+    }
+
+    void untilAllHaveBegun() {
+        until("all have begun", () -> begun.get() == started);
+    }
+
+    /// Notes when its agents have begun.
+    private record Noting(AgentType type, Runnable begun) implements AgentType {
+        @Override
+        public String key() {
+            return type.key();
+        }
+
+        @Override
+        public String description() {
+            return type.description();
+        }
+
+        @Override
+        public Agent create(Arguments arguments) {
+            Agent agent = type.create(arguments);
+            return new Agent() {
+                @Override
+                public void start(AgentContext self) {
+                    agent.start(self);
+                    begun.run();
+                }
+
+                @Override
+                public void stop(AgentContext self) {
+                    agent.stop(self);
+                }
+            };
+        }
     }
 
     void stop(String name) {
