@@ -167,6 +167,7 @@ final class BridgeCommand extends Subcommand {
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 choices.speed());
     }
 }

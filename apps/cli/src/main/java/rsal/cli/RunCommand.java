@@ -68,6 +68,13 @@ final class RunCommand extends Subcommand {
     private @Nullable String mrs;
 
     @Option(
+            names = "--clock",
+            paramLabel = "simulated|wall",
+            description = "Simulated time, in which the same seed gives the same run, or real time, which some agent"
+                    + " hosts and all real robots need.")
+    private @Nullable String clock;
+
+    @Option(
             names = "--with",
             paramLabel = "SCENARIO[:CONFIGURATION]",
             description = "Another scenario joins: its agents without a robot come along, as 'distribution:found',"
@@ -200,6 +207,7 @@ final class RunCommand extends Subcommand {
                 choices.seed(),
                 Optional.ofNullable(mas),
                 Optional.ofNullable(mrs),
+                Optional.ofNullable(clock),
                 Optional.ofNullable(with),
                 Optional.ofNullable(limit),
                 choices.speed());

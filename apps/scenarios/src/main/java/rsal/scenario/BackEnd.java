@@ -16,16 +16,25 @@ record BackEnd<P>(P provider, Arguments settings) {
     ///
     /// @param what it is, for messages: `robot system`
     /// @param known by key
+    /// @param apart how to get those that are not installed, by key
     record Kind<P>(
             String what,
             String fallback,
             Map<String, P> known,
+            Map<String, String> apart,
             Predicate<P> followsTime,
             Function<P, List<Parameter>> parameters) {}
 
     /// @param whose it is, for messages: ` of robot (hunter)`; empty when it is that of the scenario
     static <P> Optional<BackEnd<P>> read(Kind<P> kind, Section section, String whose, Clock clock) {
         String key = section.text("use", kind.fallback);
+        if (!kind.known.containsKey(key) && kind.apart.containsKey(key)) {
+            section.problem(
+                    "use",
+                    "The %s (%s) is not part of this installation.".formatted(kind.what, key),
+                    kind.apart.getOrDefault(key, ""));
+            return Optional.empty();
+        }
         Optional<P> provider = Catalog.find(kind.what, kind.known, key, section.locationOf("use"), section.problems());
         if (provider.isEmpty()) {
             return Optional.empty();
@@ -35,7 +44,7 @@ record BackEnd<P>(P provider, Arguments settings) {
                     "use",
                     "The %s (%s)%s can't follow simulated time, which (run.clock.mode) asks for."
                             .formatted(kind.what, key, whose),
-                    "Set run.clock.mode to wall, or use another %s.".formatted(kind.what));
+                    "Set (run.clock.mode) to wall, as --clock wall does, or use another %s.".formatted(kind.what));
         }
         return PlanReader.settings(section, kind.parameters.apply(provider.get()))
                 .map(settings -> new BackEnd<>(provider.get(), settings));

@@ -3,6 +3,7 @@ package rsal.scenario;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Pattern;
@@ -25,6 +26,11 @@ final class Format {
     static final String DEFAULT_CONFIGURATION = "default";
     static final String DEFAULT_MRS = "sim";
     static final String DEFAULT_MAS = "plain";
+
+    /// How to get those that are not part of the default assembly, by key.
+    static final Map<String, String> HOSTS_APART = Map.of(
+            "jadex",
+            "It is under GPL-3.0 and comes only when it is asked for: RSAL_WITH=jadex ./rsal … (docs/how-to/another-mas.md).");
 
     static final Parameter TOUCH = Parameter.choice(
             "touch",

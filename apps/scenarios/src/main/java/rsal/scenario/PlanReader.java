@@ -196,24 +196,27 @@ final class PlanReader {
         }
     }
 
-    /// Settings with what the options name on top: back ends, and the scenario that joins.
+    /// Settings with what the options name on top: back ends, the clock, and the scenario that joins.
     private Value.Mapping chosen(Value.Mapping settings) {
         Value.Mapping chosen = settings;
-        for (String key : List.of("mas", "mrs")) {
-            Optional<String> name = key.equals("mas") ? options.mas() : options.mrs();
-            if (name.isPresent()) {
-                var at = Location.of("--" + key + " " + name.get());
-                var use = Map.<String, Value>of("use", new Value.Scalar(at, name.get()));
-                chosen = chosen.merge(new Value.Mapping(
-                        at, Map.of(key, new Value.Mapping(at, use, Map.of("use", at))), Map.of(key, at)));
-            }
+        chosen = over(chosen, "--mas", options.mas(), "mas", "use");
+        chosen = over(chosen, "--mrs", options.mrs(), "mrs", "use");
+        chosen = over(chosen, "--clock", options.clock(), "run", "clock", "mode");
+        return over(chosen, "--with", options.with(), JoinReader.KEY);
+    }
+
+    /// @param typed what stands in for the value there; empty to leave it
+    /// @param path to the value, from the outside
+    private static Value.Mapping over(Value.Mapping settings, String option, Optional<String> typed, String... path) {
+        if (typed.isEmpty()) {
+            return settings;
         }
-        if (options.with().isPresent()) {
-            var at = Location.of("--with " + options.with().get());
-            var scenario = new Value.Scalar(at, options.with().get());
-            chosen = chosen.merge(new Value.Mapping(at, Map.of(JoinReader.KEY, scenario), Map.of(JoinReader.KEY, at)));
+        var at = Location.of(option + " " + typed.get());
+        Value value = new Value.Scalar(at, typed.get());
+        for (String key : List.of(path).reversed()) {
+            value = new Value.Mapping(at, Map.of(key, value), Map.of(key, at));
         }
-        return chosen;
+        return settings.merge((Value.Mapping) value);
     }
 
     private Map<String, Object> arguments(String configuration, Value.Mapping overlay) {
@@ -244,6 +247,7 @@ final class PlanReader {
                 "multi-agent system",
                 Format.DEFAULT_MAS,
                 catalog.hosts(),
+                Format.HOSTS_APART,
                 AgentHostProvider::followsSchedulerTime,
                 AgentHostProvider::parameters);
         return BackEnd.read(kind, section, "", clock).map(chosen -> new Mas(chosen.provider(), chosen.settings()));

@@ -15,6 +15,7 @@ import rsal.settings.Location;
 /// @param arguments by name, as typed
 /// @param mas key of an agent host
 /// @param mrs key of a robot system
+/// @param clock `simulated` or `wall`
 /// @param with a scenario that joins it, `distribution` or `distribution:found`
 /// @param limit simulated time after which the run ends
 /// @param speed simulated over real time; +∞ for as fast as it can
@@ -24,6 +25,7 @@ public record RunOptions(
         OptionalLong seed,
         Optional<String> mas,
         Optional<String> mrs,
+        Optional<String> clock,
         Optional<String> with,
         Optional<Duration> limit,
         OptionalDouble speed) {
@@ -35,6 +37,7 @@ public record RunOptions(
             Optional.empty(),
             Optional.empty(),
             Optional.empty(),
+            Optional.empty(),
             OptionalDouble.empty());
 
     public RunOptions {
@@ -42,11 +45,11 @@ public record RunOptions(
     }
 
     public RunOptions withConfiguration(String name) {
-        return new RunOptions(Optional.of(name), arguments, seed, mas, mrs, with, limit, speed);
+        return new RunOptions(Optional.of(name), arguments, seed, mas, mrs, clock, with, limit, speed);
     }
 
     public RunOptions withArguments(Map<String, String> typed) {
-        return new RunOptions(configuration, typed, seed, mas, mrs, with, limit, speed);
+        return new RunOptions(configuration, typed, seed, mas, mrs, clock, with, limit, speed);
     }
 
     /// The same with the value that the scenario has for an argument.
@@ -57,20 +60,26 @@ public record RunOptions(
     }
 
     public RunOptions withSeed(long number) {
-        return new RunOptions(configuration, arguments, OptionalLong.of(number), mas, mrs, with, limit, speed);
+        return new RunOptions(configuration, arguments, OptionalLong.of(number), mas, mrs, clock, with, limit, speed);
+    }
+
+    /// In real time, on another agent host.
+    public RunOptions inRealTimeOn(String host) {
+        return new RunOptions(
+                configuration, arguments, seed, Optional.of(host), mrs, Optional.of("wall"), with, limit, speed);
     }
 
     /// @param scenario that joins it
     public RunOptions withJoined(String scenario) {
-        return new RunOptions(configuration, arguments, seed, mas, mrs, Optional.of(scenario), limit, speed);
+        return new RunOptions(configuration, arguments, seed, mas, mrs, clock, Optional.of(scenario), limit, speed);
     }
 
     public RunOptions withLimit(Duration time) {
-        return new RunOptions(configuration, arguments, seed, mas, mrs, with, Optional.of(time), speed);
+        return new RunOptions(configuration, arguments, seed, mas, mrs, clock, with, Optional.of(time), speed);
     }
 
     public RunOptions withSpeed(double factor) {
-        return new RunOptions(configuration, arguments, seed, mas, mrs, with, limit, OptionalDouble.of(factor));
+        return new RunOptions(configuration, arguments, seed, mas, mrs, clock, with, limit, OptionalDouble.of(factor));
     }
 
     /// Where mistakes about an argument are reported to be that was typed.

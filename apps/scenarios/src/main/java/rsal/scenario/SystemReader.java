@@ -33,6 +33,7 @@ final class SystemReader {
                 "robot system",
                 Format.DEFAULT_MRS,
                 catalog.systems(),
+                Map.of(),
                 RobotSystemProvider::followsSchedulerTime,
                 RobotSystemProvider::parameters);
         this.scenarios = named(section);

@@ -233,6 +233,7 @@ class RobotSystemsTest {
                 Optional.of("reality"),
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 java.util.OptionalDouble.empty());
         RunPlan plan = scenario(MIXED).plan(options);
         assertThat(plan.robots())

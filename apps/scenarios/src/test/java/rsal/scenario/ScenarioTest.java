@@ -157,6 +157,7 @@ class ScenarioTest {
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 OptionalDouble.of(3));
         RunPlan plan = plan(GOOD, options);
         assertThat(plan.robots()).extracting(r -> r.spec().id()).containsExactly("prey", "hunter-1");
@@ -720,8 +721,19 @@ class ScenarioTest {
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 OptionalDouble.empty());
         assertThatThrownBy(() -> scenario.plan(mas)).hasMessageContaining("--mas jasn: There is no multi-agent system");
+        assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.inRealTimeOn("jadex")))
+                .hasMessageContaining("--mas jadex: The multi-agent system (jadex) is not part of this installation.")
+                .hasMessageContaining("RSAL_WITH=jadex");
+    }
+
+    @Test
+    void whoeverStartsItMayWantRealTime() {
+        RunPlan plan = plan(GOOD, RunOptions.NONE.inRealTimeOn("wallclock"));
+        assertThat(plan.clock()).isEqualTo(RunPlan.Clock.WALL);
+        assertThat(plan.mas().provider().key()).isEqualTo("wallclock");
     }
 
     @ParameterizedTest

@@ -1,0 +1,32 @@
+package rsal.jadex;
+
+import java.util.List;
+import rsal.agent.AgentHost;
+import rsal.agent.AgentHostProvider;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.Scheduler;
+
+/// Runs agents on Jadex 4, in real time: its clock is its own. Needs `--sun-misc-unsafe-memory-access=allow` to be
+/// quiet on newer JDKs.
+public final class JadexHostProvider implements AgentHostProvider {
+    @Override
+    public String key() {
+        return "jadex";
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return false;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of();
+    }
+
+    @Override
+    public AgentHost create(Arguments settings, Scheduler scheduler) {
+        return new JadexHost(scheduler, LonelyPlatform.start());
+    }
+}
