@@ -5,6 +5,7 @@ module rsal.cli {
     requires ch.qos.logback.core;
     requires info.picocli;
     requires java.desktop; // draws worlds
+    requires java.net.http; // asks runs
     requires jdk.management; // memory of the machine
     requires org.slf4j;
     requires rsal.bench;

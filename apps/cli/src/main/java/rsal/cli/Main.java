@@ -40,6 +40,7 @@ import rsal.settings.Suggestion;
         subcommands = {
             RunCommand.class,
             BridgeCommand.class,
+            AgentCommand.class,
             ListCommand.class,
             ShowCommand.class,
             ValidateCommand.class,

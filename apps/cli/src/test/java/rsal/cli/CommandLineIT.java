@@ -454,6 +454,33 @@ class CommandLineIT {
         assertThat(Ended.of(process).out()).contains("guard:short, seed 3", "success");
     }
 
+    @Test
+    void anAgentIsLookedIntoFromOutside() throws Exception {
+        Process process = rsal.withPage().start("run", "hunt-and-prey:advanced", "--port", "0", "--speed", "2");
+        String url = process.errorReader().readLine().substring("Watch it at ".length());
+        String port = Integer.toString(URI.create(url).getPort());
+        Ended mind = rsal.run("agent", "mind", "escape-1", "--port", port);
+        for (int look = 0; look < 20 && !mind.out().startsWith("Believes"); look++) { // it may not have begun yet
+            mind = rsal.run("agent", "mind", "escape-1", "--port", port);
+        }
+        assertThat(mind.out()).startsWith("Believes\n").contains("\nWants\n");
+        assertThat(mind.code()).isZero();
+        assertThat(JsonMapper.shared()
+                        .readTree(rsal.run("agent", "mind", "escape-1", "--port", port, "--json")
+                                .out())
+                        .path("agent")
+                        .asString())
+                .isEqualTo("escape-1");
+        Ended unknown = rsal.run("agent", "mind", "nobody", "--port", port);
+        assertThat(unknown.code()).isEqualTo(Exit.USAGE);
+        assertThat(unknown.err()).contains("nobody");
+        Ended.signal("INT", process);
+        Ended.of(process);
+        Ended gone = rsal.run("agent", "mind", "escape-1", "--port", port);
+        assertThat(gone.code()).isEqualTo(Exit.UNREACHABLE);
+        assertThat(gone.err()).contains("There is no run with a page at (http://127.0.0.1:" + port + ").");
+    }
+
     private static boolean isOpen(int port) {
         try (var _ = new Socket(InetAddress.getLoopbackAddress(), port)) {
             return true;

@@ -1,0 +1,125 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.URLEncoder;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.Locale;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/// `rsal agent`
+@Command(
+        name = "agent",
+        description = "Ask about agents of a run that has a page.",
+        synopsisSubcommandLabel = "COMMAND",
+        subcommands = AgentCommand.Mind.class)
+final class AgentCommand extends Subcommand {
+    @Override
+    int run() {
+        throw new ParameterException(spec.commandLine(), "Say what about them: 'rsal agent mind NAME'.");
+    }
+
+    /// `rsal agent mind`
+    @Command(
+            name = "mind",
+            description = "Show what an agent believes, wants and talks about now. Looking changes nothing in the run.")
+    static final class Mind extends Subcommand {
+        private static final Duration PATIENCE = Duration.ofSeconds(5);
+
+        @Parameters(paramLabel = "NAME", description = "The agent's, as the page lists it.")
+        private String name = "";
+
+        @Option(
+                names = "--port",
+                paramLabel = "P",
+                converter = RunCommand.Port.class,
+                description = "Of the run's page on this machine; ${DEFAULT-VALUE} when left out.")
+        private int port = RunCommand.DEFAULT_PORT;
+
+        @Override
+        int run() throws InterruptedException {
+            JsonNode agent = ask();
+            if (json) {
+                printJson(agent);
+            } else {
+                out().print(text(agent));
+                out().flush();
+            }
+            return Exit.SUCCESS;
+        }
+
+        /// @throws Unreachable when nobody is there
+        /// @throws ParameterException when there is no such agent
+        private JsonNode ask() throws InterruptedException {
+            String at = "http://127.0.0.1:" + port;
+            String query = "/api/agent?name=" + URLEncoder.encode(name, StandardCharsets.UTF_8);
+            var request = HttpRequest.newBuilder(URI.create(at + query))
+                    .timeout(PATIENCE)
+                    .build();
+            try (var client = HttpClient.newBuilder().connectTimeout(PATIENCE).build()) {
+                HttpResponse<String> answer = client.send(request, HttpResponse.BodyHandlers.ofString());
+                JsonNode said = JsonMapper.shared().readTree(answer.body());
+                if (answer.statusCode() != 200) {
+                    throw new ParameterException(
+                            spec.commandLine(), said.path("message").asString("(%s) refuses to tell.".formatted(at)));
+                }
+                return said;
+            } catch (IOException | JacksonException e) {
+                throw new Unreachable(
+                        "There is no run with a page at (%s). Maybe it is at another port (--port P): 'rsal run' prints where."
+                                .formatted(at));
+            }
+        }
+
+        private String text(JsonNode agent) {
+            var text = new StringBuilder();
+            JsonNode mind = agent.path("mind");
+            if (mind.isMissingNode() || mind.isNull()) {
+                text.append("(%s) shows no mind: it does not run, or has none.%n".formatted(name));
+            } else {
+                text.append("Believes\n");
+                var beliefs = new Table("  ");
+                mind.path("beliefs")
+                        .forEach(belief -> beliefs.row(
+                                belief.path("name").asString(),
+                                belief.path("value").asString()));
+                text.append(beliefs.isEmpty() ? "  nothing\n" : beliefs).append("Wants\n");
+                var goals = new Table("  ");
+                mind.path("goals").forEach(goal -> goals.row(goalRow(goal)));
+                text.append(goals.isEmpty() ? "  nothing\n" : goals);
+            }
+            var talks = new Table("  ");
+            agent.path("talks")
+                    .forEach(talk -> talks.row(
+                            String.format(
+                                    Locale.ROOT, "%.1f s", talk.path("time").asDouble()),
+                            talk.path("from").asString() + " → "
+                                    + talk.path("to").asString(),
+                            talk.path("act").asString(),
+                            talk.path("words").asString()));
+            if (!talks.isEmpty()) {
+                text.append("Talks\n").append(talks);
+            }
+            return text.toString();
+        }
+
+        private static String[] goalRow(JsonNode goal) {
+            String state =
+                    goal.path("state").asString().toLowerCase(Locale.ROOT).replace('_', ' ');
+            String failure = goal.path("failure").asString();
+            return new String[] {
+                goal.path("name").asString(), state, failure.isEmpty() ? "" : "failed: " + failure,
+            };
+        }
+    }
+}
