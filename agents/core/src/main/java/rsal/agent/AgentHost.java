@@ -1,6 +1,7 @@
 package rsal.agent;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import rsal.time.Scheduler;
 
 /// Runs agents. A host supplies each agent's lane, its single thread of execution, and may carry what agents say; what
@@ -21,6 +22,10 @@ public interface AgentHost extends AutoCloseable {
     default Optional<Carrier> carrier() {
         return Optional.empty();
     }
+
+    /// From now on this is told the name of each agent that the multi-agent system has ended by itself, as a person may
+    /// want it by its tools. Told on the run's thread; nothing runs on that one's lane any more.
+    default void onKilled(Consumer<String> listener) {}
 
     /// The agent is gone: nothing runs on its lane any more. What it has said already is still carried.
     void end(String name);

@@ -55,6 +55,7 @@ public final class Society implements AutoCloseable {
         this.carrier = host.carrier();
         this.simulation = simulation;
         this.turns = turns;
+        host.onKilled(this::stop);
     }
 
     /// Starts an agent. It is in the directory at once and begins after what is running now.

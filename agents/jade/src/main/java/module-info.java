@@ -1,0 +1,12 @@
+/// JADE (jade.tilab.com), a multi-agent system after FIPA's standards, as a host of our agents. Knows nothing of robots
+/// beyond what agents know of them, and nothing of scenarios.
+module rsal.jade {
+    requires rsal.agents;
+    requires jade;
+    requires java.desktop;
+    requires java.logging;
+    requires static org.jspecify;
+
+    provides rsal.agent.AgentHostProvider with
+            rsal.jade.JadeHostProvider;
+}

@@ -1,0 +1,195 @@
+package rsal.jade;
+
+import jade.core.AID;
+import jade.core.Agent;
+import jade.core.ServiceException;
+import jade.core.behaviours.CyclicBehaviour;
+import jade.core.messaging.TopicManagementHelper;
+import jade.domain.DFService;
+import jade.domain.FIPAAgentManagement.DFAgentDescription;
+import jade.domain.FIPAAgentManagement.FIPAManagementVocabulary;
+import jade.domain.FIPAAgentManagement.Property;
+import jade.domain.FIPAAgentManagement.ServiceDescription;
+import jade.lang.acl.ACLMessage;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Queue;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.Capability;
+import rsal.time.Scheduler;
+
+/// The JADE agent of one of ours: lends it its thread and speaks for it. What our agents do they do in turn, so that
+/// several things that wait are done in one turn.
+///
+/// Its methods are called in turn, but for [#execute], which any thread may call.
+final class JadeAgent extends Agent implements Executor {
+    private static final Logger LOG = System.getLogger(JadeAgent.class.getName());
+    private static final int MOST_AT_ONCE = 100; // then others have their turn
+
+    private final String name;
+    private final transient Scheduler run;
+    private final transient Consumer<JadeAgent> gone;
+    private final transient Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
+    private final transient SortedMap<String, Capability> offers = new TreeMap<>(); // by name
+    private final Work work = new Work();
+    private boolean leaving;
+
+    /// @param name of our agent
+    /// @param gone told, on a thread of JADE's, when it has ended, whoever wanted it, and its name is free
+    JadeAgent(String name, Scheduler run, Consumer<JadeAgent> gone) {
+        this.name = name;
+        this.run = run;
+        this.gone = gone;
+    }
+
+    String name() {
+        return name;
+    }
+
+    /// Does something on its thread, soon.
+    @Override
+    public void execute(Runnable task) {
+        tasks.add(task);
+        work.restart();
+    }
+
+    /// Ends it once it has done what it was to do before.
+    void leave() {
+        leaving = true;
+        execute(this::doDelete);
+    }
+
+    /// Whether it was told to end.
+    boolean isLeaving() {
+        return leaving;
+    }
+
+    void listen(AID topic) {
+        try {
+            topics().register(topic);
+        } catch (ServiceException e) {
+            throw new IllegalStateException("JADE can't let agent (%s) hear (%s).".formatted(name, topic), e);
+        }
+    }
+
+    void ignore(AID topic) {
+        try {
+            topics().deregister(topic);
+        } catch (ServiceException e) {
+            throw new IllegalStateException("JADE can't keep (%s) from agent (%s).".formatted(topic, name), e);
+        }
+    }
+
+    private TopicManagementHelper topics() throws ServiceException {
+        return (TopicManagementHelper) getHelper(TopicManagementHelper.SERVICE_NAME);
+    }
+
+    void offer(Capability capability) {
+        boolean first = offers.isEmpty();
+        offers.put(capability.name(), capability);
+        ask(first ? FIPAManagementVocabulary.REGISTER : FIPAManagementVocabulary.MODIFY);
+    }
+
+    void withdraw(Capability capability) {
+        offers.remove(capability.name());
+        ask(offers.isEmpty() ? FIPAManagementVocabulary.DEREGISTER : FIPAManagementVocabulary.MODIFY);
+    }
+
+    /// Asks the directory facilitator, whose answer it does not wait for.
+    private void ask(String action) {
+        var entry = new DFAgentDescription();
+        entry.setName(getAID());
+        offers.values().forEach(capability -> entry.addServices(service(capability)));
+        send(DFService.createRequestMessage(this, getDefaultDF(), action, entry, null));
+    }
+
+    private static ServiceDescription service(Capability capability) {
+        var service = new ServiceDescription();
+        service.setName(capability.name());
+        service.setType(capability.name());
+        service.addOntologies(Utterance.ONTOLOGY);
+        capability.details().forEach((detail, value) -> service.addProperties(new Property(detail, value)));
+        return service;
+    }
+
+    @Override
+    protected void setup() {
+        addBehaviour(work);
+    }
+
+    @Override
+    public void clean(boolean regular) {
+        super.clean(regular);
+        gone.accept(this);
+    }
+
+    private void hear(ACLMessage message) {
+        if (message instanceof Utterance utterance) {
+            utterance.arrive(name);
+        } else if (isNoAnswer(message.getPerformative())) {
+            ACLMessage answer = message.createReply();
+            answer.setPerformative(ACLMessage.NOT_UNDERSTOOD);
+            answer.setContent("(%s) understands only what agents of its run say.".formatted(name));
+            send(answer);
+        } else if (message.getPerformative() == ACLMessage.FAILURE || message.getPerformative() == ACLMessage.REFUSE) {
+            LOG.log(Level.WARNING, () -> "JADE could not do what agent (%s) asked: %s".formatted(name, message));
+        }
+    }
+
+    /// What the directory facilitator and the management system say are answers. To answer an answer may never end.
+    private static boolean isNoAnswer(int performative) {
+        return switch (performative) {
+            case ACLMessage.AGREE,
+                    ACLMessage.FAILURE,
+                    ACLMessage.INFORM,
+                    ACLMessage.NOT_UNDERSTOOD,
+                    ACLMessage.REFUSE -> false;
+            default -> true;
+        };
+    }
+
+    /// Does what it is handed and hears what it is told, then waits for more.
+    private final class Work extends CyclicBehaviour {
+        @Override
+        public void action() {
+            block(); // before it looks, so that what comes after that wakes it
+            Runnable first = next();
+            if (first != null) {
+                run.exclusively(() -> {
+                    int done = 0;
+                    for (Runnable task = first; task != null; task = done < MOST_AT_ONCE ? next() : null) {
+                        task.run();
+                        done++;
+                    }
+                });
+                restart();
+            }
+        }
+
+        private @Nullable Runnable next() {
+            Runnable task = tasks.poll();
+            if (task != null) {
+                return task;
+            }
+            ACLMessage message = receive();
+            return message == null ? null : () -> hear(message);
+        }
+
+        // JADE's own two set a flag in two steps: one step of each in between would leave it asleep.
+
+        @Override
+        protected synchronized void handleBlockEvent() {
+            super.handleBlockEvent();
+        }
+
+        @Override
+        public synchronized void handleRestartEvent() {
+            super.handleRestartEvent();
+        }
+    }
+}

@@ -1,0 +1,138 @@
+package rsal.jade;
+
+import jade.core.AID;
+import jade.lang.acl.ACLMessage;
+import java.awt.GraphicsEnvironment;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import rsal.agent.AgentHost;
+import rsal.agent.Capability;
+import rsal.agent.Carrier;
+import rsal.agent.Message;
+import rsal.agent.ThreadLane;
+import rsal.agent.Topic;
+import rsal.time.Scheduler;
+
+/// Agents on a JADE platform of their own. All calls in turn.
+final class JadeHost implements AgentHost, Carrier {
+    private static final String PEOPLE = "operator"; // in whose name our people speak
+
+    private final Scheduler run;
+    private final Platform platform;
+    private final JadeAgent people;
+    private final Map<String, JadeAgent> agents = new HashMap<>(); // by name
+    private final Map<String, JadeAgent> leaving = new HashMap<>(); // who still have their names
+    private final Map<String, AID> topics = new HashMap<>(); // by name
+    private Consumer<String> onKilled = _ -> {};
+    private boolean closed;
+
+    private JadeHost(Scheduler run, Platform platform) {
+        this.run = run;
+        this.platform = platform;
+        this.people = new JadeAgent(PEOPLE, run, _ -> {});
+    }
+
+    /// @throws IllegalStateException when JADE can't start, or has no display for its windows
+    static JadeHost start(Scheduler run, Set<Tool> tools) {
+        if (!tools.isEmpty() && GraphicsEnvironment.isHeadless()) {
+            throw new IllegalStateException(
+                    "JADE's windows need a display, and there is none. Maybe leave %s out.".formatted(tools));
+        }
+        var host = new JadeHost(run, Platform.start());
+        host.platform.start(host.people);
+        tools.forEach(host.platform::open);
+        return host;
+    }
+
+    @Override
+    public Scheduler lane(String name) {
+        var agent = new JadeAgent(name, run, gone -> run.execute(() -> gone(gone)));
+        agents.put(name, agent);
+        if (!leaving.containsKey(name)) {
+            platform.start(agent);
+        }
+        return new ThreadLane(run, agent);
+    }
+
+    /// The platform has forgotten an agent, as it was told, or by a person's will.
+    private void gone(JadeAgent agent) {
+        String name = agent.name();
+        if (agent.isLeaving()) {
+            leaving.remove(name, agent);
+            if (agents.containsKey(name) && !closed) {
+                platform.start(agents.get(name));
+            }
+        } else if (agents.remove(name, agent)) {
+            onKilled.accept(name);
+        }
+    }
+
+    @Override
+    public Optional<Carrier> carrier() {
+        return Optional.of(this);
+    }
+
+    @Override
+    public void onKilled(Consumer<String> listener) {
+        onKilled = listener;
+    }
+
+    @Override
+    public void end(String name) {
+        JadeAgent agent = agents.remove(name);
+        if (agent != null) {
+            leaving.put(name, agent);
+            agent.leave();
+        }
+    }
+
+    @Override
+    public void close() {
+        if (!closed) {
+            closed = true;
+            people.leave();
+            Thread.ofPlatform().daemon().name("end of JADE").start(platform::end);
+        }
+    }
+
+    @Override
+    public void listens(String agent, Topic<?> topic) {
+        find(agent).ifPresent(listener -> listener.listen(address(topic)));
+    }
+
+    @Override
+    public void ignores(String agent, Topic<?> topic) {
+        find(agent).ifPresent(listener -> listener.ignore(address(topic)));
+    }
+
+    @Override
+    public void carry(Message<?> message, Consumer<String> arrival) {
+        AID receiver = message.isForAll() ? address(message.topic()) : platform.agent(message.to());
+        ACLMessage utterance = Utterance.of(message, receiver, arrival);
+        find(message.sender()).ifPresentOrElse(sender -> sender.send(utterance), () -> {
+            utterance.setSender(platform.agent(message.sender()));
+            people.send(utterance);
+        });
+    }
+
+    @Override
+    public void offers(String agent, Capability capability) {
+        find(agent).ifPresent(one -> one.offer(capability));
+    }
+
+    @Override
+    public void withdraws(String agent, Capability capability) {
+        find(agent).ifPresent(one -> one.withdraw(capability));
+    }
+
+    private Optional<JadeAgent> find(String agent) {
+        return Optional.ofNullable(agents.get(agent));
+    }
+
+    private AID address(Topic<?> topic) {
+        return topics.computeIfAbsent(topic.name(), platform::topic);
+    }
+}

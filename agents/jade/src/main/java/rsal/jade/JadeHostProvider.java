@@ -1,0 +1,42 @@
+package rsal.jade;
+
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.List;
+import rsal.agent.AgentHost;
+import rsal.agent.AgentHostProvider;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.Scheduler;
+
+/// Runs agents on a JADE platform inside this process: each on a thread of its own, what they say as ACL messages, what
+/// they offer in the directory facilitator. Real time only. Opens no port; JADE's own windows open when asked for.
+public final class JadeHostProvider implements AgentHostProvider {
+    @Override
+    public String key() {
+        return "jade";
+    }
+
+    /// No: JADE's agents are threads that wait by the clock of the machine.
+    @Override
+    public boolean followsSchedulerTime() {
+        return false;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return Arrays.stream(Tool.values()).map(Tool::parameter).toList();
+    }
+
+    /// @throws IllegalStateException when JADE can't start, or its windows can't open
+    @Override
+    public AgentHost create(Arguments settings, Scheduler scheduler) {
+        var tools = EnumSet.noneOf(Tool.class);
+        for (Tool tool : Tool.values()) {
+            if (settings.flag(tool.parameter().name())) {
+                tools.add(tool);
+            }
+        }
+        return JadeHost.start(scheduler, tools);
+    }
+}
