@@ -122,6 +122,17 @@ final class JadeAgent extends Agent implements Executor {
         addBehaviour(work);
     }
 
+    /// Whoever wanted its end, the facilitator is told; it would keep what it was told before.
+    @Override
+    protected void takeDown() {
+        run.exclusively(() -> {
+            if (!offers.isEmpty()) {
+                offers.clear();
+                ask(FIPAManagementVocabulary.DEREGISTER);
+            }
+        });
+    }
+
     @Override
     public void clean(boolean regular) {
         super.clean(regular);
@@ -136,8 +147,12 @@ final class JadeAgent extends Agent implements Executor {
             answer.setPerformative(ACLMessage.NOT_UNDERSTOOD);
             answer.setContent("(%s) understands only what agents of its run say.".formatted(name));
             send(answer);
-        } else if (message.getPerformative() == ACLMessage.FAILURE || message.getPerformative() == ACLMessage.REFUSE) {
-            LOG.log(Level.WARNING, () -> "JADE could not do what agent (%s) asked: %s".formatted(name, message));
+        } else if (message.getSender().equals(getDefaultDF())
+                && message.getPerformative() != ACLMessage.AGREE
+                && message.getPerformative() != ACLMessage.INFORM) {
+            LOG.log(
+                    Level.WARNING,
+                    () -> "JADE's facilitator does not do what agent (%s) asked: %s".formatted(name, message));
         }
     }
 

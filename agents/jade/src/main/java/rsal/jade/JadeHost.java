@@ -42,18 +42,22 @@ final class JadeHost implements AgentHost, Carrier {
                     "JADE's windows need a display, and there is none. Maybe leave %s out.".formatted(tools));
         }
         var host = new JadeHost(run, Platform.start());
-        host.platform.start(host.people);
+        host.platform.start(PEOPLE, host.people);
         tools.forEach(host.platform::open);
         return host;
+    }
+
+    Platform platform() {
+        return platform;
     }
 
     @Override
     public Scheduler lane(String name) {
         var agent = new JadeAgent(name, run, gone -> run.execute(() -> gone(gone)));
-        agents.put(name, agent);
         if (!leaving.containsKey(name)) {
-            platform.start(agent);
+            platform.start(name, agent);
         }
+        agents.put(name, agent);
         return new ThreadLane(run, agent);
     }
 
@@ -63,7 +67,7 @@ final class JadeHost implements AgentHost, Carrier {
         if (agent.isLeaving()) {
             leaving.remove(name, agent);
             if (agents.containsKey(name) && !closed) {
-                platform.start(agents.get(name));
+                platform.start(name, agents.get(name));
             }
         } else if (agents.remove(name, agent)) {
             onKilled.accept(name);

@@ -39,7 +39,6 @@ final class LonelyProfile extends ProfileImpl {
         setParameter(NO_DISPLAY, "true");
         setParameter(FILE_DIR, files + FileSystems.getDefault().getSeparator());
         setParameter("jade_core_AgentContainerImpl_enablemonitor", "false");
-        setParameter("jade_domain_df_autocleanup", "true"); // of what those offered who are gone
     }
 
     /// The platform is about to end: what is still on its way reaches nobody.

@@ -1,6 +1,7 @@
 package rsal.jade;
 
 import jade.core.AID;
+import jade.core.Agent;
 import jade.core.Runtime;
 import jade.core.messaging.TopicManagementHelper;
 import jade.wrapper.AgentContainer;
@@ -34,14 +35,14 @@ final class Platform {
     private static int running;
     private static CountDownLatch ended = new CountDownLatch(0); // what JADE has once
 
-    private final String name;
+    private final String id;
     private final Path files;
     private final LonelyProfile profile;
     private final AgentContainer container;
     private final long startNanos;
 
-    private Platform(String name, Path files, LonelyProfile profile, AgentContainer container) {
-        this.name = name;
+    private Platform(String id, Path files, LonelyProfile profile, AgentContainer container) {
+        this.id = id;
         this.files = files;
         this.profile = profile;
         this.container = container;
@@ -51,9 +52,9 @@ final class Platform {
     /// @throws IllegalStateException when JADE can't
     static Platform start() {
         JadeLog.redirect();
-        String name = "rsal-" + PLATFORMS.incrementAndGet();
+        String id = "rsal-" + PLATFORMS.incrementAndGet();
         Path files = folder();
-        var profile = new LonelyProfile(name, files);
+        var profile = new LonelyProfile(id, files);
         synchronized (PROCESS) {
             if (running == 0) {
                 var last = new CountDownLatch(1);
@@ -65,7 +66,7 @@ final class Platform {
                 throw new IllegalStateException("JADE does not start; its log says why.");
             }
             running++;
-            return new Platform(name, files, profile, container);
+            return new Platform(id, files, profile, container);
         }
     }
 
@@ -84,7 +85,7 @@ final class Platform {
     private static final String DESCRIPTION = "APDescription.txt";
 
     AID agent(String agent) {
-        return new AID(AID.createGUID(agent, name), AID.ISGUID);
+        return new AID(AID.createGUID(agent, id), AID.ISGUID);
     }
 
     AID topic(String topic) {
@@ -94,13 +95,13 @@ final class Platform {
     /// Starts an agent.
     ///
     /// @throws IllegalArgumentException when there is one of that name
-    void start(JadeAgent agent) {
+    void start(String name, Agent agent) {
         try {
-            container.acceptNewAgent(agent.name(), agent).start();
+            container.acceptNewAgent(name, agent).start();
         } catch (ControllerException e) {
             throw new IllegalArgumentException(
                     "JADE can't start an agent (%s): %s Maybe one of its own has that name, or one that differs in upper and lower case; give it another."
-                            .formatted(agent.name(), e.getMessage()),
+                            .formatted(name, e.getMessage()),
                     e);
         }
     }
@@ -133,7 +134,7 @@ final class Platform {
             Files.deleteIfExists(files.resolve(DESCRIPTION));
             Files.deleteIfExists(files);
         } catch (ControllerException | IOException e) {
-            LOG.log(Level.WARNING, () -> "JADE's platform (%s) does not end.".formatted(name), e);
+            LOG.log(Level.WARNING, () -> "JADE's platform (%s) does not end.".formatted(id), e);
         } catch (InterruptedException _) {
             Thread.currentThread().interrupt(); // then it is left as it is; its threads keep nothing alive
         }
