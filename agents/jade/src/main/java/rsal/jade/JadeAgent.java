@@ -13,6 +13,7 @@ import jade.domain.FIPAAgentManagement.ServiceDescription;
 import jade.lang.acl.ACLMessage;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -24,7 +25,8 @@ import rsal.agent.Capability;
 import rsal.time.Scheduler;
 
 /// The JADE agent of one of ours: lends it its thread and speaks for it. What our agents do they do in turn, so that
-/// several things that wait are done in one turn.
+/// several things that wait are done in one turn; what they say leaves when it is over, as JADE takes its time for
+/// that.
 ///
 /// Its methods are called in turn, but for [#execute], which any thread may call.
 final class JadeAgent extends Agent implements Executor {
@@ -36,7 +38,9 @@ final class JadeAgent extends Agent implements Executor {
     private final transient Consumer<JadeAgent> gone;
     private final transient Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
     private final transient SortedMap<String, Capability> offers = new TreeMap<>(); // by name
+    private final transient Queue<ACLMessage> said = new ArrayDeque<>(); // of its thread
     private final Work work = new Work();
+    private volatile @Nullable Thread thread; // its own, once it has begun
     private boolean leaving;
 
     /// @param name of our agent
@@ -55,7 +59,22 @@ final class JadeAgent extends Agent implements Executor {
     @Override
     public void execute(Runnable task) {
         tasks.add(task);
-        work.restart();
+        if (!isHere()) { // else it is at work already
+            work.restart();
+        }
+    }
+
+    private boolean isHere() {
+        return Thread.currentThread().equals(thread);
+    }
+
+    /// Sends what is said in its name or another's.
+    void say(ACLMessage message) {
+        if (isHere()) {
+            said.add(message);
+        } else {
+            execute(() -> said.add(message));
+        }
     }
 
     /// Ends it once it has done what it was to do before.
@@ -119,6 +138,7 @@ final class JadeAgent extends Agent implements Executor {
 
     @Override
     protected void setup() {
+        thread = Thread.currentThread();
         addBehaviour(work);
     }
 
@@ -175,14 +195,22 @@ final class JadeAgent extends Agent implements Executor {
             block(); // before it looks, so that what comes after that wakes it
             Runnable first = next();
             if (first != null) {
-                run.exclusively(() -> {
-                    int done = 0;
-                    for (Runnable task = first; task != null; task = done < MOST_AT_ONCE ? next() : null) {
-                        task.run();
-                        done++;
-                    }
-                });
-                restart();
+                run.exclusively(() -> work(first));
+                for (ACLMessage message = said.poll(); message != null; message = said.poll()) {
+                    send(message);
+                }
+            }
+        }
+
+        private void work(Runnable first) {
+            int done = 0;
+            for (Runnable task = first; task != null; task = next()) {
+                task.run();
+                done++;
+                if (done == MOST_AT_ONCE) {
+                    restart();
+                    return;
+                }
             }
         }
 

@@ -116,9 +116,9 @@ final class JadeHost implements AgentHost, Carrier {
     public void carry(Message<?> message, Consumer<String> arrival) {
         AID receiver = message.isForAll() ? address(message.topic()) : platform.agent(message.to());
         ACLMessage utterance = Utterance.of(message, receiver, arrival);
-        find(message.sender()).ifPresentOrElse(sender -> sender.send(utterance), () -> {
+        find(message.sender()).ifPresentOrElse(sender -> sender.say(utterance), () -> {
             utterance.setSender(platform.agent(message.sender()));
-            people.send(utterance);
+            people.say(utterance);
         });
     }
 

@@ -28,6 +28,7 @@ import rsal.time.AllowedToReadWallClock;
 final class Platform {
     private static final Logger LOG = System.getLogger(Platform.class.getName());
     private static final AtomicLong PLATFORMS = new AtomicLong();
+    private static final String DESCRIPTION = "APDescription.txt"; // JADE's only file
     private static final Duration LEAST_LIFE = Duration.ofMillis(3_100);
     private static final Duration PATIENCE = Duration.ofSeconds(5);
 
@@ -81,8 +82,6 @@ final class Platform {
             throw new UncheckedIOException("JADE needs a folder for its files.", e);
         }
     }
-
-    private static final String DESCRIPTION = "APDescription.txt";
 
     AID agent(String agent) {
         return new AID(AID.createGUID(agent, id), AID.ISGUID);

@@ -79,7 +79,9 @@ final class JadeRun implements AutoCloseable {
     private static <T> T await(CompletableFuture<T> future, String what) {
         try {
             return future.get(20, TimeUnit.SECONDS);
-        } catch (InterruptedException | ExecutionException | TimeoutException e) {
+        } catch (ExecutionException e) {
+            throw new AssertionError(what, e.getCause());
+        } catch (InterruptedException | TimeoutException e) {
             throw new AssertionError(what, e);
         }
     }
