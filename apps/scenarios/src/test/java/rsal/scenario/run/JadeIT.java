@@ -1,0 +1,53 @@
+package rsal.scenario.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+
+/// The same scenarios on JADE as on our own host, with what is quick to reach. In real time, so all at once.
+@Timeout(600)
+class JadeIT {
+    @Test
+    void threeScenariosSideBySideGetOn() {
+        try (var hunt = start("hunt-and-prey", 3, Map.of("catchDistance", "3.0", "hunters", "3"));
+                var distribution = start("distribution", 5, Map.of("robots", "3"));
+                var collection = start("find-and-collect", 1, Map.of())) {
+            assertSuccess(hunt);
+            assertSuccess(distribution);
+            await(firstCollected(collection));
+        }
+    }
+
+    private static LiveRun start(String scenario, long seed, Map<String, String> arguments) {
+        var options = RunOptions.NONE.withConfiguration("jade").withSeed(seed).withArguments(arguments);
+        return LiveRun.start(Scenario.load(scenario).plan(options));
+    }
+
+    private static void assertSuccess(LiveRun run) {
+        RunResult result = await(run.result().toCompletableFuture());
+        assertThat(result.outcome()).as(result.scenario()).isEqualTo("success");
+        assertThat(result.failed()).as(result.scenario()).isEmpty();
+    }
+
+    /// Completes when something has been found, bid for, fetched and delivered.
+    private static CompletableFuture<Boolean> firstCollected(LiveRun run) {
+        var collected = new CompletableFuture<Boolean>();
+        run.onEvents(() -> {
+            if (run.events(0).stream().anyMatch(event -> event.text().contains(" has brought "))) {
+                collected.complete(true);
+            }
+        });
+        run.result().thenAccept(early -> collected.completeExceptionally(new AssertionError(early.outcome())));
+        return collected;
+    }
+
+    private static <T> T await(CompletableFuture<T> future) {
+        return future.orTimeout(300, TimeUnit.SECONDS).join();
+    }
+}
