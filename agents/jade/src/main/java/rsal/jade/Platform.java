@@ -107,6 +107,8 @@ final class Platform {
 
     /// Opens one of JADE's windows.
     void open(Tool tool) {
+        JadeLog.redirect(tool.agent());
+        JadeLog.redirect("%s-on-Main-Container@%s".formatted(tool.agent(), id)); // who watches for it
         try {
             container
                     .createNewAgent(tool.agent(), tool.type(), tool.arguments())

@@ -20,7 +20,7 @@ class JadeIT {
                 var collection = start("find-and-collect", 1, Map.of())) {
             assertSuccess(hunt);
             assertSuccess(distribution);
-            await(firstCollected(collection));
+            await(firstAllotment(collection));
         }
     }
 
@@ -35,16 +35,16 @@ class JadeIT {
         assertThat(result.failed()).as(result.scenario()).isEmpty();
     }
 
-    /// Completes when something has been found, bid for, fetched and delivered.
-    private static CompletableFuture<Boolean> firstCollected(LiveRun run) {
-        var collected = new CompletableFuture<Boolean>();
+    /// Completes when something has been found and called out, and who bid best is to fetch it.
+    private static CompletableFuture<Boolean> firstAllotment(LiveRun run) {
+        var allotted = new CompletableFuture<Boolean>();
         run.onEvents(() -> {
-            if (run.events(0).stream().anyMatch(event -> event.text().contains(" has brought "))) {
-                collected.complete(true);
+            if (run.events(0).stream().anyMatch(event -> event.text().contains("accept-proposal"))) {
+                allotted.complete(true);
             }
         });
-        run.result().thenAccept(early -> collected.completeExceptionally(new AssertionError(early.outcome())));
-        return collected;
+        run.result().thenAccept(early -> allotted.completeExceptionally(new AssertionError(early.outcome())));
+        return allotted;
     }
 
     private static <T> T await(CompletableFuture<T> future) {
