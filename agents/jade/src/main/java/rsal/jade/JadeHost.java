@@ -2,6 +2,7 @@ package rsal.jade;
 
 import jade.core.AID;
 import jade.lang.acl.ACLMessage;
+import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.util.HashMap;
 import java.util.Map;
@@ -37,14 +38,28 @@ final class JadeHost implements AgentHost, Carrier {
 
     /// @throws IllegalStateException when JADE can't start, or has no display for its windows
     static JadeHost start(Scheduler run, Set<Tool> tools) {
-        if (!tools.isEmpty() && GraphicsEnvironment.isHeadless()) {
+        if (!tools.isEmpty() && !hasDisplay()) {
             throw new IllegalStateException(
                     "JADE's windows need a display, and there is none. Maybe leave %s out.".formatted(tools));
         }
         var host = new JadeHost(run, Platform.start());
-        host.platform.start(PEOPLE, host.people);
-        tools.forEach(host.platform::open);
+        try {
+            host.platform.start(PEOPLE, host.people);
+            tools.forEach(host.platform::open);
+        } catch (IllegalArgumentException | IllegalStateException e) {
+            host.close();
+            throw e;
+        }
         return host;
+    }
+
+    private static boolean hasDisplay() {
+        try {
+            return !GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+        } catch (AWTError _) {
+            return false; // the one that there should be does not answer
+        }
     }
 
     Platform platform() {
@@ -87,8 +102,7 @@ final class JadeHost implements AgentHost, Carrier {
     @Override
     public void end(String name) {
         JadeAgent agent = agents.remove(name);
-        if (agent != null) {
-            leaving.put(name, agent);
+        if (agent != null && leaving.putIfAbsent(name, agent) == null) { // else it never began on JADE
             agent.leave();
         }
     }

@@ -33,7 +33,7 @@ public final class JadeHostProvider implements AgentHostProvider {
     public AgentHost create(Arguments settings, Scheduler scheduler) {
         var tools = EnumSet.noneOf(Tool.class);
         for (Tool tool : Tool.values()) {
-            if (settings.flag(tool.parameter().name())) {
+            if (settings.flag(tool.agent())) {
                 tools.add(tool);
             }
         }

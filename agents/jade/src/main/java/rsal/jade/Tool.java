@@ -25,7 +25,7 @@ enum Tool {
         return Parameter.flag(agent, false, description);
     }
 
-    /// Name of its agent.
+    /// Name of its agent, and of the setting that opens it.
     String agent() {
         return agent;
     }
@@ -38,5 +38,10 @@ enum Tool {
     /// Of its agent.
     Object[] arguments() {
         return watched.isEmpty() ? new Object[0] : new Object[] {watched};
+    }
+
+    @Override
+    public String toString() {
+        return agent;
     }
 }

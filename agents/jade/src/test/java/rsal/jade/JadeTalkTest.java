@@ -212,6 +212,23 @@ class JadeTalkTest {
     }
 
     @Test
+    void onesMayComeAndGoFasterThanJadeForgetsThem() {
+        try (var run = new JadeRun()) {
+            run.act(() -> {
+                for (String word : List.of("first", "second", "third")) {
+                    run.start("amy", _ -> log.add(word));
+                    run.society().stop("amy");
+                }
+                run.start("amy", self -> self.subscribe(WORDS, m -> log.add(m.content())));
+                run.start(
+                        "bob", self -> self.scheduler().every(Duration.ofMillis(50), () -> self.publish(WORDS, "hi")));
+            });
+            run.until("the last of them hears", () -> log.contains("hi"));
+            assertThat(log).containsOnly("hi");
+        }
+    }
+
+    @Test
     void runsSideBySideKeepToThemselves() {
         try (var one = new JadeRun();
                 var other = new JadeRun()) {
@@ -303,7 +320,7 @@ class JadeTalkTest {
         try (var time = new WallScheduler("tested run", Runnable::run)) {
             assertThatIllegalStateException()
                     .isThrownBy(() -> JadeHost.start(time, Set.of(Tool.SNIFFER)))
-                    .withMessage("JADE's windows need a display, and there is none. Maybe leave [SNIFFER] out.");
+                    .withMessage("JADE's windows need a display, and there is none. Maybe leave [sniffer] out.");
         }
     }
 }
