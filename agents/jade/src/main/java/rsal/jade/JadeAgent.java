@@ -199,18 +199,20 @@ final class JadeAgent extends Agent implements Executor {
                 for (ACLMessage message = said.poll(); message != null; message = said.poll()) {
                     send(message);
                 }
+                if (!tasks.isEmpty() || getCurQueueSize() > 0) {
+                    restart();
+                }
             }
         }
 
         private void work(Runnable first) {
-            int done = 0;
-            for (Runnable task = first; task != null; task = next()) {
-                task.run();
-                done++;
-                if (done == MOST_AT_ONCE) {
-                    restart();
+            first.run();
+            for (int done = 1; done < MOST_AT_ONCE; done++) {
+                Runnable task = next();
+                if (task == null) {
                     return;
                 }
+                task.run();
             }
         }
 

@@ -4,6 +4,8 @@ import jade.core.AID;
 import jade.lang.acl.ACLMessage;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -36,11 +38,12 @@ final class JadeHost implements AgentHost, Carrier {
         this.people = new JadeAgent(PEOPLE, run, _ -> {});
     }
 
-    /// @throws IllegalStateException when JADE can't start, or has no display for its windows
+    /// @throws IllegalStateException when JADE can't start
+    /// @throws UncheckedIOException when there is no display for its windows
     static JadeHost start(Scheduler run, Set<Tool> tools) {
         if (!tools.isEmpty() && !hasDisplay()) {
-            throw new IllegalStateException(
-                    "JADE's windows need a display, and there is none. Maybe leave %s out.".formatted(tools));
+            throw new UncheckedIOException(new IOException(
+                    "JADE's windows need a display, and there is none. Maybe leave %s out.".formatted(tools)));
         }
         var host = new JadeHost(run, Platform.start());
         try {

@@ -28,7 +28,8 @@ public final class JadeHostProvider implements AgentHostProvider {
         return Arrays.stream(Tool.values()).map(Tool::parameter).toList();
     }
 
-    /// @throws IllegalStateException when JADE can't start, or its windows can't open
+    /// @throws IllegalStateException when JADE can't start
+    /// @throws java.io.UncheckedIOException when there is no display for its windows
     @Override
     public AgentHost create(Arguments settings, Scheduler scheduler) {
         var tools = EnumSet.noneOf(Tool.class);

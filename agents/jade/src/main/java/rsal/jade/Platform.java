@@ -125,16 +125,16 @@ final class Platform {
             Duration rest = LEAST_LIFE.minusNanos(System.nanoTime() - startNanos);
             TimeUnit.NANOSECONDS.sleep(Math.max(0, rest.toNanos()));
             synchronized (PROCESS) {
+                running--; // also when a person has ended it already, by a tool
                 profile.end();
                 container.getPlatformController().kill();
-                running--;
                 if (running == 0 && !ended.await(PATIENCE.toMillis(), TimeUnit.MILLISECONDS)) {
                     LOG.log(Level.WARNING, "JADE does not end its threads.");
                 }
             }
             Files.deleteIfExists(files.resolve(DESCRIPTION));
             Files.deleteIfExists(files);
-        } catch (ControllerException | IOException e) {
+        } catch (ControllerException | IOException | RuntimeException e) {
             LOG.log(Level.WARNING, () -> "JADE's platform (%s) does not end.".formatted(id), e);
         } catch (InterruptedException _) {
             Thread.currentThread().interrupt(); // then it is left as it is; its threads keep nothing alive

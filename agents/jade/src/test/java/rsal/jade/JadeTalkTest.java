@@ -2,9 +2,9 @@ package rsal.jade;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
-import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.tuple;
 
+import jade.content.AgentAction;
 import jade.content.lang.sl.SLCodec;
 import jade.content.onto.basic.Action;
 import jade.core.AID;
@@ -13,13 +13,14 @@ import jade.domain.FIPAAgentManagement.DFAgentDescription;
 import jade.domain.FIPAAgentManagement.Property;
 import jade.domain.FIPAAgentManagement.ServiceDescription;
 import jade.domain.FIPANames;
-import jade.domain.FIPAService;
 import jade.domain.JADEAgentManagement.JADEManagementOntology;
 import jade.domain.JADEAgentManagement.KillAgent;
+import jade.domain.JADEAgentManagement.ShutdownPlatform;
 import jade.lang.acl.ACLMessage;
 import java.awt.GraphicsEnvironment;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -190,24 +191,49 @@ class JadeTalkTest {
                 }
             });
             run.until("it lives", () -> log.contains("amy lives"));
-            witness.does(() -> {
-                witness.getContentManager().registerLanguage(new SLCodec(), FIPANames.ContentLanguage.FIPA_SL0);
-                witness.getContentManager().registerOntology(JADEManagementOntology.getInstance());
-                var kill = new KillAgent();
-                kill.setAgent(witness.getAID("amy"));
-                var request = new ACLMessage(ACLMessage.REQUEST);
-                request.addReceiver(witness.getAMS());
-                request.setLanguage(FIPANames.ContentLanguage.FIPA_SL0);
-                request.setOntology(JADEManagementOntology.NAME);
-                request.setProtocol(FIPANames.InteractionProtocol.FIPA_REQUEST);
-                witness.getContentManager().fillContent(request, new Action(witness.getAMS(), kill));
-                return FIPAService.doFipaRequestClient(witness, request);
-            });
+            var kill = new KillAgent();
+            kill.setAgent(witness.getAID("amy"));
+            ask(witness, kill);
             run.until("the other knows", () -> log.contains("amy went"));
             assertThat(log).containsSubsequence("last words", "amy went").endsWith("amy went");
             assertThat(run.ask(() -> run.society().views()))
                     .extracting(view -> view.agent().name(), view -> view.status())
                     .containsExactly(tuple("bob", Status.RUNNING), tuple("amy", Status.ENDED));
+        }
+    }
+
+    /// Asks the management system, as JADE's window of all agents does.
+    private static void ask(Witness witness, AgentAction action) {
+        witness.does(() -> {
+            witness.getContentManager().registerLanguage(new SLCodec(), FIPANames.ContentLanguage.FIPA_SL0);
+            witness.getContentManager().registerOntology(JADEManagementOntology.getInstance());
+            var request = new ACLMessage(ACLMessage.REQUEST);
+            request.addReceiver(witness.getAMS());
+            request.setLanguage(FIPANames.ContentLanguage.FIPA_SL0);
+            request.setOntology(JADEManagementOntology.NAME);
+            request.setProtocol(FIPANames.InteractionProtocol.FIPA_REQUEST);
+            witness.getContentManager().fillContent(request, new Action(witness.getAMS(), action));
+            witness.send(request);
+            return true;
+        });
+    }
+
+    @Test
+    void whoEndsThePlatformByAToolEndsAllAgents() throws InterruptedException {
+        try (var run = new JadeRun()) {
+            Witness witness = run.witness("tool").ready();
+            run.start("amy", self -> self.atEnd(() -> log.add("amy")));
+            run.start("bob", self -> self.atEnd(() -> log.add("bob")));
+            run.start("eve", self -> self.scheduler().execute(() -> log.add("begun")));
+            run.until("they have begun", () -> log.contains("begun"));
+            ask(witness, new ShutdownPlatform());
+            run.until("they have ended", () -> log.contains("amy") && log.contains("bob"));
+            run.until("all have", () -> run.society().views().stream().allMatch(view -> view.status() == Status.ENDED));
+        }
+        awaitEnds();
+        try (var next = new JadeRun()) {
+            next.start("amy", _ -> log.add("next"));
+            next.until("it has begun", () -> log.contains("next"));
         }
     }
 
@@ -318,8 +344,9 @@ class JadeTalkTest {
     void windowsNeedADisplay() {
         Assumptions.assumeTrue(GraphicsEnvironment.isHeadless());
         try (var time = new WallScheduler("tested run", Runnable::run)) {
-            assertThatIllegalStateException()
+            assertThatExceptionOfType(UncheckedIOException.class)
                     .isThrownBy(() -> JadeHost.start(time, Set.of(Tool.SNIFFER)))
+                    .havingCause()
                     .withMessage("JADE's windows need a display, and there is none. Maybe leave [sniffer] out.");
         }
     }

@@ -15,17 +15,22 @@ import rsal.scenario.Scenario;
 class JadeIT {
     @Test
     void threeScenariosSideBySideGetOn() {
-        try (var hunt = start("hunt-and-prey", 3, Map.of("catchDistance", "3.0", "hunters", "3"));
-                var distribution = start("distribution", 5, Map.of("robots", "3"));
-                var collection = start("find-and-collect", 1, Map.of())) {
+        var quickHunt = Map.of("catchDistance", "3.0", "hunters", "3");
+        try (var hunt = start("hunt-and-prey", jade(3).withArguments(quickHunt));
+                var distribution = start("distribution", jade(5).withArguments(Map.of("robots", "3")));
+                var collection = start(
+                        "find-and-collect", jade(1).withConfiguration("told").inRealTimeOn("jade"))) {
             assertSuccess(hunt);
             assertSuccess(distribution);
-            await(firstAllotment(collection));
+            await(firstDelivery(collection));
         }
     }
 
-    private static LiveRun start(String scenario, long seed, Map<String, String> arguments) {
-        var options = RunOptions.NONE.withConfiguration("jade").withSeed(seed).withArguments(arguments);
+    private static RunOptions jade(long seed) {
+        return RunOptions.NONE.withConfiguration("jade").withSeed(seed);
+    }
+
+    private static LiveRun start(String scenario, RunOptions options) {
         return LiveRun.start(Scenario.load(scenario).plan(options));
     }
 
@@ -35,16 +40,18 @@ class JadeIT {
         assertThat(result.failed()).as(result.scenario()).isEmpty();
     }
 
-    /// Completes when something has been found and called out, and who bid best is to fetch it.
-    private static CompletableFuture<Boolean> firstAllotment(LiveRun run) {
-        var allotted = new CompletableFuture<Boolean>();
-        run.onEvents(() -> {
-            if (run.events(0).stream().anyMatch(event -> event.text().contains("accept-proposal"))) {
-                allotted.complete(true);
+    /// Completes when something has been called out, bid for, fetched and brought.
+    private static CompletableFuture<Boolean> firstDelivery(LiveRun run) {
+        var brought = new CompletableFuture<Boolean>();
+        Runnable look = () -> {
+            if (run.events(0).stream().anyMatch(event -> event.text().contains(" has brought "))) {
+                brought.complete(true);
             }
-        });
-        run.result().thenAccept(early -> allotted.completeExceptionally(new AssertionError(early.outcome())));
-        return allotted;
+        };
+        run.onEvents(look);
+        look.run(); // it may have been before
+        run.result().thenAccept(early -> brought.completeExceptionally(new AssertionError(early.outcome())));
+        return brought;
     }
 
     private static <T> T await(CompletableFuture<T> future) {
