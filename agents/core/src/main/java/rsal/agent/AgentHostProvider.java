@@ -16,5 +16,10 @@ public interface AgentHostProvider {
 
     List<Parameter> parameters();
 
+    /// Languages in which agents can be written for it, besides Java; none for most.
+    default List<AgentLanguage> languages() {
+        return List.of();
+    }
+
     AgentHost create(Arguments settings, Scheduler scheduler);
 }

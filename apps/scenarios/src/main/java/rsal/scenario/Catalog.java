@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.map.Maps;
 import rsal.robot.DeviceDriver;
@@ -62,6 +63,21 @@ record Catalog(
                     at, "There is no %s (%s).".formatted(what, key), Suggestion.among(key, known.keySet()) + advice);
         }
         return found;
+    }
+
+    /// Keys of the hosts that run agents written in the language of a file of such a name; none when it is in none.
+    List<String> hostsOf(String file) {
+        return hosts.entrySet().stream()
+                .filter(host -> language(host.getValue(), file).isPresent())
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    /// The language of a file of such a name, when agents on a host can be written in it.
+    static Optional<AgentLanguage> language(AgentHostProvider host, String file) {
+        return host.languages().stream()
+                .filter(language -> file.endsWith(language.suffix()))
+                .findFirst();
     }
 
     /// A type of agent, of which people write their own.

@@ -138,6 +138,7 @@ final class JoinReader {
         return Optional.of(new Joined(
                 at,
                 name,
+                other.files(),
                 ArgumentReader.replace(all.mapping(), other.arguments(), values, problems),
                 placed,
                 args.names(),

@@ -9,6 +9,7 @@ import java.util.TreeSet;
 import rsal.agent.AgentType;
 import rsal.scenario.RobotReader.Role;
 import rsal.settings.Arguments;
+import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.settings.Parameter;
 import rsal.settings.Problems;
@@ -20,6 +21,7 @@ import rsal.settings.Value;
 ///
 /// @param at where it is joined
 /// @param name of the scenario and its configuration (`distribution:found`)
+/// @param files where those of its agents are
 /// @param agents those without a robot, arguments filled in
 /// @param placed for each of them the texts among its settings that stand for arguments, by setting: the
 /// argument's name
@@ -32,6 +34,7 @@ import rsal.settings.Value;
 record Joined(
         Location at,
         String name,
+        FileSource files,
         Value.Mapping agents,
         Map<String, Map<String, String>> placed,
         Set<String> given,

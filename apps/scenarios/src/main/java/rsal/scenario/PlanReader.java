@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.agent.message.NewGoal;
 import rsal.data.OccupancyGrid;
@@ -29,6 +30,7 @@ import rsal.scenario.condition.Grammar;
 import rsal.scene.Entity;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
+import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Parameter;
@@ -110,9 +112,9 @@ final class PlanReader {
                 new ThingReader(names, map, inWorld, robotReader.taken(), seeds, problems).read(root.section("things"));
         checkMarkers(roles, things, root.locationOf("things"));
         int before = problems.all().size();
-        List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), names, seeds));
+        List<PlannedAgent> agents = new ArrayList<>(agents(root.section("agents"), mas, names, seeds));
         Optional<Joined> joined = new JoinReader(scenario, catalog, problems).read(root);
-        joined.ifPresent(other -> agents.addAll(joining(other, agents, names, world.name(), seeds)));
+        joined.ifPresent(other -> agents.addAll(joining(other, agents, mas, names, world.name(), seeds)));
         if (scenario.isWorld()) {
             agents.addAll(instead(bare, world, seeds));
         }
@@ -317,7 +319,7 @@ final class PlanReader {
                 Duration.ZERO);
     }
 
-    private List<PlannedAgent> agents(Section section, RobotNames robots, Seeds seeds) {
+    private List<PlannedAgent> agents(Section section, Optional<Mas> mas, RobotNames robots, Seeds seeds) {
         var agents = new ArrayList<PlannedAgent>();
         var names = new HashSet<String>();
         for (String role : section.names()) {
@@ -325,7 +327,7 @@ final class PlanReader {
             if (!isName(role)) {
                 agent.problem(agent.location(), "(%s) can't be the name of an agent.".formatted(role), "");
             }
-            for (PlannedAgent planned : agents(role, agent, robots, seeds)) {
+            for (PlannedAgent planned : agents(role, agent, mas, robots, seeds)) {
                 if (!names.add(planned.name())) {
                     agent.problem(
                             agent.location(),
@@ -343,13 +345,13 @@ final class PlanReader {
 
     /// Agents of a scenario that joins this one.
     private List<PlannedAgent> joining(
-            Joined other, List<PlannedAgent> own, RobotNames robots, String map, Seeds seeds) {
+            Joined other, List<PlannedAgent> own, Optional<Mas> mas, RobotNames robots, String map, Seeds seeds) {
         other.checkRoles(robots, problems);
         var agents = new ArrayList<PlannedAgent>();
         var section = new Section("agents", other.agents(), problems);
         for (String name : section.names()) {
             Section agent = section.section(name);
-            Optional<AgentType> type = type(agent);
+            Optional<AgentType> type = type(agent, mas, other.files());
             Section args = agent.section("args");
             agent.done();
             if (own.stream().anyMatch(one -> one.name().equals(name))) {
@@ -374,9 +376,39 @@ final class PlanReader {
         return agents;
     }
 
-    private Optional<AgentType> type(Section agent) {
+    /// One that is installed, or that its author wrote in a language of the host.
+    ///
+    /// @param mas empty when it can't be read
+    /// @param files of the scenario that names it
+    private Optional<AgentType> type(Section agent, Optional<Mas> mas, FileSource files) {
         String key = agent.text("type");
-        return key.isEmpty() ? Optional.empty() : catalog.agent(key, agent.locationOf("type"), problems);
+        if (key.isEmpty()) {
+            return Optional.empty();
+        }
+        Location at = agent.locationOf("type");
+        List<String> hosts = catalog.hostsOf(key);
+        if (hosts.isEmpty()) {
+            return catalog.agent(key, at, problems);
+        }
+        return mas.flatMap(host -> written(key, host, hosts, files, at));
+    }
+
+    private Optional<AgentType> written(String file, Mas mas, List<String> hosts, FileSource files, Location at) {
+        Optional<AgentLanguage> language = Catalog.language(mas.provider(), file);
+        if (language.isEmpty()) {
+            problems.add(
+                    at,
+                    "Multi-agent system (%s) can't run (%s)."
+                            .formatted(mas.provider().key(), file),
+                    "Maybe mas: {use: %s}.".formatted(hosts.getFirst()));
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(language.get().read(file, files, at));
+        } catch (InvalidSettings e) {
+            e.problems().forEach(problems::add);
+            return Optional.empty();
+        }
     }
 
     private void checkNumber(int agents, Location at) {
@@ -385,8 +417,8 @@ final class PlanReader {
         }
     }
 
-    private List<PlannedAgent> agents(String name, Section section, RobotNames robots, Seeds seeds) {
-        Optional<AgentType> type = type(section);
+    private List<PlannedAgent> agents(String name, Section section, Optional<Mas> mas, RobotNames robots, Seeds seeds) {
+        Optional<AgentType> type = type(section, mas, scenario.files());
         Optional<Role> role = robotRole(section, robots);
         Section args = section.section("args");
         if (type.isEmpty()) {

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Parameter;
@@ -353,10 +354,21 @@ public final class ScenarioSchema {
         }
         var kinds = new ArrayList<Object>();
         catalog.agents().forEach((key, type) -> kinds.add(agent(key, type, robot)));
-        kinds.add(group(
-                with(fields("type", reference()), with(robot, fields("args", fields("type", "object")))),
-                List.of("type")));
+        kinds.add(anyAgent(reference(), robot));
+        catalog.hosts().values().stream()
+                .flatMap(host -> host.languages().stream())
+                .map(AgentLanguage::suffix)
+                .distinct()
+                .forEach(suffix -> kinds.add(described(
+                        anyAgent(fields("type", "string", "pattern", suffix.replace(".", "\\.") + "$"), robot),
+                        "File of an agent written in the language of the multi-agent system.")));
         return oneOf(kinds);
+    }
+
+    /// An agent whose arguments only its own file tells.
+    private static Map<String, Object> anyAgent(Map<String, Object> type, Map<String, Object> robot) {
+        return group(
+                with(fields("type", type), with(robot, fields("args", fields("type", "object")))), List.of("type"));
     }
 
     private static Map<String, Object> agent(String key, AgentType type, Map<String, Object> robot) {
