@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -67,6 +68,40 @@ class HuntAndPreyIT {
             });
         }
         assertThat(caught).hasSizeGreaterThanOrEqualTo(9);
+    }
+
+    @Test
+    void agentsInAgentSpeakCatchThePreyEachSeedTheSameWay() {
+        for (long seed = 1; seed <= 5; seed++) {
+            Hunt hunt = hunt("jason", seed);
+            assertThat(hunt.result.outcome()).as("seed %d", seed).isEqualTo("success");
+            assertThat(hunt.result.failed()).as("seed %d", seed).isEmpty();
+            assertThat(hunt.result.measures().get("captureDistance").getAsDouble())
+                    .as("seed %d", seed)
+                    .isLessThan(1.7); // prey and hunter mistake where they are
+            assertThat(hunt.result.measures().get("wallCollisions").getAsDouble())
+                    .as("seed %d", seed)
+                    .isZero();
+            assertThat(hunt("jason", seed, 2).result.eventHash())
+                    .as("seed %d again, on more threads", seed)
+                    .isEqualTo(hunt.result.eventHash());
+        }
+    }
+
+    @Test
+    void severalHuntersInAgentSpeakDivideThePreyAmongThem() {
+        var options = RunOptions.NONE
+                .withConfiguration("jason")
+                .withSeed(5)
+                .withSpeed(Double.POSITIVE_INFINITY)
+                .withArguments(Map.of("hunters", "5", "prey", "3", "assignment", "nearest"));
+        try (var run = LiveRun.start(HUNT.plan(options), 1)) {
+            var result = run.result()
+                    .toCompletableFuture()
+                    .orTimeout(60, TimeUnit.SECONDS)
+                    .join();
+            assertThat(result.outcome()).isEqualTo("success");
+        }
     }
 
     @Test

@@ -1,0 +1,62 @@
+package rsal.jason;
+
+import java.lang.System.Logger.Level;
+import java.util.Optional;
+import java.util.logging.Handler;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+import org.jspecify.annotations.Nullable;
+
+/// What the interpreter of one agent complains of: plans that fail or are missing are logged, as the author's affair;
+/// what would make it begin anew with an empty mind is kept for the agent to fail of.
+final class Complaints extends Handler {
+    private static final System.Logger LOG = System.getLogger("rsal.jason");
+    private static final String BEGINS_ANEW = "*** ERROR in the transition system";
+
+    private final String agent;
+    private String last = "";
+    private @Nullable String broken;
+
+    /// @param agent its name
+    Complaints(String agent) {
+        this.agent = agent;
+    }
+
+    Logger logger() {
+        var logger = Logger.getAnonymousLogger();
+        logger.setUseParentHandlers(false);
+        logger.setLevel(java.util.logging.Level.INFO);
+        logger.addHandler(this);
+        return logger;
+    }
+
+    /// The newest; empty when there was none.
+    String last() {
+        return last;
+    }
+
+    /// Why it can't go on; empty while it can.
+    Optional<String> broken() {
+        return Optional.ofNullable(broken);
+    }
+
+    @Override
+    public void publish(LogRecord said) {
+        if (said.getLevel().intValue() < java.util.logging.Level.WARNING.intValue()) {
+            return;
+        }
+        String words = String.valueOf(said.getMessage());
+        Throwable cause = said.getThrown();
+        if (words.startsWith(BEGINS_ANEW)) {
+            broken = cause == null ? words : String.valueOf(cause);
+        }
+        last = words;
+        LOG.log(Level.WARNING, () -> "Agent (%s): %s".formatted(agent, words));
+    }
+
+    @Override
+    public void flush() {}
+
+    @Override
+    public void close() {}
+}

@@ -1,0 +1,32 @@
+package rsal.jason;
+
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Literal;
+import java.util.Optional;
+import rsal.agent.Message;
+import rsal.agent.Topic;
+import rsal.agent.message.Topics;
+
+/// What agents say on the common topics, as events `+heard(Topic,From,Content)`. Of topics' names AgentSpeak has
+/// `goal_reached` for `goal-reached`.
+final class Heard {
+    static final String FUNCTOR = "heard";
+    static final int ARITY = 3;
+
+    private Heard() {}
+
+    static String name(Topic<?> topic) {
+        return topic.name().replace('-', '_');
+    }
+
+    static Optional<Topic<?>> topic(String name) {
+        return Topics.ALL.stream()
+                .filter(topic -> name(topic).equals(name) || topic.name().equals(name))
+                .findFirst();
+    }
+
+    static Literal of(Message<?> message) {
+        return ASSyntax.createLiteral(
+                FUNCTOR, Terms.atom(name(message.topic())), Terms.atom(message.sender()), Terms.of(message.content()));
+    }
+}

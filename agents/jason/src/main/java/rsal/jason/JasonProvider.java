@@ -1,0 +1,38 @@
+package rsal.jason;
+
+import java.util.List;
+import rsal.agent.AgentHost;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentLanguage;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.time.Scheduler;
+
+/// Runs agents written in AgentSpeak, and Java agents beside them, all on the run's own thread: deterministic in
+/// simulated time.
+public final class JasonProvider implements AgentHostProvider {
+    @Override
+    public String key() {
+        return "jason";
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return true;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return List.of();
+    }
+
+    @Override
+    public List<AgentLanguage> languages() {
+        return List.of(new AgentSpeak());
+    }
+
+    @Override
+    public AgentHost create(Arguments settings, Scheduler scheduler) {
+        return new JasonHost(scheduler);
+    }
+}

@@ -1,0 +1,152 @@
+package rsal.jason;
+
+import jason.JasonException;
+import jason.asSemantics.Agent;
+import jason.asSyntax.Literal;
+import jason.asSyntax.parser.ParseException;
+import jason.asSyntax.parser.TokenMgrError;
+import java.io.StringReader;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+
+/// The text of an agent and of all files that it includes, as it was when it was read. Immutable.
+///
+/// @param path of the agent's own file
+/// @param texts of all its files, by path
+record Program(String path, Map<String, String> texts) {
+    private static final int MAX_BYTES = 1 << 18;
+    private static final int MOST_FILES = 30;
+    private static final Pattern LEXICAL = Pattern.compile("line (\\d+), column (\\d+)");
+    private static final Pattern SOURCE = Pattern.compile("\\[?[^\\[]*:(\\d+)\\]?\\s*(.*)", Pattern.DOTALL);
+
+    Program {
+        texts = Map.copyOf(texts);
+    }
+
+    /// @throws InvalidSettings when a file can't be read, or with its first mistake of grammar
+    static Program read(String path, FileSource files, Location askedAt) {
+        var texts = new LinkedHashMap<String, String>();
+        parse(path, askedAt, new Reasoner(), (file, at) -> {
+            if (texts.containsKey(file)) {
+                return Optional.empty();
+            }
+            if (texts.size() == MOST_FILES) {
+                throw new InvalidSettings(at, "An agent has at most %d files.".formatted(MOST_FILES), "");
+            }
+            String text = files.text(file, MAX_BYTES, at);
+            texts.put(file, text);
+            return Optional.of(text);
+        });
+        return new Program(path, texts);
+    }
+
+    /// Gives an agent its beliefs, goals and plans; nothing happens yet.
+    void into(Agent agent) {
+        var left = new LinkedHashMap<>(texts);
+        parse(path, Location.of(path), agent, (file, _) -> Optional.ofNullable(left.remove(file)));
+    }
+
+    private static void parse(String path, Location askedAt, Agent agent, Grammar.Includes includes) {
+        String text = includes.text(path, askedAt).orElse("");
+        var grammar = new Grammar(new StringReader(text), path, includes, Program::parse);
+        try {
+            grammar.into(agent);
+        } catch (ParseException e) {
+            throw mistake(path, e);
+        } catch (TokenMgrError e) {
+            throw new InvalidSettings(
+                    lexical(path, String.valueOf(e.getMessage())),
+                    "This is not AgentSpeak: a text without its end, or a sign that it does not have.",
+                    "");
+        } catch (JasonException | InvalidDirective e) {
+            throw new InvalidSettings(
+                    new Location(path, grammar.line(), grammar.column()), String.valueOf(e.getMessage()), "");
+        } catch (StackOverflowError _) {
+            throw new InvalidSettings(
+                    new Location(path, grammar.line(), grammar.column()), "This is nested too deeply.", "");
+        } catch (InvalidSettings e) {
+            throw e;
+        } catch (RuntimeException _) { // which the parser throws on some that it does not expect
+            throw new InvalidSettings(
+                    new Location(path, grammar.line(), grammar.column()), "This can't be read as AgentSpeak.", "");
+        }
+    }
+
+    private static InvalidSettings mistake(String path, ParseException e) {
+        if (e.currentToken == null) { // what the parser says itself begins with the place
+            Matcher said = SOURCE.matcher(String.valueOf(e.getMessage()));
+            return said.matches()
+                    ? new InvalidSettings(
+                            new Location(path, Integer.parseInt(said.group(1)), 1),
+                            said.group(2).strip(),
+                            "")
+                    : new InvalidSettings(Location.of(path), String.valueOf(e.getMessage()), "");
+        }
+        var read = e.currentToken.next;
+        var at = new Location(path, read.beginLine, read.beginColumn);
+        boolean ends = read.kind == 0;
+        return new InvalidSettings(
+                at,
+                ends
+                        ? "The file ends within a belief, a goal or a plan."
+                        : "(%s) can't stand here.".formatted(read.image),
+                expectsFullStop(e) ? "Maybe a full stop is missing before." : "");
+    }
+
+    private static boolean expectsFullStop(ParseException e) {
+        for (int[] expected : e.expectedTokenSequences) {
+            if (e.tokenImage[expected[0]].equals("\".\"")) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static Location lexical(String path, String message) {
+        Matcher place = LEXICAL.matcher(message);
+        return place.find()
+                ? new Location(path, Integer.parseInt(place.group(1)), Integer.parseInt(place.group(2)))
+                : Location.of(path);
+    }
+
+    /// Where something was read.
+    Location locationOf(Literal literal) {
+        var source = literal.getSrcInfo();
+        if (source == null || source.getSrcLine() <= 0) {
+            return Location.of(path);
+        }
+        String file = source.getSrcFile() == null ? path : source.getSrcFile();
+        int column = line(file, source.getSrcLine()).indexOf(literal.getFunctor()); // Jason does not keep it
+        return new Location(file, source.getSrcLine(), Math.max(0, column) + 1);
+    }
+
+    private String line(String file, int number) {
+        return texts.getOrDefault(file, "")
+                .lines()
+                .skip(Math.max(0, number - 1))
+                .findFirst()
+                .orElse("");
+    }
+
+    /// What a comment at the end of a line says; empty when there is none.
+    String comment(Location at) {
+        String line = line(at.file(), at.line());
+        return line.contains("//") ? line.substring(line.indexOf("//") + 2).strip() : "";
+    }
+
+    /// The first comment, a line; empty when the file begins with something else.
+    String title() {
+        return texts.getOrDefault(path, "")
+                .lines()
+                .findFirst()
+                .filter(line -> line.startsWith("//"))
+                .map(line -> line.substring(2).strip())
+                .orElse("");
+    }
+}

@@ -1,0 +1,379 @@
+package rsal.jason;
+
+import jason.JasonException;
+import jason.asSemantics.DefaultInternalAction;
+import jason.asSemantics.Intention;
+import jason.asSemantics.InternalAction;
+import jason.asSemantics.Message;
+import jason.asSemantics.TransitionSystem;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Atom;
+import jason.asSyntax.ListTerm;
+import jason.asSyntax.Structure;
+import jason.asSyntax.Term;
+import jason.asSyntax.Trigger;
+import jason.asSyntax.VarTerm;
+import java.time.Duration;
+import java.time.ZoneOffset;
+import java.time.ZonedDateTime;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import rsal.agent.AgentContext;
+import rsal.agent.Capability;
+import rsal.agent.Directory;
+import rsal.device.Subscription;
+
+/// Internal actions of Jason's that would read the machine's clock, make up random numbers, start threads, or write to
+/// the console, done by what the run gives an agent instead. They take what Jason's take.
+final class Replaced {
+    static final Set<String> NAMES = Set.of(
+            ".wait",
+            ".at",
+            ".random",
+            ".shuffle",
+            ".date",
+            ".time",
+            ".print",
+            ".println",
+            ".log",
+            ".send",
+            ".broadcast",
+            ".all_names",
+            ".df_register",
+            ".df_deregister",
+            ".df_search");
+
+    /// What stands for any of them in an agent that is only read.
+    static final InternalAction UNBOUND = new Simple(0, Integer.MAX_VALUE, (_, _, _) -> false);
+
+    private static final Pattern DELAY = Pattern.compile("now\\s*\\+\\s*(\\d+)\\s*([a-z]*)");
+    private static final int MOST_TRIES = 10_000;
+
+    private final AgentContext self;
+    private final WrittenAgent agent;
+    private final Map<String, Subscription> offers = new HashMap<>(); // by service
+
+    private final Waits waits;
+    private final Post post;
+
+    private Replaced(AgentContext self, WrittenAgent agent, Waits waits, Post post) {
+        this.self = self;
+        this.agent = agent;
+        this.waits = waits;
+        this.post = post;
+    }
+
+    /// Those of one agent, by name.
+    static Map<String, InternalAction> of(AgentContext self, WrittenAgent agent, Waits waits, Post post) {
+        return new Replaced(self, agent, waits, post).all();
+    }
+
+    private Map<String, InternalAction> all() {
+        var all = new HashMap<String, InternalAction>();
+        all.put(".wait", new Wait(waits));
+        all.put(".at", new Simple(2, 2, this::at).onlyInBodies());
+        all.put(".random", new FromRun(Random.from(self.random())));
+        all.put(".shuffle", new Simple(2, 2, this::shuffle));
+        all.put(".date", new Simple(3, 3, this::date));
+        all.put(".time", new Simple(1, 4, this::time));
+        all.put(".print", new Simple(0, Integer.MAX_VALUE, this::print));
+        all.put(".println", all.get(".print"));
+        all.put(
+                ".log",
+                new Simple(
+                        1,
+                        Integer.MAX_VALUE,
+                        (ts, un, terms) -> print(ts, un, Arrays.copyOfRange(terms, 1, terms.length))));
+        all.put(".send", new Send());
+        all.put(".broadcast", new Simple(2, 2, this::broadcast).onlyInBodies());
+        all.put(".all_names", new Simple(1, 1, this::allNames));
+        all.put(".df_register", new Simple(1, 2, this::register).onlyInBodies());
+        all.put(".df_deregister", new Simple(1, 2, this::deregister).onlyInBodies());
+        all.put(".df_search", new Simple(2, 3, this::search));
+        return all;
+    }
+
+    // ── Time ─────────────────────────────────────────────────────────────────────────────────────────────────────
+
+    /// `.at("now +3 s", {+!goal})`, the unit ms without one.
+    private Object at(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
+        Matcher said = DELAY.matcher(Terms.words(terms[0]).strip());
+        Trigger event = Trigger.tryToGetTrigger(terms[1]);
+        if (!said.matches() || event == null) {
+            throw new JasonException("(.at) takes a time as \"now +3 s\" and an event as {+!goal}, not (%s, %s)."
+                    .formatted(terms[0], terms[1]));
+        }
+        String unit = said.group(2);
+        long millis = Long.parseLong(said.group(1))
+                * switch (unit.isEmpty() || unit.startsWith("ms") ? 'i' : unit.charAt(0)) {
+                    case 's' -> 1000;
+                    case 'm' -> 60_000;
+                    case 'h' -> 3_600_000;
+                    case 'd' -> 86_400_000;
+                    default -> 1;
+                };
+        agent.after(Duration.ofMillis(millis), () -> {
+            ts.getC().addEvent(new jason.asSemantics.Event(event, Intention.EmptyInt));
+            agent.wake();
+        });
+        return true;
+    }
+
+    private ZonedDateTime now() {
+        return self.scheduler().instant().atZone(ZoneOffset.UTC);
+    }
+
+    private Object date(TransitionSystem ts, Unifier un, Term[] terms) {
+        ZonedDateTime now = now();
+        return unifies(un, terms, now.getYear(), now.getMonthValue(), now.getDayOfMonth());
+    }
+
+    private Object time(TransitionSystem ts, Unifier un, Term[] terms) {
+        ZonedDateTime now = now();
+        return unifies(un, terms, now.getHour(), now.getMinute(), now.getSecond(), now.getNano() / 1_000_000);
+    }
+
+    private static boolean unifies(Unifier un, Term[] terms, int... values) {
+        return IntStream.range(0, Math.min(terms.length, values.length))
+                .allMatch(i -> un.unifies(terms[i], ASSyntax.createNumber(values[i])));
+    }
+
+    // ── Randomness ───────────────────────────────────────────────────────────────────────────────────────────────
+
+    private Object shuffle(TransitionSystem ts, Unifier un, Term[] terms) throws JasonException {
+        var shuffled = new ArrayList<>(Terms.list(terms[0])
+                .orElseThrow(() -> new JasonException("(.shuffle) takes a list, not (%s).".formatted(terms[0]))));
+        Collections.shuffle(shuffled, Random.from(self.random()));
+        return un.unifies(terms[1], ASSyntax.createList(shuffled));
+    }
+
+    /// `.random(X)`, `.random(X, tries)` and `.random([a, b], X)`; Jason's own functions ask it for its generator.
+    private static final class FromRun extends jason.stdlib.random {
+        private static final long serialVersionUID = 1;
+
+        private final Random random;
+
+        FromRun(Random random) {
+            this.random = random;
+        }
+
+        @Override
+        public Random getRandomGenerator() {
+            return random;
+        }
+
+        @Override
+        public Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
+            checkArguments(terms);
+            Optional<List<Term>> list = Terms.list(terms[0]);
+            if (list.isPresent()) {
+                List<Term> choices = list.get();
+                return !choices.isEmpty() && un.unifies(terms[1], choices.get(random.nextInt(choices.size())));
+            }
+            int tries = terms.length > 1 ? (int) Terms.number(terms[1]) : 1;
+            if (tries < 1 || tries > MOST_TRIES) {
+                throw new JasonException(
+                        "(.random) can be tried from 1 to %d times, not (%d).".formatted(MOST_TRIES, tries));
+            }
+            if (tries == 1) {
+                return un.unifies(terms[0], ASSyntax.createNumber(random.nextDouble()));
+            }
+            return IntStream.range(0, tries)
+                    .mapToObj(_ -> {
+                        Unifier one = un.clone();
+                        return one.unifies(terms[0], ASSyntax.createNumber(random.nextDouble()))
+                                ? Optional.of(one)
+                                : Optional.<Unifier>empty();
+                    })
+                    .flatMap(Optional::stream)
+                    .iterator();
+        }
+    }
+
+    // ── Words ────────────────────────────────────────────────────────────────────────────────────────────────────
+
+    private Object print(TransitionSystem ts, Unifier un, Term[] terms) {
+        agent.say(Terms.words(List.of(terms)));
+        return true;
+    }
+
+    // ── Others ───────────────────────────────────────────────────────────────────────────────────────────────────
+
+    private Object allNames(TransitionSystem ts, Unifier un, Term[] terms) {
+        return un.unifies(terms[0], names(self.directory().agents()));
+    }
+
+    private static ListTerm names(List<Directory.Entry> agents) {
+        return ASSyntax.createList(
+                agents.stream().<Term>map(entry -> Terms.atom(entry.name())).toList());
+    }
+
+    private Object broadcast(TransitionSystem ts, Unifier un, Term[] terms) {
+        post.broadcast(new Message(terms[0].toString(), "", null, terms[1], ""));
+        return true;
+    }
+
+    private Object register(TransitionSystem ts, Unifier un, Term[] terms) {
+        String service = Terms.words(terms[0]);
+        Map<String, String> details = terms.length > 1 ? Map.of("type", Terms.words(terms[1])) : Map.of();
+        offers.put(service, self.offer(new Capability(service, details)));
+        return true;
+    }
+
+    private Object deregister(TransitionSystem ts, Unifier un, Term[] terms) {
+        Subscription offer = offers.remove(Terms.words(terms[0]));
+        if (offer != null) {
+            offer.cancel();
+        }
+        return true;
+    }
+
+    /// `.df_search(service, Names)` or `.df_search(service, type, Names)`.
+    private Object search(TransitionSystem ts, Unifier un, Term[] terms) {
+        String service = Terms.words(terms[0]);
+        List<Directory.Entry> offering = self.directory().offering(service).stream()
+                .filter(entry -> terms.length < 3
+                        || terms[1].isVar()
+                        || self.directory().capabilities(entry.name()).stream()
+                                .anyMatch(offered -> offered.name().equals(service)
+                                        && Terms.words(terms[1])
+                                                .equals(offered.details().get("type"))))
+                .toList();
+        return un.unifies(terms[terms.length - 1], names(offering));
+    }
+
+    /// `.send(to, performative, content)`, and with an answer to wait for, in milliseconds if not for ever.
+    private final class Send extends DefaultInternalAction {
+        private static final long serialVersionUID = 1;
+
+        private boolean asks; // the intention that said it last
+
+        @Override
+        public int getMinArgs() {
+            return 3;
+        }
+
+        @Override
+        public int getMaxArgs() {
+            return 5;
+        }
+
+        @Override
+        public boolean canBeUsedInContext() {
+            return false;
+        }
+
+        @Override
+        public boolean suspendIntention() {
+            return asks;
+        }
+
+        @Override
+        public Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
+            asks = false;
+            checkArguments(terms);
+            List<Term> receivers = Terms.list(terms[0]).orElseGet(() -> List.of(terms[0]));
+            var message = new Message(terms[1].toString(), "", null, terms[2], "");
+            boolean isAsking = message.isAsk() && terms.length > 3;
+            message.setMsgId(post.nextId(isAsking ? Message.msgIdSyncAskPrefix : Message.msgIdPrefix));
+            if (!message.isAsk() && terms.length > 3) {
+                message.setInReplyTo(terms[3].toString());
+            }
+            for (Term receiver : receivers) {
+                String name = Terms.words(receiver);
+                message.setReceiver(name.equals("self") ? self.name() : name);
+                post.send(message);
+            }
+            if (isAsking) {
+                String id = message.getMsgId();
+                asks = true;
+                ts.getC()
+                        .addPendingIntention(
+                                id, new Atom("waiting_ask"), ts.getC().getSelectedIntention(), false);
+                if (terms.length == 5) {
+                    agent.after(
+                            Duration.ofNanos(Math.round(Terms.number(terms[4]) * 1e6)),
+                            () -> ts.runAtBeginOfNextCycle(() -> giveUp(ts, id, terms[0].isList())));
+                }
+            }
+            return true;
+        }
+
+        /// Nobody has answered, or not all: then the answers are those that came.
+        private void giveUp(TransitionSystem ts, String id, boolean many) {
+            Intention intention = ts.getC().removePendingIntention(id);
+            if (intention == null) {
+                return;
+            }
+            Unifier un = intention.peek().getUnif();
+            Term answer = new Atom("timeout");
+            if (many) {
+                Term some = un.get(new VarTerm("AnsList___" + id)); // where Jason collects them
+                answer = some == null ? ASSyntax.createList() : some;
+            }
+            if (intention.peek().removeCurrentStep() instanceof Structure send) {
+                un.unifies(send.getTerm(3), answer);
+            }
+            ts.getC().resumeIntention(intention, new Atom("send_ask_msg_timeout"));
+        }
+    }
+
+    /// What an internal action does.
+    @FunctionalInterface
+    interface Deed {
+        Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception;
+    }
+
+    private static final class Simple extends DefaultInternalAction {
+        private static final long serialVersionUID = 1;
+
+        private final int least;
+        private final int most;
+        private final transient Deed deed;
+        private boolean inContexts = true;
+
+        Simple(int least, int most, Deed deed) {
+            this.least = least;
+            this.most = most;
+            this.deed = deed;
+        }
+
+        /// It has effects, so it is of no use in conditions.
+        Simple onlyInBodies() {
+            inContexts = false;
+            return this;
+        }
+
+        @Override
+        public int getMinArgs() {
+            return least;
+        }
+
+        @Override
+        public int getMaxArgs() {
+            return most;
+        }
+
+        @Override
+        public boolean canBeUsedInContext() {
+            return inContexts;
+        }
+
+        @Override
+        public Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
+            checkArguments(terms);
+            return deed.execute(ts, un, terms);
+        }
+    }
+}

@@ -1,0 +1,316 @@
+package rsal.jason;
+
+import jason.NoValueException;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.Atom;
+import jason.asSyntax.ListTerm;
+import jason.asSyntax.Literal;
+import jason.asSyntax.NumberTerm;
+import jason.asSyntax.NumberTermImpl;
+import jason.asSyntax.StringTerm;
+import jason.asSyntax.StringTermImpl;
+import jason.asSyntax.Structure;
+import jason.asSyntax.Term;
+import jason.asSyntax.VarTerm;
+import jason.asSyntax.parser.ParseException;
+import jason.asSyntax.parser.TokenMgrError;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Rgb;
+
+/// Values of Java as terms of AgentSpeak, and back. Numbers are numbers in SI units; a text of one word is an atom, in
+/// quotes where it needs them (`prey`, `'hunter-1'`, `'#2ca02c'`), and else a string; a pose is `pose(X,Y,Th)`, a place
+/// `point(X,Y)`; any other record is called like its class (`GoalReached` → `goal_reached(...)`).
+final class Terms {
+    private static final Pattern PLAIN = Pattern.compile("[a-z][A-Za-z0-9_]*");
+    private static final Pattern WORD = Pattern.compile("[A-Za-z0-9_#.:+/-]+");
+    private static final Pattern VARIABLE = Pattern.compile("(?<!\\w)_\\d+\\w*");
+    private static final Set<String> KEYWORDS =
+            Set.of("true", "false", "not", "div", "mod", "begin", "end", "if", "else", "elif", "for", "while");
+
+    private Terms() {}
+
+    /// A name as AgentSpeak writes it as an atom: `prey`, `'hunter-1'`.
+    static String quoted(String name) {
+        return PLAIN.matcher(name).matches() && !KEYWORDS.contains(name) ? name : "'" + name + "'";
+    }
+
+    /// The name that an atom stands for.
+    static String unquoted(String functor) {
+        return functor.length() > 1 && functor.startsWith("'") && functor.endsWith("'")
+                ? functor.substring(1, functor.length() - 1)
+                : functor;
+    }
+
+    static Atom atom(String name) {
+        return new Atom(quoted(name));
+    }
+
+    static Term text(String text) {
+        return WORD.matcher(text).matches() ? atom(text) : new StringTermImpl(text);
+    }
+
+    static Term number(double value) {
+        return Double.isFinite(value)
+                ? new NumberTermImpl(value)
+                : atom(Double.isNaN(value) ? "nan" : value > 0 ? "inf" : "neg_inf");
+    }
+
+    /// What a term says as a text: an atom's name, a string's letters, else the term as it is written.
+    static String words(Term term) {
+        return switch (term) {
+            case StringTerm string -> letters(string);
+            case Atom atom when atom.isAtom() -> unquoted(atom.getFunctor());
+            default -> written(term);
+        };
+    }
+
+    /// The members of a list; empty for what is none, as a variable, which is a ListTerm too.
+    static Optional<List<Term>> list(Term term) {
+        return term.isList() && term instanceof ListTerm list ? Optional.of(list.getAsList()) : Optional.empty();
+    }
+
+    /// A string's letters, without the numbers that Jason gives to variables in its messages: they differ from run to
+    /// run.
+    private static String letters(StringTerm string) {
+        return VARIABLE.matcher(string.getString()).replaceAll("_");
+    }
+
+    /// What they say one after the other.
+    static String words(List<Term> terms) {
+        return terms.stream().map(Terms::words).collect(Collectors.joining());
+    }
+
+    /// The number that a term stands for.
+    ///
+    /// @throws IllegalArgumentException when it is none
+    static double number(Term term) {
+        if (term instanceof NumberTerm number) {
+            try {
+                return number.solve();
+            } catch (NoValueException _) {
+                // said below
+            }
+        }
+        throw new IllegalArgumentException("(%s) is no number.".formatted(written(term)));
+    }
+
+    // ── From Java ────────────────────────────────────────────────────────────────────────────────────────────────
+
+    static Term of(Object value) {
+        return switch (value) {
+            case Number number -> number(number.doubleValue());
+            case Boolean flag -> flag ? Literal.LTrue : Literal.LFalse;
+            case Enum<?> constant -> text(constant.name().toLowerCase(Locale.ROOT));
+            case Pose2d pose -> pose(pose);
+            case Point2d(double x, double y) -> ASSyntax.createStructure("point", number(x), number(y));
+            case Rgb color -> text(color.toString());
+            case Optional<?> maybe -> maybe.<Term>map(Terms::of).orElseGet(() -> atom("none"));
+            case List<?> list ->
+                ASSyntax.createList(list.stream().map(Terms::of).toList());
+            case Record row -> structure(row);
+            default -> text(value.toString());
+        };
+    }
+
+    static Structure pose(Pose2d pose) {
+        return ASSyntax.createStructure("pose", number(pose.x()), number(pose.y()), number(pose.theta()));
+    }
+
+    private static Structure structure(Record row) {
+        var terms = new ArrayList<Term>();
+        for (RecordComponent component : row.getClass().getRecordComponents()) {
+            try {
+                terms.add(of(component.getAccessor().invoke(row)));
+            } catch (IllegalAccessException | InvocationTargetException _) { // not for others to look into
+                return ASSyntax.createStructure(functor(row.getClass()), new StringTermImpl(row.toString()));
+            }
+        }
+        return ASSyntax.createStructure(functor(row.getClass()), terms.toArray(Term[]::new));
+    }
+
+    /// `GoalReached` → `goal_reached`.
+    static String functor(Class<?> type) {
+        return type.getSimpleName().replaceAll("(?<=[a-z0-9])(?=[A-Z])", "_").toLowerCase(Locale.ROOT);
+    }
+
+    // ── To Java ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+    /// A record made of terms for its components.
+    ///
+    /// @throws IllegalArgumentException with a sentence when they do not fit
+    static <M> M record(Class<M> type, List<Term> terms) {
+        RecordComponent[] components = type.getRecordComponents();
+        if (components == null) {
+            if (terms.size() == 1) {
+                return type.cast(value(type, terms.getFirst()));
+            }
+            throw new IllegalArgumentException("(%s) is made of one term.".formatted(functor(type)));
+        }
+        if (components.length != terms.size()) {
+            throw new IllegalArgumentException("(%s) is made of %d terms, not %d: %s."
+                    .formatted(
+                            functor(type),
+                            components.length,
+                            terms.size(),
+                            String.join(
+                                    ", ",
+                                    Arrays.stream(components)
+                                            .map(RecordComponent::getName)
+                                            .toList())));
+        }
+        var values = new Object[components.length];
+        var types = new Class<?>[components.length];
+        for (int i = 0; i < components.length; i++) {
+            types[i] = components[i].getType();
+            values[i] = value(components[i].getGenericType(), terms.get(i));
+        }
+        try {
+            return type.getDeclaredConstructor(types).newInstance(values);
+        } catch (InvocationTargetException e) {
+            throw new IllegalArgumentException(
+                    "(%s) can't be made: %s"
+                            .formatted(functor(type), e.getTargetException().getMessage()),
+                    e.getTargetException());
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalArgumentException("(%s) can't be made of terms.".formatted(functor(type)), e);
+        }
+    }
+
+    private static Object value(Type type, Term term) {
+        if (type instanceof ParameterizedType list && list.getRawType().equals(List.class)) {
+            return list(term)
+                    .orElseThrow(() -> new IllegalArgumentException("(%s) is no list.".formatted(written(term))))
+                    .stream()
+                    .map(each -> value(list.getActualTypeArguments()[0], each))
+                    .toList();
+        }
+        if (!(type instanceof Class<?> kind)) {
+            throw new IllegalArgumentException("(%s) can't be made of a term.".formatted(type));
+        }
+        if (kind == double.class || kind == Double.class) {
+            return number(term);
+        }
+        if (kind == int.class || kind == Integer.class) {
+            return Math.toIntExact(Math.round(number(term)));
+        }
+        if (kind == long.class || kind == Long.class) {
+            return Math.round(number(term));
+        }
+        if (kind == boolean.class || kind == Boolean.class) {
+            return words(term).equals("true");
+        }
+        if (kind == String.class) {
+            return words(term);
+        }
+        if (kind == Rgb.class) {
+            return Rgb.parse(words(term))
+                    .orElseThrow(
+                            () -> new IllegalArgumentException("(%s) is no color #rrggbb.".formatted(words(term))));
+        }
+        if (kind.isEnum()) {
+            return Arrays.stream(kind.getEnumConstants())
+                    .filter(constant -> ((Enum<?>) constant).name().equalsIgnoreCase(words(term)))
+                    .findFirst()
+                    .orElseThrow(() -> new IllegalArgumentException(
+                            "(%s) is none of %s.".formatted(words(term), Arrays.toString(kind.getEnumConstants()))));
+        }
+        if (kind.isRecord() && term instanceof Structure structure) {
+            return record(kind, structure.getTerms());
+        }
+        throw new IllegalArgumentException("(%s) can't be a (%s).".formatted(written(term), functor(kind)));
+    }
+
+    // ── As text ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+    /// A term as it can be read again: variables are numbered as they come, as Jason's own names of them differ
+    /// from run to run.
+    static String written(Term term) {
+        var text = new StringBuilder();
+        write(term, text, new LinkedHashMap<>());
+        return text.toString();
+    }
+
+    private static void write(Term term, StringBuilder text, Map<VarTerm, String> variables) {
+        switch (term) {
+            case VarTerm variable ->
+                text.append(variables.computeIfAbsent(variable, _ -> "V" + (variables.size() + 1)));
+            case StringTerm string ->
+                text.append('"')
+                        .append(letters(string).replace("\\", "\\\\").replace("\"", "\\\""))
+                        .append('"');
+            case ListTerm list -> writeList(list, text, variables);
+            case Literal literal when literal.getClass() == Atom.class -> text.append(literal.getFunctor());
+            case Literal literal
+            when !literal.isRule() && !literal.isInternalAction() -> writeLiteral(literal, text, variables);
+            default -> text.append(term);
+        }
+    }
+
+    private static void writeLiteral(Literal literal, StringBuilder text, Map<VarTerm, String> variables) {
+        if (!(literal instanceof Structure) || literal instanceof jason.asSyntax.BinaryStructure) {
+            text.append(literal);
+            return;
+        }
+        if (literal.negated()) {
+            text.append('~');
+        }
+        if (!literal.getNS().equals(Literal.DefaultNS)) {
+            write(literal.getNS(), text, variables);
+            text.append("::");
+        }
+        text.append(literal.getFunctor());
+        if (literal.hasTerm()) {
+            writeAll(literal.getTerms(), "(", ")", text, variables);
+        }
+        if (literal.hasAnnot()) {
+            writeList(literal.getAnnots(), text, variables);
+        }
+    }
+
+    private static void writeList(ListTerm list, StringBuilder text, Map<VarTerm, String> variables) {
+        text.append('[');
+        writeAll(list.getAsList(), "", "", text, variables);
+        Optional<VarTerm> tail = Optional.ofNullable(list.getTail());
+        tail.ifPresent(rest -> {
+            text.append('|');
+            write(rest, text, variables);
+        });
+        text.append(']');
+    }
+
+    private static void writeAll(
+            List<Term> terms, String open, String close, StringBuilder text, Map<VarTerm, String> variables) {
+        text.append(open);
+        String separator = "";
+        for (Term each : terms) {
+            text.append(separator);
+            write(each, text, variables);
+            separator = ",";
+        }
+        text.append(close);
+    }
+
+    /// @throws IllegalArgumentException when it is no term
+    static Term read(String text) {
+        try {
+            return ASSyntax.parseTerm(text);
+        } catch (ParseException | TokenMgrError e) {
+            throw new IllegalArgumentException("(%s) is no term.".formatted(text), e);
+        }
+    }
+}

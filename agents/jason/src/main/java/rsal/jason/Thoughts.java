@@ -1,0 +1,106 @@
+package rsal.jason;
+
+import jason.asSemantics.Circumstance;
+import jason.asSemantics.IntendedMeans;
+import jason.asSemantics.Intention;
+import jason.asSyntax.Literal;
+import jason.asSyntax.PlanBody;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import rsal.agent.bdi.Mind;
+import rsal.agent.bdi.Mind.GoalState;
+import rsal.agent.bdi.Mind.GoalView;
+
+/// What is in an agent's mind, for people: its beliefs by name, and its intentions as goals with the plans and steps by
+/// which it pursues them.
+final class Thoughts {
+    private static final int MOST_BELIEFS = 20; // of one name
+
+    private Thoughts() {}
+
+    static Mind.View of(Reasoner reasoner, String complaint) {
+        return new Mind.View(beliefs(reasoner), goals(reasoner, complaint));
+    }
+
+    private static Map<String, String> beliefs(Reasoner reasoner) {
+        var all = new TreeMap<String, List<String>>();
+        for (Literal belief : reasoner.getBB()) {
+            if (!belief.isRule() && belief.getNS().equals(Literal.DefaultNS)) {
+                String terms = belief.hasTerm()
+                        ? String.join(
+                                ", ",
+                                belief.getTerms().stream().map(Terms::words).toList())
+                        : "true";
+                all.computeIfAbsent(belief.getFunctor(), _ -> new ArrayList<>()).add(terms);
+            }
+        }
+        var words = new TreeMap<String, String>();
+        all.forEach((name, each) -> words.put(
+                name,
+                each.size() <= MOST_BELIEFS
+                        ? String.join("; ", each)
+                        : "%s; and %d more"
+                                .formatted(
+                                        String.join("; ", each.subList(0, MOST_BELIEFS)), each.size() - MOST_BELIEFS)));
+        return Collections.unmodifiableMap(words);
+    }
+
+    private static List<GoalView> goals(Reasoner reasoner, String complaint) {
+        var goals = new ArrayList<GoalView>();
+        Circumstance c = reasoner.getTS().getC();
+        Iterator<Intention> all = c.getAllIntentions();
+        while (all.hasNext()) {
+            Intention intention = all.next();
+            if (intention.isFinished()) {
+                continue;
+            }
+            boolean waits = c.getPendingIntentions().containsValue(intention);
+            goals.add(new GoalView(
+                    Terms.written(intention.getBottom().getTrigger().getLiteral()),
+                    waits ? GoalState.SUSPENDED : GoalState.PURSUED,
+                    0,
+                    plans(intention),
+                    steps(intention),
+                    complaint));
+        }
+        return List.copyOf(goals);
+    }
+
+    /// Of the plans under way, the outermost first.
+    private static List<String> plans(Intention intention) {
+        var names = new ArrayList<String>();
+        for (IntendedMeans means : intention) {
+            names.add(means.getPlan().getLabel().getFunctor());
+        }
+        return names.reversed();
+    }
+
+    private static List<String> steps(Intention intention) {
+        var steps = new ArrayList<String>();
+        for (IntendedMeans means : intention) {
+            PlanBody step = means.isFinished() ? null : means.getCurrentStep();
+            String goal =
+                    means.getTrigger().getOperator() + "" + means.getTrigger().getType()
+                            + Terms.written(means.getTrigger().getLiteral());
+            steps.add(
+                    step == null || step.getBodyTerm() == null
+                            ? goal
+                            : "%s: %s%s"
+                                    .formatted(
+                                            goal,
+                                            step.getBodyType(),
+                                            Terms.written(step.getBodyTerm().capply(means.getUnif()))));
+        }
+        return steps.reversed();
+    }
+
+    /// What it is about now, for messages.
+    static String newest(Reasoner reasoner) {
+        List<GoalView> goals = goals(reasoner, "");
+        return goals.isEmpty() ? "nothing but events" : goals.getFirst().name();
+    }
+}

@@ -1,0 +1,218 @@
+package rsal.jason;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.agent.AgentType;
+import rsal.behavior.Pilot;
+import rsal.device.Battery;
+import rsal.device.BlobFinder;
+import rsal.device.DriveBase;
+import rsal.device.Gripper;
+import rsal.device.LaserScanner;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Parameter;
+
+class AgentSpeakTest {
+    private static void refuses(String text, String... words) {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type(text))
+                .withMessageContainingAll(words);
+    }
+
+    @Test
+    void beliefsOfOneNumberOrTextAreParameters() {
+        AgentType type = Texts.type("""
+                // Goes about.
+                speed(0.4).   // How fast it drives [m/s].
+                back(-1).
+                color('#2ca02c').
+                greeting("good day").
+                careful(true).
+                place(1, 2).
+                friend(amy). friend(bob).
+                tall(X) :- X > 2.
+                free.
+                !go.
+                +!go.
+                """);
+        assertThat(type.key()).isEqualTo("a.asl");
+        assertThat(type.description()).isEqualTo("Goes about.");
+        assertThat(type.parameters())
+                .extracting(Parameter::name)
+                .containsExactly("speed", "back", "color", "greeting", "careful");
+        assertThat(type.parameters())
+                .extracting(parameter -> parameter.fallback().orElseThrow())
+                .containsExactly(0.4, -1.0, "#2ca02c", "good day", true);
+        assertThat(type.parameters().getFirst().description()).isEqualTo("How fast it drives [m/s].");
+    }
+
+    @Test
+    void needsTheDevicesOfItsPerceptsAndActions() {
+        assertThat(Texts.type("+!go <- goto(1, 2).").needs()).containsExactly(Navigator.class);
+        assertThat(Texts.type("+!go <- drive(1, 0); stop.").needs()).containsExactly(DriveBase.class);
+        assertThat(Texts.type("+!go <- if (true) { follow_wall } else { wander }.")
+                        .needs())
+                .containsExactly(Pilot.class);
+        assertThat(Texts.type("+!go <- grip; release.").needs()).containsExactly(Gripper.class);
+        assertThat(Texts.type("near(X) :- pose(X, _, _).").needs()).containsExactly(Localizer.class);
+        assertThat(Texts.type("+!go : not (scan_min(F, _, _) & F < 1) <- .wait(battery(1)).")
+                        .needs())
+                .containsExactlyInAnyOrder(LaserScanner.class, Battery.class);
+        assertThat(Texts.type("+blob(_, X, _) <- .print(X).").needs()).containsExactly(BlobFinder.class);
+        assertThat(Texts.type("+heard(pose, _, pose_report(_, _, pose(X, _, _))) <- .print(X).")
+                        .needs())
+                .as("the pose of another")
+                .isEmpty();
+    }
+
+    @Test
+    void filesMayIncludeOthersBesideThem() {
+        AgentType type = Texts.type(Map.of(
+                "a.asl", "{ include(\"b.asl\") } speed(1).", "b.asl", "{include(\"a.asl\")} turn(2). +!go <- stop."));
+        assertThat(type.parameters()).extracting(Parameter::name).containsExactly("turn", "speed");
+        assertThat(type.needs()).containsExactly(DriveBase.class);
+    }
+
+    @Test
+    void mistakesAreToldWithFileAndLine() {
+        refuses("!go.\n+!go <- stop\n   .print(1).", "a.asl:3:4: (.print) can't stand here.", "full stop");
+        refuses("!go.\n+!go <- stop", "a.asl:2:", "The file ends within");
+        refuses("p(1).\n  @#$", "a.asl:2:", "This is not AgentSpeak");
+        refuses("p(\"no end).", "a.asl:1:", "This is not AgentSpeak");
+        refuses("p(1).\n\n X.", "a.asl:3:", "variables cannot be beliefs");
+        refuses("!go.\n+!go <- stop;\n   gto(1,2).", "a.asl:3:4: There is no action (gto).", "Maybe (goto)");
+        refuses("+!go <- goto(1).", "a.asl:1:9: Action (goto) takes 2 to 3 terms, not 1.");
+        refuses("+!go <- .prnt(1).", "a.asl:1:9: Internal action (.prnt) can't be used here.", "Maybe (.print)");
+        refuses("+!go <- my.own.action(1).", "a.asl:1:", "my.own.action");
+        refuses("+heard(poes, _, _) <- stop.", "a.asl:1:2: There is no topic (poes).", "Maybe (pose)");
+        refuses("+!go <- publish(caugt, 1).", "a.asl:1:9: There is no topic (caugt).", "Maybe (caught)");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                ".stopMAS",
+                ".create_agent(a, \"a.asl\")",
+                ".kill_agent(a)",
+                ".clone(a)",
+                ".save_agent(\"f\")",
+                ".include(\"a.asl\")",
+                ".list_files(\"/\", \".*\", L)",
+                ".nano_time(T)",
+                ".set_random_seed(1)",
+                "jason.stdlib.stopMAS"
+            })
+    void whatReachesOutOfTheAgentIsRefused(String action) {
+        refuses("+!go\n  <- " + action + ".", "a.asl:2:6: ", action.replaceAll("\\(.*", ""));
+        refuses("+!go : " + action + " <- stop.", "a.asl:1:", action.replaceAll("\\(.*", ""));
+        refuses("+!go <- if (x) { " + action + " }.", "a.asl:1:", action.replaceAll("\\(.*", ""));
+    }
+
+    @Test
+    void directivesButIncludeAreRefused() {
+        refuses("p.\n{ register_function(\"java.lang.System\") }", "a.asl:2:", "(register_function) is not read here");
+        refuses("{ begin bc(p) } +!p. { end }", "a.asl:1:", "(begin) is not read here");
+        refuses("p. { include(\"c.asl\") }", "a.asl:1:", "There is no file (c.asl)");
+    }
+
+    @Test
+    void mistakesOfIncludedFilesAreToldWithTheirs() {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type(Map.of("a.asl", "{include(\"b.asl\")}", "b.asl", "p(1")))
+                .withMessageContaining("b.asl:1:");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type(Map.of("a.asl", "{include(\"b.asl\")}", "b.asl", "\n+!go <- gto.")))
+                .withMessageContaining("b.asl:2:9: There is no action (gto).");
+    }
+
+    /// Whatever is in a file, its author hears of mistakes, never of what goes on in here.
+    @Test
+    void noTextBringsTheReaderDown() {
+        String[] parts = {
+            "+!go",
+            "-!go",
+            "<-",
+            ".",
+            ";",
+            ":",
+            "p(1)",
+            "X",
+            "_",
+            "\"a\"",
+            "\"",
+            "'b'",
+            "[",
+            "]",
+            "|",
+            "{",
+            "}",
+            "(",
+            ")",
+            "!",
+            "!!",
+            "?",
+            "&",
+            "not",
+            "~",
+            "::",
+            "@l",
+            "[atomic]",
+            ".print(1)",
+            ".wait",
+            "goto(1,2)",
+            "1/0",
+            "**",
+            "=..",
+            "if",
+            "else",
+            "while",
+            "for",
+            "true",
+            "false",
+            "begin",
+            "end",
+            "include(\"a.asl\")",
+            "\n",
+            "//",
+            "/*",
+            "*/",
+            "\0",
+            "é",
+            "heard(pose,_,P)",
+            ":-",
+            "<=",
+            "\\==",
+            "-",
+            "+",
+            "1e999",
+            "99999999999",
+            "^",
+            "pose(X,Y,Z)",
+            "div",
+            ","
+        };
+        for (long seed = 1; seed <= 3000; seed++) {
+            var random = new SplittableRandom(seed);
+            var text = new StringBuilder();
+            for (int i = random.nextInt(1, 25); i > 0; i--) {
+                text.append(parts[random.nextInt(parts.length)]).append(random.nextBoolean() ? " " : "");
+            }
+            try {
+                Texts.type(text.toString());
+            } catch (InvalidSettings e) {
+                assertThat(e.problems()).as("seed %d", seed).isNotEmpty();
+            } catch (RuntimeException | Error e) {
+                throw new AssertionError("seed %d: %s".formatted(seed, text), e);
+            }
+        }
+        refuses("p(".repeat(100_000), "a.asl:1:");
+    }
+}

@@ -1,0 +1,9 @@
+package rsal.jason;
+
+import rsal.testkit.architecture.ArchitectureRules;
+
+class JasonArchitectureTest extends ArchitectureRules {
+    JasonArchitectureTest() {
+        super(JasonProvider.class);
+    }
+}

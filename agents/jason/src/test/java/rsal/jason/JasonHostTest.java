@@ -1,0 +1,11 @@
+package rsal.jason;
+
+import rsal.agent.AgentHostProvider;
+import rsal.testkit.contract.AgentHostContract;
+
+class JasonHostTest extends AgentHostContract {
+    @Override
+    protected AgentHostProvider provider() {
+        return new JasonProvider();
+    }
+}

@@ -1,0 +1,437 @@
+package rsal.jason;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import rsal.agent.Agent;
+import rsal.agent.AgentSpec;
+import rsal.agent.AgentType;
+import rsal.agent.Message;
+import rsal.agent.Society;
+import rsal.agent.bdi.Mind;
+import rsal.agent.message.Caught;
+import rsal.agent.message.GoalReached;
+import rsal.agent.message.PoseReport;
+import rsal.agent.message.Text;
+import rsal.behavior.PilotDriver;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.data.Shape;
+import rsal.data.Solid;
+import rsal.device.Navigator;
+import rsal.device.SimulationControl.Thing;
+import rsal.robot.DeviceDriver;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.contract.RobotBench;
+import rsal.testkit.fake.FakeLocalizer;
+import rsal.testkit.fake.FakeNavigator;
+import rsal.testkit.fake.FakeProvider;
+import rsal.testkit.fake.TestedType;
+
+class WrittenAgentTest extends RobotBench {
+    private final List<String> states = new ArrayList<>();
+    private final List<Message<?>> said = new ArrayList<>();
+    private Society society;
+
+    @Override
+    protected RobotSystemProvider provider() {
+        return new FakeProvider();
+    }
+
+    @Override
+    protected Map<String, String> parts() {
+        return Map.of("camera", "blob-camera", "gripper", "pioneer-gripper");
+    }
+
+    @Override
+    protected List<DeviceDriver> drivers() {
+        return List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new PilotDriver());
+    }
+
+    @BeforeEach
+    void gather() {
+        society = new Society(run, new JasonProvider().create(Arguments.defaults(List.of()), run), Optional.empty());
+        society.onMessage(said::add);
+        society.onChange(view -> states.add(view.agent().name() + ": " + view.state()));
+    }
+
+    private void start(String name, String text) {
+        start(name, text, Map.of(), Optional.empty());
+    }
+
+    private void startOnRobot(String text) {
+        start("a", text, Map.of(), Optional.of(robot()));
+    }
+
+    private void start(String name, String text, Map<String, Object> arguments, Optional<Robot> robot) {
+        AgentType type = Texts.type(text);
+        society.start(new AgentSpec(
+                name, "tested", type, Arguments.of(type.parameters(), arguments), robot, name.hashCode()));
+    }
+
+    private void start(String name, Agent agent) {
+        society.start(new AgentSpec(
+                name, "tested", new TestedType(agent), Arguments.defaults(List.of()), Optional.empty(), 1));
+    }
+
+    private static Thing can(Pose2d mapFromCan) {
+        var body = Solid.standing(new Shape.Disc(new Point2d(0, 0), 0.08), 0.5);
+        return Thing.of("can", mapFromCan, body, Rgb.of(0x2ca02c));
+    }
+
+    private Society.View view(String name) {
+        return society.views().stream()
+                .filter(view -> view.agent().name().equals(name))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    // ── Beliefs ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+    @Test
+    void itsArgumentsAreItsBeliefs() {
+        String text = """
+                speed(1). who(amy). words("good day"). fast(false).
+                !go.
+                +!go : speed(S) & who(W) & words(T) & fast(F) & me(Me, Role) <- state(S, " ", W, " ", T, " ", F, " ", Me, " ", Role).
+                """;
+        start("a-1", text);
+        advance(0);
+        assertThat(view("a-1").state()).isEqualTo("1 amy good day false a-1 tested");
+        start("b-2", text, Map.of("speed", 2.5, "who", "bob-1", "words", "hi", "fast", true), Optional.empty());
+        advance(0);
+        assertThat(view("b-2").state()).isEqualTo("2.5 bob-1 hi true b-2 tested");
+    }
+
+    @Test
+    void itKnowsItsRobotAndWhereThatIs() {
+        startOnRobot("""
+                !go.
+                +!go <- .wait(pose(_, _, _)); ?pose(X, Y, Th); ?robot(Id, Role); publish(pose, Id, Role, pose(X, Y, Th)).
+                """);
+        advance(1);
+        assertThat(said).hasSize(1);
+        var report = (PoseReport) said.getFirst().content();
+        assertThat(report.robot()).isEqualTo("r1");
+        assertThat(report.mapFromBase().distanceTo(START)).isLessThan(0.05);
+    }
+
+    @Test
+    void aReadingTakesThePlaceOfTheOneBefore() {
+        startOnRobot("""
+                seen(0).
+                !go.
+                +!go <- drive(0.2, 0); .wait(2000); .count(pose(_, _, _), N); state(N, " pose").
+                +pose(_, _, _) : seen(N) <- -+seen(N + 1); M = N + 1; show(seen, M).
+                """);
+        advance(2.05);
+        assertThat(view("a").state()).isEqualTo("1 pose");
+        assertThat(Integer.parseInt(view("a").beliefs().get("seen"))).isBetween(15, 22);
+        double begun = Double.parseDouble(view("a").beliefs().get("seen"));
+        startOnRobotThatStands();
+        assertThat(begun).isPositive();
+    }
+
+    /// A reading that says the same again is no event.
+    private void startOnRobotThatStands() {
+        society.stop("a");
+        advance(1);
+        start(
+                "still",
+                "seen(0). +pose(_, _, _) : seen(N) <- -+seen(N + 1); M = N + 1; show(seen, M).",
+                Map.of(),
+                Optional.of(robot()));
+        advance(3);
+        assertThat(view("still").beliefs()).containsEntry("seen", "1");
+    }
+
+    @Test
+    void itSeesWallsAndBlobs() {
+        put(can(new Pose2d(START.x() + 1, START.y(), 0)));
+        startOnRobot("""
+                !go.
+                +!go <- .wait(blob(_, _, _)); ?blob(C, X, Y); ?scan_min(F, L, R); state(C, " ", X, " ", Y); show(front, F).
+                """);
+        advance(1);
+        String[] words = view("a").state().split(" ", -1);
+        assertThat(words[0]).isEqualTo("#2ca02c");
+        assertThat(Double.parseDouble(words[1])).isCloseTo(1, within(0.15));
+        assertThat(Double.parseDouble(words[2])).isCloseTo(0, within(0.1));
+        assertThat(Double.parseDouble(view("a").beliefs().get("front"))).isPositive();
+    }
+
+    // ── Actions ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+    @Test
+    void oneIntentionWaitsForItsWayWhileOthersGoOn() {
+        Pose2d goal = WORLD.pose('a', 0);
+        startOnRobot("""
+                !go. !count.
+                +!go <- goto(%f, %f); ?counted(N); state("there after ", N).
+                counted(0).
+                +!count : counted(N) <- -+counted(N + 1); .wait(1000); !!count.
+                """.formatted(goal.x(), goal.y()));
+        advance(40);
+        assertThat(truth().distanceTo(goal)).isLessThan(0.5);
+        assertThat(view("a").state()).matches("there after \\d+");
+        assertThat(Integer.parseInt(view("a").state().replace("there after ", "")))
+                .isGreaterThan(5);
+    }
+
+    @Test
+    void aWayThatFailsIsAGoalThatFailsWithTheReason() {
+        Pose2d behind = WORLD.pose('x', 0);
+        startOnRobot("""
+                !go.
+                +!go <- goto(%f, %f).
+                -!go[reason(R), error(E)] <- state(E, " ", R).
+                """.formatted(behind.x(), behind.y()));
+        advance(1);
+        assertThat(view("a").state()).isEqualTo("action_failed no_path");
+    }
+
+    @Test
+    void aNewerWayTakesOverAndADroppedOneIsGivenUp() {
+        Pose2d a = WORLD.pose('a', 0);
+        Pose2d b = WORLD.pose('b', 0);
+        startOnRobot("""
+                !go(%f, %f). !later.
+                +!go(X, Y) <- goto(X, Y); state("there").
+                -!go(_, _)[reason(R)] <- state(R).
+                +!later <- .wait(1000); !!go(%f, %f); .wait(1000); .drop_desire(go(_, _)).
+                """.formatted(a.x(), a.y(), b.x(), b.y()));
+        advance(1.05);
+        assertThat(view("a").state()).isEqualTo("cancelled");
+        var navigator = (FakeNavigator) robot().require(Navigator.class);
+        assertThat(navigator.goal()).contains(b);
+        advance(1);
+        assertThat(navigator.goal()).isEmpty();
+        assertThat(states).doesNotContain("a: there");
+    }
+
+    @Test
+    void drivingGoesOnUntilItStops() {
+        startOnRobot("!go. +!go <- drive(0.2, 0); .wait(3000); stop; .wait(1000); state(\"stands\").");
+        advance(3);
+        double driven = truth().distanceTo(START);
+        assertThat(driven).isBetween(0.4, 0.65); // longer than a base drives after one command
+        advance(2);
+        assertThat(truth().distanceTo(START)).isLessThan(driven + 0.1);
+        assertThat(view("a").state()).isEqualTo("stands");
+    }
+
+    @Test
+    void aGripperThatHoldsNothingHasFailed() {
+        startOnRobot("!go. +!go <- release; grip. -!go[reason(R)] <- state(R).");
+        advance(20);
+        assertThat(view("a").state()).isEqualTo("empty");
+    }
+
+    @Test
+    void theRobotStandsWhenItsAgentEnds() {
+        startOnRobot("!go. +!go <- drive(0.2, 0).");
+        advance(1);
+        society.stop("a");
+        advance(1);
+        Pose2d there = truth();
+        advance(1);
+        assertThat(truth().distanceTo(there)).isLessThan(1e-3);
+    }
+
+    @Test
+    void whatCantBeDoneFails() {
+        start("a", """
+                !go.
+                +!go <- publish(caught, 1).
+                -!go[reason(R), error_msg(M)] <- state(R, ": ", M).
+                """);
+        advance(0);
+        assertThat(view("a").state()).startsWith("wrong: (caught) is made of 3 terms, not 1: prey, hunter, distance.");
+    }
+
+    // ── Others ───────────────────────────────────────────────────────────────────────────────────────────────────
+
+    @Test
+    void messagesOfTopicsAreEvents() {
+        start("a", """
+                +heard(caught, From, caught(Prey, Hunter, D)) <- state(From, " ", Prey, " ", Hunter, " ", D).
+                +heard(goal_reached, _, goal_reached(R, pose(X, Y, _), How, Why)) <- state(R, " ", X, " ", How, " ", Why).
+                """);
+        advance(0);
+        society.publish("operator", Caught.TOPIC, new Caught("prey-1", "hunter-2", 1.25));
+        advance(0);
+        assertThat(view("a").state()).isEqualTo("operator prey-1 hunter-2 1.25");
+        society.publish(
+                "operator", GoalReached.TOPIC, new GoalReached("r1", new Pose2d(1, 2, 0), "stuck", "A box is ahead."));
+        advance(0);
+        assertThat(view("a").state()).isEqualTo("r1 1 stuck A box is ahead.");
+    }
+
+    @Test
+    void theySpeakToEachOther() {
+        start("amy-1", """
+                price(3).
+                +!sell(What)[source(S)] : me(Me, _) <- .send(S, tell, sold(What, Me)).
+                +?color(X) <- X = red.
+                """);
+        start("bob-2", """
+                !go.
+                +!go <- .all_names(All); .print(All);
+                        .send('amy-1', achieve, sell("a box"));
+                        .send('amy-1', askOne, price(_), price(P)); .print("price ", P);
+                        .send('amy-1', askOne, color(_), color(C)); .print("color ", C);
+                        .send('amy-1', askOne, weight(_), W, 500); .print("weight ", W).
+                +sold(What, Who)[source(S)] : S == Who <- show(sold, What).
+                """);
+        advance(1);
+        assertThat(states)
+                .contains("bob-2: ['amy-1','bob-2']", "bob-2: price 3", "bob-2: color red", "bob-2: weight false");
+        assertThat(view("bob-2").beliefs()).containsEntry("sold", "a box");
+    }
+
+    @Test
+    void anAnswerIsWaitedForOnlySoLong() {
+        start("amy", _ -> {});
+        start("bob", "!go. +!go <- .send(amy, askOne, price(_), P, 500); .print(P).");
+        advance(0.45);
+        assertThat(states).doesNotContain("bob: timeout");
+        advance(0.1);
+        assertThat(states).contains("bob: timeout");
+    }
+
+    @Test
+    void javaAgentsHearThemAndSpeakToThem() {
+        start(
+                "java",
+                self -> self.subscribe(
+                        Speech.TOPIC,
+                        heard -> self.send(
+                                heard.sender(),
+                                Speech.TOPIC,
+                                new Speech("tell", "heard(" + heard.content().content() + ")", "", ""))));
+        start("asl-1", "!go. +!go <- .broadcast(tell, here(\"a \\\"word\\\"\", X, Y, X)). +heard(H) <- .print(H).");
+        advance(0);
+        assertThat(said).hasSize(2);
+        assertThat(said.getFirst().content()).hasToString("tell: here(\"a \\\"word\\\"\",V1,V2,V1)");
+    }
+
+    @Test
+    void someoneWhoIsNotThereCantBeSpokenTo() {
+        start("a", "!go. +!go <- .send(bob, tell, x). -!go[error(E), error_msg(M)] <- .print(E, \": \", M).");
+        advance(0);
+        assertThat(view("a").state()).isEqualTo("receiver_not_found: There is no agent (bob). Known are: a.");
+    }
+
+    @Test
+    void theyOfferWhatTheyCanDo() {
+        start("a", "!go. +!go <- .df_register(carry, heavy).");
+        start("b", "!go. +!go <- .df_search(carry, L); .print(L); .df_search(carry, light, M); .print(M).");
+        advance(0);
+        assertThat(states).contains("b: [a]", "b: []");
+    }
+
+    // ── Time and chance ──────────────────────────────────────────────────────────────────────────────────────────
+
+    @Test
+    void timeIsTheRuns() {
+        start("a", """
+                !wait. !event. !formula. !late. !took. !deadline.
+                +!wait <- .wait(1500); .print("waited ", system.time).
+                +!event <- .at("now +2 s", {+!alarm}); .wait({+!alarm}); .print("alarm").
+                +!alarm <- .time(H, M, S); .print("alarm at ", H, ":", M, ":", S); +rung.
+                +!formula <- .wait(rung); .print("rung").
+                +!late <- .wait({+never}, 700).
+                -!late[error(E)] <- .print(E).
+                +!took <- .wait({+never}, 800, T); .print("took ", T).
+                +!deadline <- !long[hard_deadline(900)].
+                +!long <- .wait(100000).
+                -!deadline[error(E)] <- .print(E).
+                """);
+        advance(0.65);
+        assertThat(states).containsExactly("a: ");
+        advance(3);
+        assertThat(states)
+                .containsExactly(
+                        "a: ",
+                        "a: wait_timeout",
+                        "a: took 800",
+                        "a: deadline_reached",
+                        "a: waited 1500",
+                        "a: alarm",
+                        "a: alarm at 0:0:2",
+                        "a: rung");
+    }
+
+    @Test
+    void chanceComesFromTheSeed() {
+        String text = """
+                !go.
+                +!go <- .random(X); .random([a, b, c, d], Y); .shuffle([1, 2, 3, 4, 5, 6], Z); W = math.random(100);
+                        .findall(R, .random(R, 3), L); .length(L, N); .print(X, Y, Z, W, " ", N).
+                """;
+        start("a", text);
+        advance(0);
+        String first = view("a").state();
+        society.stop("a");
+        start("a", text);
+        start("b", text);
+        advance(0);
+        assertThat(first).endsWith(" 3");
+        assertThat(society.views()).extracting(Society.View::state).contains(first);
+        assertThat(view("b").state()).isNotEqualTo(first);
+    }
+
+    @Test
+    void oneThatFindsNoEndIsEndedAlone() {
+        start("a", "!go. +!go <- .wait(1000); !on. +!on <- !off. +!off <- !on.");
+        start("b", "!go. +!go <- .wait(2000); .print(\"lives\").");
+        advance(3);
+        assertThat(view("a").status()).isEqualTo(Society.Status.FAILED);
+        assertThat(view("a").state()).contains("found no end after 10000 reasoning cycles", "(.wait)");
+        assertThat(view("b").state()).isEqualTo("lives");
+    }
+
+    @Test
+    void oneThatRecursEndlesslyIsEndedAlone() {
+        start("a", "p(X) :- p(X). !go. +!go : p(1) <- stop.".replace("stop", ".print(1)"));
+        start("b", "!go. +!go <- .print(\"lives\").");
+        advance(1);
+        assertThat(view("a").status()).isEqualTo(Society.Status.FAILED);
+        assertThat(view("b").state()).isEqualTo("lives");
+    }
+
+    // ── For people ───────────────────────────────────────────────────────────────────────────────────────────────
+
+    @Test
+    void itsMindCanBeLookedInto() {
+        startOnRobot("""
+                likes(tea). likes(milk).
+                !go.
+                +!go <- !drink(tea).
+                +!drink(What) <- .wait(5000).
+                """);
+        advance(1);
+        Mind.View mind = society.look("a", Mind.View.class).orElseThrow();
+        assertThat(mind.beliefs()).containsEntry("likes", "tea; milk").containsEntry("robot", "r1, tested");
+        assertThat(mind.goals()).hasSize(1);
+        assertThat(mind.goals().getFirst().state()).isEqualTo(Mind.GoalState.SUSPENDED);
+        assertThat(mind.goals().getFirst().steps())
+                .anySatisfy(step -> assertThat(step).contains("drink(tea)", ".wait(5000)"));
+    }
+
+    @Test
+    void textIsForPeopleToo() {
+        start("a", "!go. +!go <- publish(text, \"good day to all\").");
+        advance(0);
+        assertThat(said.getFirst().content()).isEqualTo(new Text("good day to all"));
+    }
+}
