@@ -16,7 +16,10 @@ enum Action {
     /// `goto(X,Y)`, `goto(X,Y,Th)`: drives there on the map [m, rad]. Ends when the robot is there, and fails with
     /// `reason(no_path)`, `reason(stuck)`, or `reason(cancelled)` when something else drives it.
     GOTO("goto", 2, 3, Navigator.class),
-    /// `drive(V,W)`: forward [m/s] and counter-clockwise [rad/s] from now on, whatever is in the way.
+    /// `goto_near(X,Y,Distance)`: the same, until it is that near [m], whichever way it looks.
+    GOTO_NEAR("goto_near", 3, 3, Navigator.class),
+    /// `drive(V,W)`: forward [m/s] and counter-clockwise [rad/s] from now on. A robot with a pilot slows down before
+    /// what is in its way, and stops there; one without does not.
     DRIVE("drive", 2, 2, DriveBase.class),
     /// `follow_wall`: along the wall on its left from now on.
     FOLLOW_WALL("follow_wall", 0, 0, Pilot.class),

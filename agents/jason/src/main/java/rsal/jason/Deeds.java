@@ -56,7 +56,14 @@ final class Deeds {
 
     private void begin(ActionExec deed, Action action, List<Term> terms) {
         switch (action) {
-            case GOTO -> goTo(deed, terms);
+            case GOTO -> {
+                boolean looks = terms.size() == 3;
+                goTo(
+                        deed,
+                        place(terms, looks ? Terms.number(terms.get(2)) : 0),
+                        looks ? Tolerance.DEFAULT : Tolerance.position(Tolerance.DEFAULT.distance()));
+            }
+            case GOTO_NEAR -> goTo(deed, place(terms, 0), Tolerance.position(Terms.number(terms.get(2))));
             case GRIP -> grip(deed);
             case RELEASE -> release(deed);
             case DRIVE -> done(deed, () -> wheels().drive(twist(terms)));
@@ -77,11 +84,11 @@ final class Deeds {
         return twist;
     }
 
-    private void goTo(ActionExec deed, List<Term> terms) {
-        boolean looks = terms.size() == 3;
-        var mapFromGoal = new Pose2d(
-                Terms.number(terms.get(0)), Terms.number(terms.get(1)), looks ? Terms.number(terms.get(2)) : 0);
-        Tolerance tolerance = looks ? Tolerance.DEFAULT : Tolerance.position(Tolerance.DEFAULT.distance());
+    private static Pose2d place(List<Term> terms, double theta) {
+        return new Pose2d(Terms.number(terms.get(0)), Terms.number(terms.get(1)), theta);
+    }
+
+    private void goTo(ActionExec deed, Pose2d mapFromGoal, Tolerance tolerance) {
         underWay.put(deed, wheels().goTo(mapFromGoal, tolerance, result -> {
             switch (result) {
                 case Navigator.Result.Reached _ -> succeed(deed);

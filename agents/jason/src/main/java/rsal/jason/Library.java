@@ -8,8 +8,8 @@ import java.util.TreeSet;
 /// another way ([Replaced]), and no others.
 final class Library {
     /// Those of Jason that read and change nothing but the agent's own mind.
-    private static final Set<String> AS_THEY_ARE = Set.of(
-            (".abolish .add_annot .add_nested_source .add_plan .asserta .assertz .atom .belief .concat .copy_term .count"
+    private static final Set<String> AS_THEY_ARE =
+            Set.of((".abolish .add_annot .add_nested_source .add_plan .asserta .assertz .atom .belief .copy_term .count"
                             + " .current_intention .delete .desire .difference .done .drop_all_desires .drop_all_events"
                             + " .drop_all_intentions .drop_desire .drop_event .drop_future_intention .drop_intention .empty"
                             + " .eval .fail .fail_goal .findall .foreach .fork .get_src_info .ground .if_then_else .intend"

@@ -56,15 +56,18 @@ enum Percept {
             tell(self, robot.require(Battery.class), Percept::level, now);
         }
     },
+    /// `between`: something is between the paddles of its gripper.
+    BETWEEN("between", 0, Gripper.class) {
+        @Override
+        void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now) {
+            tell(self, robot.require(Gripper.class), state -> flag("between", state.innerBeamBroken()), now);
+        }
+    },
     /// `holding`: its gripper holds something.
     HOLDING("holding", 0, Gripper.class) {
         @Override
         void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now) {
-            tell(
-                    self,
-                    robot.require(Gripper.class),
-                    state -> state.holding() ? List.of(ASSyntax.createLiteral("holding")) : List.of(),
-                    now);
+            tell(self, robot.require(Gripper.class), state -> flag("holding", state.holding()), now);
         }
     };
 
@@ -151,6 +154,10 @@ enum Percept {
         return Double.isFinite(state.level())
                 ? List.of(ASSyntax.createLiteral("battery", Terms.number(fine(state.level()))))
                 : List.of();
+    }
+
+    private static List<Literal> flag(String name, boolean holds) {
+        return holds ? List.of(ASSyntax.createLiteral(name)) : List.of();
     }
 
     private static double fine(double value) {

@@ -10,10 +10,12 @@ import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Atom;
 import jason.asSyntax.ListTerm;
+import jason.asSyntax.StringTermImpl;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.VarTerm;
+import jason.stdlib.concat;
 import java.time.Duration;
 import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
@@ -40,6 +42,7 @@ final class Replaced {
     static final Set<String> NAMES = Set.of(
             ".wait",
             ".at",
+            ".concat",
             ".random",
             ".shuffle",
             ".date",
@@ -57,6 +60,7 @@ final class Replaced {
     /// What stands for any of them in an agent that is only read.
     static final InternalAction UNBOUND = new Simple(0, Integer.MAX_VALUE, (_, _, _) -> false);
 
+    private static final InternalAction LISTS = new concat();
     private static final Pattern DELAY = Pattern.compile("now\\s*\\+\\s*(\\d+)\\s*([a-z]*)");
     private static final int MOST_TRIES = 10_000;
 
@@ -95,6 +99,7 @@ final class Replaced {
                         1,
                         Integer.MAX_VALUE,
                         (ts, un, terms) -> print(ts, un, Arrays.copyOfRange(terms, 1, terms.length))));
+        all.put(".concat", new Simple(2, Integer.MAX_VALUE, this::concat));
         all.put(".send", new Send());
         all.put(".broadcast", new Simple(2, 2, this::broadcast).onlyInBodies());
         all.put(".all_names", new Simple(1, 1, this::allNames));
@@ -206,6 +211,16 @@ final class Replaced {
     private Object print(TransitionSystem ts, Unifier un, Term[] terms) {
         agent.say(Terms.words(List.of(terms)));
         return true;
+    }
+
+    /// Jason's own for lists; of texts it would keep the quotes of names.
+    private Object concat(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
+        if (terms[0].isList()) {
+            return LISTS.execute(ts, un, terms);
+        }
+        Term last = terms[terms.length - 1];
+        String words = Terms.words(List.of(terms).subList(0, terms.length - 1));
+        return un.unifies(last, new StringTermImpl(words));
     }
 
     // ── Others ───────────────────────────────────────────────────────────────────────────────────────────────────

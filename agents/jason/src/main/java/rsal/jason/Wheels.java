@@ -4,7 +4,10 @@ import java.time.Duration;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
+import rsal.behavior.LimitSpeed;
+import rsal.behavior.LimitTurnRate;
 import rsal.behavior.Pilot;
+import rsal.behavior.SetSpeed;
 import rsal.behavior.Subsumption;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
@@ -21,6 +24,9 @@ import rsal.time.Task;
 /// the agent.
 final class Wheels {
     private static final Duration AGAIN = Duration.ofMillis(200); // bases stop 0.5 s after the last command
+    private static final double MOST_SPEED = 1.0; // m/s
+    private static final double MOST_TURN = 1.0; // rad/s
+    private static final double STOP_DISTANCE = 0.1; // m
 
     private final AgentContext self;
     private final Robot robot;
@@ -50,6 +56,13 @@ final class Wheels {
     }
 
     void drive(Twist2d velocity) {
+        if (robot.find(Pilot.class).isPresent()) {
+            behave(new Subsumption()
+                    .layer("drive", new SetSpeed(velocity))
+                    .layer("limit-turn-rate", new LimitTurnRate(robot.model().footprint(), MOST_TURN))
+                    .layer("limit-speed", new LimitSpeed(robot.model().footprint(), MOST_SPEED, STOP_DISTANCE)));
+            return;
+        }
         letGo();
         var base = robot.require(DriveBase.class);
         base.command(velocity);

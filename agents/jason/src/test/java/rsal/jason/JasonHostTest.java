@@ -1,9 +1,9 @@
 package rsal.jason;
 
 import rsal.agent.AgentHostProvider;
-import rsal.testkit.contract.AgentHostContract;
+import rsal.testkit.contract.RepeatableHostContract;
 
-class JasonHostTest extends AgentHostContract {
+class JasonHostTest extends RepeatableHostContract {
     @Override
     protected AgentHostProvider provider() {
         return new JasonProvider();

@@ -339,6 +339,25 @@ class WrittenAgentTest extends RobotBench {
         assertThat(states).contains("b: [a]", "b: []");
     }
 
+    @Test
+    void wordsAreJoinedWithoutQuotes() {
+        start("a", """
+                !go.
+                +!go <- .concat("Halt, ", 'r-1', "!", W); .concat([1, 2], [3], L); .concat("p", 1, P); .print(W, L, P).
+                """);
+        advance(0);
+        assertThat(view("a").state()).isEqualTo("Halt, r-1![1,2,3]p1");
+    }
+
+    @Test
+    void itDrivesAsNearAsItIsTold() {
+        Pose2d goal = WORLD.pose('a', 0);
+        startOnRobot("!go. +!go <- goto_near(%f, %f, 1.5); state(\"near\").".formatted(goal.x(), goal.y()));
+        advance(30);
+        assertThat(view("a").state()).isEqualTo("near");
+        assertThat(truth().distanceTo(goal)).isBetween(1.2, 1.6);
+    }
+
     // ── Time and chance ──────────────────────────────────────────────────────────────────────────────────────────
 
     @Test

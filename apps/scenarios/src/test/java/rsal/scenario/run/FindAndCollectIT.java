@@ -100,6 +100,21 @@ class FindAndCollectIT {
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
+    void agentsInAgentSpeakCollectAllEachSeedTheSameWay(long seed) {
+        Collection all = collect("jason", seed);
+        assertTidy(all);
+        assertThat(all.measure("collisions")).isZero();
+        assertThat(all.result.failed()).isEmpty();
+        assertThat(all.said()).isEqualTo(all.cans.size());
+        assertThat(all.events)
+                .filteredOn(event -> event.subject().equals("fetch"))
+                .extracting(RunEvent::text)
+                .anyMatch(text -> text.matches("thing \\d+ goes to collect-\\d"));
+        assertThat(collect("jason", seed).result.eventHash()).isEqualTo(all.result.eventHash());
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
     void cansThatComeLaterAreCollectedByRobotsThatMindTheirBatteries(long seed) {
         Collection all = collect("advanced", seed);
         assertTidy(all);
