@@ -41,6 +41,30 @@ class TutorialIT {
     }
 
     @Test
+    void anAgentInAgentSpeakDoesWhatItsTutorialShows() throws Exception {
+        String tutorial = tutorial("first-agentspeak-robot.md");
+        String sentry = blocks(tutorial, "asl").getFirst();
+        Files.writeString(folder.resolve("sentry.asl"), sentry);
+        String guard = blocks(tutorial, "yaml").getFirst();
+        Files.writeString(folder.resolve("guard.yaml"), guard);
+        var rsal = new Rsal(folder);
+        follow(tutorial, rsal);
+        Ended run = rsal.run("run", "guard.yaml", "--headless", "--speed", "max", "--json");
+        assertThat(run.out()).contains("\"topic\":\"text\",\"said\":").doesNotContain("\"topic\":\"text\",\"said\":0");
+
+        Files.writeString(folder.resolve("sentry.asl"), sentry.replace("goto(X, Y)", "godo(X, Y)"));
+        Ended mistake = rsal.run("validate", "guard.yaml");
+        assertThat(mistake.code()).isEqualTo(Exit.INVALID);
+        assertThat(mistake.out().lines())
+                .containsAll(blocks(tutorial, "text").getFirst().lines().toList());
+        assertThat(rsal.run("run", "guard.yaml", "--headless").code()).isEqualTo(Exit.INVALID);
+
+        Files.writeString(folder.resolve("sentry.asl"), sentry);
+        Files.writeString(folder.resolve("guard.yaml"), guard.replace("navigator: {}", "pilot: {}"));
+        assertThat(rsal.run("validate", "guard.yaml").out()).contains("needs a robot with a Navigator");
+    }
+
+    @Test
     void faultsAreAsTheirReferenceShows() throws Exception {
         String reference = Files.readString(TUTORIALS.resolve("../reference/faults.md"));
         Files.writeString(
