@@ -49,6 +49,7 @@ final class Complaints extends Handler {
         Throwable cause = said.getThrown();
         if (words.startsWith(BEGINS_ANEW)) {
             broken = cause == null ? words : String.valueOf(cause);
+            return; // the agent fails with that
         }
         last = words;
         LOG.log(Level.WARNING, () -> "Agent (%s): %s".formatted(agent, words));

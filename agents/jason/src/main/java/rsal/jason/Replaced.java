@@ -2,6 +2,7 @@ package rsal.jason;
 
 import jason.JasonException;
 import jason.asSemantics.DefaultInternalAction;
+import jason.asSemantics.Event;
 import jason.asSemantics.Intention;
 import jason.asSemantics.InternalAction;
 import jason.asSemantics.Message;
@@ -61,7 +62,7 @@ final class Replaced {
     static final InternalAction UNBOUND = new Simple(0, Integer.MAX_VALUE, (_, _, _) -> false);
 
     private static final InternalAction LISTS = new concat();
-    private static final Pattern DELAY = Pattern.compile("now\\s*\\+\\s*(\\d+)\\s*([a-z]*)");
+    private static final Pattern DELAY = Pattern.compile("now\\s*\\+\\s*(\\d{1,9})\\s*([a-z]*)");
     private static final int MOST_TRIES = 10_000;
 
     private final AgentContext self;
@@ -86,7 +87,7 @@ final class Replaced {
     private Map<String, InternalAction> all() {
         var all = new HashMap<String, InternalAction>();
         all.put(".wait", new Wait(waits));
-        all.put(".at", new Simple(2, 2, this::at).onlyInBodies());
+        all.put(".at", new At());
         all.put(".random", new FromRun(Random.from(self.random())));
         all.put(".shuffle", new Simple(2, 2, this::shuffle));
         all.put(".date", new Simple(3, 3, this::date));
@@ -111,28 +112,55 @@ final class Replaced {
 
     // ── Time ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
-    /// `.at("now +3 s", {+!goal})`, the unit ms without one.
-    private Object at(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
-        Matcher said = DELAY.matcher(Terms.words(terms[0]).strip());
-        Trigger event = Trigger.tryToGetTrigger(terms[1]);
-        if (!said.matches() || event == null) {
-            throw new JasonException("(.at) takes a time as \"now +3 s\" and an event as {+!goal}, not (%s, %s)."
-                    .formatted(terms[0], terms[1]));
+    /// `.at("now +3 s", {+!goal})`, the unit ms without one. Jason's actions that drop all cancel what it has set.
+    private final class At extends jason.stdlib.at {
+        private static final long serialVersionUID = 1;
+
+        private int dropped; // how often
+
+        @Override
+        public boolean canBeUsedInContext() {
+            return false;
         }
-        String unit = said.group(2);
-        long millis = Long.parseLong(said.group(1))
-                * switch (unit.isEmpty() || unit.startsWith("ms") ? 'i' : unit.charAt(0)) {
-                    case 's' -> 1000;
-                    case 'm' -> 60_000;
-                    case 'h' -> 3_600_000;
-                    case 'd' -> 86_400_000;
-                    default -> 1;
-                };
-        agent.after(Duration.ofMillis(millis), () -> {
-            ts.getC().addEvent(new jason.asSemantics.Event(event, Intention.EmptyInt));
-            agent.wake();
-        });
-        return true;
+
+        @Override
+        public Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
+            checkArguments(terms);
+            Matcher said = DELAY.matcher(Terms.words(terms[0]).strip());
+            Trigger event = Trigger.tryToGetTrigger(terms[1]);
+            if (!said.matches() || event == null) {
+                throw new JasonException("(.at) takes a time as \"now +3 s\" and an event as {+!goal}, not (%s, %s)."
+                        .formatted(terms[0], terms[1]));
+            }
+            int before = dropped;
+            agent.after(delay(said), () -> {
+                if (dropped == before) {
+                    ts.getC().addEvent(new Event(event, Intention.EmptyInt));
+                    agent.wake();
+                }
+            });
+            return true;
+        }
+
+        private static Duration delay(Matcher said) {
+            long count = Long.parseLong(said.group(1));
+            String unit = said.group(2);
+            if (unit.isEmpty() || unit.startsWith("ms")) {
+                return Duration.ofMillis(count);
+            }
+            return switch (unit.charAt(0)) {
+                case 's' -> Duration.ofSeconds(count);
+                case 'm' -> Duration.ofMinutes(count);
+                case 'h' -> Duration.ofHours(count);
+                case 'd' -> Duration.ofDays(count);
+                default -> Duration.ofMillis(count);
+            };
+        }
+
+        @Override
+        public void cancelAts() {
+            dropped++;
+        }
     }
 
     private ZonedDateTime now() {
@@ -301,6 +329,9 @@ final class Replaced {
             List<Term> receivers = Terms.list(terms[0]).orElseGet(() -> List.of(terms[0]));
             var message = new Message(terms[1].toString(), "", null, terms[2], "");
             boolean isAsking = message.isAsk() && terms.length > 3;
+            Optional<Duration> limit = isAsking && terms.length == 5
+                    ? Optional.of(Duration.ofNanos(Math.round(Terms.number(terms[4]) * 1e6)))
+                    : Optional.empty();
             message.setMsgId(post.nextId(isAsking ? Message.msgIdSyncAskPrefix : Message.msgIdPrefix));
             if (!message.isAsk() && terms.length > 3) {
                 message.setInReplyTo(terms[3].toString());
@@ -316,11 +347,8 @@ final class Replaced {
                 ts.getC()
                         .addPendingIntention(
                                 id, new Atom("waiting_ask"), ts.getC().getSelectedIntention(), false);
-                if (terms.length == 5) {
-                    agent.after(
-                            Duration.ofNanos(Math.round(Terms.number(terms[4]) * 1e6)),
-                            () -> ts.runAtBeginOfNextCycle(() -> giveUp(ts, id, terms[0].isList())));
-                }
+                limit.ifPresent(time ->
+                        agent.after(time, () -> ts.runAtBeginOfNextCycle(() -> giveUp(ts, id, terms[0].isList()))));
             }
             return true;
         }

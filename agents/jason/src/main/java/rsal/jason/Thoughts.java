@@ -4,6 +4,7 @@ import jason.asSemantics.Circumstance;
 import jason.asSemantics.IntendedMeans;
 import jason.asSemantics.Intention;
 import jason.asSyntax.Literal;
+import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -18,6 +19,7 @@ import rsal.agent.bdi.Mind.GoalView;
 /// What is in an agent's mind, for people: its beliefs by name, and its intentions as goals with the plans and steps by
 /// which it pursues them.
 final class Thoughts {
+    private static final String NO_LABEL = "p__"; // with a number of Jason's
     private static final int MOST_BELIEFS = 20; // of one name
 
     private Thoughts() {}
@@ -74,9 +76,17 @@ final class Thoughts {
     private static List<String> plans(Intention intention) {
         var names = new ArrayList<String>();
         for (IntendedMeans means : intention) {
-            names.add(means.getPlan().getLabel().getFunctor());
+            names.add(name(means.getPlan()));
         }
         return names.reversed();
+    }
+
+    /// Its label; where its author gave it none, where it is written.
+    private static String name(Plan plan) {
+        String label = plan.getLabel().getFunctor();
+        return label.startsWith(NO_LABEL) && plan.getSrcInfo() != null
+                ? plan.getSrcInfo().toString()
+                : label;
     }
 
     private static List<String> steps(Intention intention) {

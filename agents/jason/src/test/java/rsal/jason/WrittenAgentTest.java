@@ -3,10 +3,14 @@ package rsal.jason;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import jason.architecture.MindInspectorWeb;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
@@ -30,6 +34,7 @@ import rsal.device.SimulationControl.Thing;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
+import rsal.settings.InvalidSettings;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeLocalizer;
@@ -136,13 +141,6 @@ class WrittenAgentTest extends RobotBench {
         advance(2.05);
         assertThat(view("a").state()).isEqualTo("1 pose");
         assertThat(Integer.parseInt(view("a").beliefs().get("seen"))).isBetween(15, 22);
-        double begun = Double.parseDouble(view("a").beliefs().get("seen"));
-        startOnRobotThatStands();
-        assertThat(begun).isPositive();
-    }
-
-    /// A reading that says the same again is no event.
-    private void startOnRobotThatStands() {
         society.stop("a");
         advance(1);
         start(
@@ -151,7 +149,7 @@ class WrittenAgentTest extends RobotBench {
                 Map.of(),
                 Optional.of(robot()));
         advance(3);
-        assertThat(view("still").beliefs()).containsEntry("seen", "1");
+        assertThat(view("still").beliefs()).as("the same again is no event").containsEntry("seen", "1");
     }
 
     @Test
@@ -391,6 +389,154 @@ class WrittenAgentTest extends RobotBench {
     }
 
     @Test
+    void whoDropsAllForgetsAlsoWhatWasToComeLater() {
+        start("a", """
+                !go. !other.
+                +!go <- .at("now +1 s", {+!alarm}); .wait(500); .drop_all_intentions.
+                +!other <- .wait(700); .print("other").
+                +!alarm <- .print("alarm").
+                """);
+        advance(2);
+        assertThat(states).containsExactly("a: ");
+    }
+
+    @Test
+    void nothingOfJasonsRunsBesideTheRun() throws ReflectiveOperationException {
+        Set<Thread> before = Thread.getAllStackTraces().keySet();
+        start("amy", _ -> {});
+        start("a", """
+                !wait. !ask. !deadline.
+                +!wait <- .at("now +100 ms", {+!alarm}); .wait({+never}, 500).
+                +!alarm <- .broadcast(tell, alarm).
+                +!ask <- .send(amy, askOne, price(_), P, 100).
+                +!deadline <- !long[hard_deadline(100)].
+                +!long <- .wait(1000).
+                """);
+        advance(2);
+        assertThat(Thread.getAllStackTraces().keySet()).isSubsetOf(before);
+        assertThat(MindInspectorWeb.isRunning()).isFalse();
+        var scheduler = jason.asSemantics.Agent.class.getDeclaredField("scheduler");
+        scheduler.setAccessible(true);
+        assertThat(scheduler.get(null)).isNull();
+    }
+
+    /// Jason numbers intentions, messages and variables for the whole process.
+    @Test
+    void equalRunsAreEqualHoweverManyWereBefore() {
+        String text = """
+                !begin.
+                +!begin <- for (.range(I, 1, 5)) { !!go(I); !!wait(I) }; .wait(100); .drop_desire(go(_)); .drop_desire(wait(_));
+                           .wait(100); !missing(Unknown).
+                +!go(I) <- goto(100, 100 + I).
+                -!go(I) <- .print("gone ", I).
+                +!wait(I) <- .wait({+never}).
+                -!wait(I) <- .print("waited ", I).
+                -!begin[error_msg(Why)] <- .print(Why); .broadcast(tell, why(Why, Unknown)).
+                """;
+        var transcripts = new HashSet<List<String>>();
+        for (int i = 0; i < 40; i++) {
+            states.clear();
+            said.clear();
+            startOnRobot(text);
+            advance(1);
+            society.stop("a");
+            var all = new ArrayList<>(states);
+            said.forEach(message -> all.add(message.content().toString()));
+            transcripts.add(all);
+        }
+        assertThat(transcripts).hasSize(1);
+        assertThat(transcripts.iterator().next()).anyMatch(line -> line.contains("missing(_)"));
+    }
+
+    /// An agent may fail, and says why; the others go on.
+    @Test
+    void whateverOneDoesHarmsNobodyElse() {
+        String[] steps = {
+            "goto(a, b)",
+            "goto(1, 2)",
+            "drive(1/0, 0)",
+            "drive(x, Y)",
+            "publish(pose, 1, 2, 3)",
+            "publish(X)",
+            "publish(text, Y)",
+            "publish(caught, a, b, -1)",
+            "grip",
+            "release",
+            "stop",
+            "wander",
+            "state(X)",
+            "show(1, [])",
+            ".wait(-1)",
+            ".wait(a)",
+            ".wait({+!x})",
+            ".send(X, tell, 1)",
+            ".send(a, Y, Z)",
+            ".send(a, askOne, p(_), A, b)",
+            ".broadcast(1, 2)",
+            ".at(1, 2)",
+            ".at(\"now +1 s\", {+!x})",
+            ".random(X, 0)",
+            ".random([], X)",
+            ".shuffle(1, X)",
+            ".print(X, [Y | Z])",
+            ".fail",
+            "!x",
+            "!!x",
+            "?y(X)",
+            "+z(X)",
+            "-z(_)",
+            "X = 1",
+            "X + 1 > a",
+            ".df_search(a, X)",
+            ".df_register(\"\")",
+            ".drop_all_intentions",
+            ".drop_all_events",
+            ".suspend",
+            ".suspend(go)",
+            ".resume(go)",
+            ".abolish(_)",
+            ".add_plan(1)",
+            ".remove_plan(X)",
+            ".term2string(X, \"p(\")",
+            ".succeed_goal(go)",
+            ".fail_goal(go)",
+            ".concat(X, Y)",
+            ".time(a)",
+            "X",
+            "goto(X, 1)",
+            ".fork(and, {!x}, {stop})",
+            ".eval(X, .fail)",
+            ".member(X, X)",
+            ".nth(-1, [a], X)",
+            "for (.member(X, 1)) { stop }"
+        };
+        for (long seed = 1; seed <= 400; seed++) {
+            var random = new SplittableRandom(seed);
+            var body = new ArrayList<String>();
+            for (int i = random.nextInt(1, 8); i > 0; i--) {
+                body.add(steps[random.nextInt(steps.length)]);
+            }
+            String text = "y(1). !go. +!go <- %s. +!x <- %s.%s"
+                    .formatted(
+                            String.join("; ", body),
+                            steps[random.nextInt(steps.length)],
+                            random.nextBoolean() ? " -!go <- stop." : "");
+            try {
+                startOnRobot(text);
+                advance(0.5);
+                society.stop("a");
+            } catch (InvalidSettings e) {
+                assertThat(e.problems()).as("seed %d: %s", seed, text).isNotEmpty();
+            } catch (RuntimeException e) {
+                throw new AssertionError("seed %d: %s".formatted(seed, text), e);
+            }
+        }
+        start("b", "!go. +!go <- .print(\"lives\").");
+        advance(0.1);
+        assertThat(view("b").state()).isEqualTo("lives");
+    }
+
+    @Test
     void chanceComesFromTheSeed() {
         String text = """
                 !go.
@@ -445,6 +591,7 @@ class WrittenAgentTest extends RobotBench {
         assertThat(mind.goals().getFirst().state()).isEqualTo(Mind.GoalState.SUSPENDED);
         assertThat(mind.goals().getFirst().steps())
                 .anySatisfy(step -> assertThat(step).contains("drink(tea)", ".wait(5000)"));
+        assertThat(mind.goals().getFirst().plans()).containsExactly("a.asl:3", "a.asl:4");
     }
 
     @Test

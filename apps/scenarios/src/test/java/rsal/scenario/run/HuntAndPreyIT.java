@@ -89,6 +89,17 @@ class HuntAndPreyIT {
     }
 
     @Test
+    void runsInAgentSpeakDoNotMeetInOneProcess() {
+        var options = RunOptions.NONE.withConfiguration("jason").withSeed(3).withSpeed(Double.POSITIVE_INFINITY);
+        try (var one = LiveRun.start(HUNT.plan(options), 1);
+                var other = LiveRun.start(HUNT.plan(options), 1)) {
+            var first = one.result().toCompletableFuture().orTimeout(60, TimeUnit.SECONDS);
+            var second = other.result().toCompletableFuture().orTimeout(60, TimeUnit.SECONDS);
+            assertThat(first.join().eventHash()).isEqualTo(second.join().eventHash());
+        }
+    }
+
+    @Test
     void severalHuntersInAgentSpeakDivideThePreyAmongThem() {
         var options = RunOptions.NONE
                 .withConfiguration("jason")
