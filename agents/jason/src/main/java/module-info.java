@@ -9,5 +9,5 @@ module rsal.jason {
     exports rsal.jason;
 
     provides rsal.agent.AgentHostProvider with
-            rsal.jason.JasonProvider;
+            rsal.jason.JasonHostProvider;
 }

@@ -10,7 +10,7 @@ import rsal.time.Scheduler;
 
 /// Runs agents written in AgentSpeak, and Java agents beside them, all on the run's own thread: deterministic in
 /// simulated time.
-public final class JasonProvider implements AgentHostProvider {
+public final class JasonHostProvider implements AgentHostProvider {
     @Override
     public String key() {
         return "jason";

@@ -4,6 +4,6 @@ import rsal.testkit.architecture.ArchitectureRules;
 
 class JasonArchitectureTest extends ArchitectureRules {
     JasonArchitectureTest() {
-        super(JasonProvider.class);
+        super(JasonHostProvider.class);
     }
 }

@@ -6,6 +6,6 @@ import rsal.testkit.contract.RepeatableHostContract;
 class JasonHostTest extends RepeatableHostContract {
     @Override
     protected AgentHostProvider provider() {
-        return new JasonProvider();
+        return new JasonHostProvider();
     }
 }

@@ -64,7 +64,8 @@ class WrittenAgentTest extends RobotBench {
 
     @BeforeEach
     void gather() {
-        society = new Society(run, new JasonProvider().create(Arguments.defaults(List.of()), run), Optional.empty());
+        society =
+                new Society(run, new JasonHostProvider().create(Arguments.defaults(List.of()), run), Optional.empty());
         society.onMessage(said::add);
         society.onChange(view -> states.add(view.agent().name() + ": " + view.state()));
     }
