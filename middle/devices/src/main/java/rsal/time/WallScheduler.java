@@ -126,7 +126,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
 
     private void work() {
         for (Entry next = take(); next != null; next = take()) {
-            run(next.task);
+            run(next::runUnlessCancelled);
         }
     }
 
@@ -225,6 +225,13 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
             this.phase = phase;
             this.step = step;
             this.task = task;
+        }
+
+        /// Whoever had the turn before may have cancelled it.
+        void runUnlessCancelled() {
+            if (!cancelled) {
+                task.run();
+            }
         }
 
         @Override

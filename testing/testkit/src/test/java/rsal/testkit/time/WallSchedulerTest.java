@@ -173,6 +173,26 @@ class WallSchedulerTest extends SchedulerContract {
     }
 
     @Test
+    void whatIsCancelledWhileItWaitsForItsTurnDoesNotRun() throws Exception {
+        var ran = new AtomicInteger();
+        for (int i = 0; i < 50; i++) {
+            var due = new CountDownLatch(1);
+            scheduler.exclusively(() -> {
+                var task = scheduler.after(Duration.ZERO, ran::incrementAndGet);
+                try {
+                    assertThat(due.await(2, TimeUnit.MILLISECONDS)).isFalse(); // it is due, and waits
+                } catch (InterruptedException e) {
+                    throw new AssertionError(e);
+                }
+                task.cancel();
+            });
+        }
+        settle();
+        assertThat(ran).hasValue(0);
+        assertThat(failures).isEmpty();
+    }
+
+    @Test
     void whatFailsExclusivelyGoesToTheHandler() {
         scheduler.exclusively(() -> {
             throw new IllegalStateException("a slip");
