@@ -199,6 +199,25 @@ public abstract class AgentHostContract {
     }
 
     @Test
+    void whatIsForAllAndWhatIsForOneArriveInOneOrder() {
+        var heard = new ArrayList<Integer>();
+        try (var run = run()) {
+            run.start("bob", self -> self.subscribe(NUMBERS, m -> heard.add(m.content())));
+            run.untilAllHaveBegun();
+            run.start(
+                    "eve",
+                    self -> self.scheduler().after(Duration.ofMillis(200), () -> {
+                        for (int i = 0; i < 100; i++) {
+                            self.publish(NUMBERS, 2 * i);
+                            self.send("bob", NUMBERS, 2 * i + 1);
+                        }
+                    }));
+            run.until("it has heard all", () -> heard.size() == 200);
+        }
+        assertThat(heard).isSorted();
+    }
+
+    @Test
     void aPersonIsHeard() {
         try (var run = run()) {
             run.start("amy", self -> self.subscribe(WORDS, m -> log.add(m.sender() + ": " + m.content())));
@@ -260,9 +279,10 @@ public abstract class AgentHostContract {
                 });
             });
             run.until("the others know", () -> log.contains("bob went: a slip"));
-            int before = log.size();
+            int before = run.ask(log::size);
             run.until("amy goes on", () -> isLogged(before + 3));
-            assertThat(log.subList(before, log.size())).containsOnly("amy lives");
+            assertThat(run.ask(() -> List.copyOf(log)).subList(before, before + 3))
+                    .containsOnly("amy lives");
             assertThat(run.status("amy")).isEqualTo(Status.RUNNING);
             assertThat(run.status("bob")).isEqualTo(Status.FAILED);
         }
@@ -304,13 +324,14 @@ public abstract class AgentHostContract {
                 @Override
                 public void stop(AgentContext self) {
                     self.publish(WORDS, "farewell");
+                    self.send("amy", WORDS, "amy");
                 }
             });
             run.untilAllHaveBegun();
             run.stop("bob");
-            run.until("they are", () -> isLogged(1));
+            run.until("they are", () -> isLogged(2));
         }
-        assertThat(log).containsExactly("farewell");
+        assertThat(log).containsExactly("farewell", "amy");
     }
 
     @Test
