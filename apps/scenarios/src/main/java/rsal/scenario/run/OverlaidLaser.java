@@ -13,7 +13,9 @@ final class OverlaidLaser extends OverlaidSensor<LaserScan> implements LaserScan
 
     @Override
     List<Fan> fans(LaserScan scan) {
-        return List.of(new Fan(scan.baseFromLaser(), scan.angleMin(), scan.angleIncrement(), scan.count()));
+        return scan.count() == 0
+                ? List.of()
+                : List.of(new Fan(scan.baseFromLaser(), scan.angleMin(), scan.angleIncrement(), scan.count()));
     }
 
     @Override

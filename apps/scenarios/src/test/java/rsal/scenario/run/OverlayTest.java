@@ -71,6 +71,11 @@ class OverlayTest {
             deliver(new Stamped<>(now, "real/laser", scan));
         }
 
+        void blink(Instant now) {
+            deliver(new Stamped<>(
+                    now, "real/laser", new LaserScan(new Pose2d(0.1, 0, 0), 0, Math.PI / 2, 0.5, 8, new float[0])));
+        }
+
         void fail() {
             health(new Health.Lost("It fell off."));
         }
@@ -125,6 +130,13 @@ class OverlayTest {
                 .orElseThrow()
                 .value()
                 .ranges();
+    }
+
+    @Test
+    void aScanWithoutBeamsIsNotItsLast() {
+        laser.blink(time.instant());
+        put("box", 7.3, 3.5);
+        assertThat(seen(NOTHING, NOTHING)[0]).isCloseTo(2.0f, within(0.01f));
     }
 
     private float[] heard(float left, float right) {

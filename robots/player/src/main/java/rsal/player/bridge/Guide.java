@@ -45,7 +45,12 @@ final class Guide {
             return;
         }
         Pose2d baseFromGoal = odometry.get().odomFromBase().inverse().compose(wanted);
-        var going = navigator.goTo(estimate.get().mapFromBase().compose(baseFromGoal), tolerance);
+        Pose2d mapFromGoal = estimate.get().mapFromBase().compose(baseFromGoal);
+        if (!mapFromGoal.isFinite()) { // farther away than numbers reach
+            wanted = null;
+            return;
+        }
+        var going = navigator.goTo(mapFromGoal, tolerance);
         trip = going;
         going.result().thenAccept(_ -> {
             if (going.equals(trip)) {

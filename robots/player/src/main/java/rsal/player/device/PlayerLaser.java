@@ -54,16 +54,18 @@ final class PlayerLaser extends PlayerSensor<LaserScan> implements LaserScanner 
         }
     }
 
+    /// Scans without a beam are none.
     @Override
     Optional<LaserScan> read(Record body) {
-        return switch (body) {
+        Optional<LaserScan> scan = switch (body) {
             case Ranger.Ranges(double[] ranges) -> Optional.of(scan(Ranges.of(ranges, rangeMin, rangeMax)));
             case Ranger.RangesStamped stamped ->
                 Optional.of(scan(Ranges.of(stamped.ranges().ranges(), rangeMin, rangeMax)));
-            case Laser.Scan scan -> laser(scan);
+            case Laser.Scan laser -> laser(laser);
             case Laser.ScanPose with -> laser(with.scan());
             default -> Optional.empty();
         };
+        return scan.filter(told -> told.count() > 0);
     }
 
     /// Beams lie as far apart as the angle between the first and the last has it: what Stage says of the angle between

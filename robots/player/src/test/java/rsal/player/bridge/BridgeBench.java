@@ -43,7 +43,18 @@ abstract class BridgeBench extends RobotBench {
     private static final int[] SIZES = {0, 4, 8, 16, 20, 24, 28, 32, 36, 52, 72, 76, 100
     }; // of bodies; of most there are
     private static final double[] NUMBERS = {
-        0, 1, -1, 3, 1e-300, 1e9, 1e300, -1e300, Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY
+        0,
+        1,
+        -1,
+        3,
+        1e-300,
+        1e9,
+        1e300,
+        -1e300,
+        Double.MAX_VALUE,
+        Double.NaN,
+        Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY
     };
 
     private final Map<Integer, Packet> newest = new ConcurrentHashMap<>(); // by interface

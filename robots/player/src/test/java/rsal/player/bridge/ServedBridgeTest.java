@@ -122,6 +122,19 @@ class ServedBridgeTest extends BridgeBench {
     }
 
     @Test
+    void aGoalFartherAwayThanNumbersReachIsNone() throws Exception {
+        robot().require(DriveBase.class).resetOdometry(new Pose2d(0, 0, Math.PI / 4));
+        advance(0.3);
+        double far = Double.MAX_VALUE; // finite, but not once it is turned by 45°
+        var goal = new Position2d.Goal(new Pose(far, far, 0), new Pose(0, 0, 0), 1);
+        client().command(Packet.of(AVOIDING, Kind.COMMAND, Position2d.GOAL, 0, goal));
+        answer(client().devices());
+        advance(1);
+        assertThat(robot().require(Navigator.class).goal()).isEmpty();
+        assertThat(truth()).isEqualTo(START);
+    }
+
+    @Test
     void aVelocityEndsItsGoalAndSoDoesOneOfThePlanner() throws Exception {
         var goal = new Position2d.Goal(new Pose(3, 0, 0), new Pose(0, 0, 0), 1);
         var navigator = robot().require(Navigator.class);
