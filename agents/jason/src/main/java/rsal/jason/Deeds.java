@@ -4,11 +4,12 @@ import jason.asSemantics.ActionExec;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.Topic;
 import rsal.agent.message.Topics;
@@ -28,7 +29,15 @@ final class Deeds {
     private final WrittenAgent agent;
     private final Optional<Robot> robot;
     private final Optional<Wheels> wheels;
-    private final Map<ActionExec, GoalHandle<?, ?>> underWay = new LinkedHashMap<>();
+    private final List<UnderWay> underWay = new ArrayList<>();
+
+    /// Of two intentions that want the same, each has its own: Jason's deeds are equal when their terms are.
+    @SuppressWarnings("ReferenceEquality")
+    private record UnderWay(ActionExec deed, GoalHandle<?, ?> handle) {
+        boolean is(@Nullable ActionExec other) {
+            return deed == other;
+        }
+    }
 
     Deeds(AgentContext self, WrittenAgent agent) {
         this.self = self;
@@ -89,14 +98,14 @@ final class Deeds {
     }
 
     private void goTo(ActionExec deed, Pose2d mapFromGoal, Tolerance tolerance) {
-        underWay.put(deed, wheels().goTo(mapFromGoal, tolerance, result -> {
+        underWay.add(new UnderWay(deed, wheels().goTo(mapFromGoal, tolerance, result -> {
             switch (result) {
                 case Navigator.Result.Reached _ -> succeed(deed);
                 case Navigator.Result.Cancelled _ -> fail(deed, "cancelled", "Something else drives the robot.");
                 case Navigator.Result.NoPath(String why) -> fail(deed, "no_path", why);
                 case Navigator.Result.Stuck stuck -> fail(deed, "stuck", stuck.why());
             }
-        }));
+        })));
     }
 
     private void grip(ActionExec deed) {
@@ -114,7 +123,7 @@ final class Deeds {
     }
 
     private <R> void wait(ActionExec deed, GoalHandle<?, R> handle, Consumer<R> onEnd) {
-        underWay.put(deed, handle);
+        underWay.add(new UnderWay(deed, handle));
         handle.result().thenAccept(result -> self.scheduler().execute(() -> onEnd.accept(result)));
     }
 
@@ -144,18 +153,13 @@ final class Deeds {
 
     /// Gives up what no intention waits for any more.
     void check() {
-        underWay.entrySet().removeIf(entry -> {
-            boolean wanted = entry.getKey()
-                    .equals(agent.reasoner()
-                            .getTS()
-                            .getC()
-                            .getPendingActions()
-                            .get(entry.getKey().getIntention().getId()));
-            if (!wanted) {
-                entry.getValue().cancel();
+        Map<Integer, ActionExec> pending = agent.reasoner().getTS().getC().getPendingActions();
+        for (UnderWay one : List.copyOf(underWay)) {
+            if (!one.is(pending.get(one.deed.getIntention().getId()))) {
+                underWay.remove(one);
+                one.handle.cancel();
             }
-            return !wanted;
-        });
+        }
     }
 
     private void done(ActionExec deed, Runnable action) {
@@ -177,7 +181,7 @@ final class Deeds {
     }
 
     private void end(ActionExec deed) {
-        underWay.remove(deed);
+        underWay.removeIf(one -> one.is(deed));
         agent.reasoner().getTS().getC().addFeedbackAction(deed);
         agent.wake();
     }

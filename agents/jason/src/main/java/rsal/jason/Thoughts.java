@@ -3,9 +3,14 @@ package rsal.jason;
 import jason.asSemantics.Circumstance;
 import jason.asSemantics.IntendedMeans;
 import jason.asSemantics.Intention;
+import jason.asSemantics.Unifier;
+import jason.asSyntax.BinaryStructure;
+import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
+import jason.asSyntax.Structure;
+import jason.asSyntax.Term;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Iterator;
@@ -103,9 +108,26 @@ final class Thoughts {
                                     .formatted(
                                             goal,
                                             step.getBodyType(),
-                                            Terms.written(step.getBodyTerm().capply(means.getUnif()))));
+                                            Terms.written(bound(step.getBodyTerm(), means.getUnif()))));
         }
         return steps.reversed();
+    }
+
+    /// A term with what its variables stand for; as it is written where something is computed, which would take from
+    /// the agent's chance.
+    private static Term bound(Term term, Unifier unifier) {
+        return isComputed(term) ? term : term.capply(unifier);
+    }
+
+    private static boolean isComputed(Term term) {
+        if (term instanceof ListTerm list) {
+            return list.stream().anyMatch(Thoughts::isComputed);
+        }
+        return term.isArithExpr()
+                || term instanceof BinaryStructure
+                || (term instanceof Structure structure
+                        && structure.getTerms() != null
+                        && structure.getTerms().stream().anyMatch(Thoughts::isComputed));
     }
 
     /// What it is about now, for messages.
