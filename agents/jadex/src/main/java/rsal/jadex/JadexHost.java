@@ -6,31 +6,21 @@ import jadex.commons.future.FutureBarrier;
 import jadex.commons.future.IFuture;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.function.Consumer;
 import rsal.agent.AgentHost;
-import rsal.agent.Capability;
-import rsal.agent.Carrier;
-import rsal.agent.Message;
 import rsal.agent.ThreadLane;
-import rsal.agent.Topic;
-import rsal.agent.protocol.Act;
 import rsal.time.Scheduler;
 
-/// A Jadex platform with a micro agent for each agent. Conversations go by the agents' services; what is said to all
-/// goes straight to the inboxes of those who listen, as services stand some eight thousand calls a second, and a
-/// hundred robots that tell where they are need ten times that.
-///
-/// Capabilities are known to our directory only: services of Jadex are types, not names.
-final class JadexHost implements AgentHost, Carrier {
+/// A Jadex platform with a micro agent for each agent, which does in steps what its agent does. What agents say stays
+/// ours: Jadex's services stand some eight thousand calls a second, and a hundred robots that tell where they are need
+/// ten times that; a conversation by services beside the rest by inboxes would not arrive in the order in which it was
+/// said.
+final class JadexHost implements AgentHost {
     private final Scheduler run;
     private final IExternalAccess platform;
     private final Map<String, Body> bodies = new HashMap<>(); // of those that run, by name
-    private final Map<String, Set<String>> listeners = new HashMap<>(); // by topic, in the order in which they came
     private final List<IFuture<Map<String, Object>>> leaving = new ArrayList<>(); // and not yet gone
     private final Map<String, Integer> lives = new HashMap<>(); // how often there was one of that name, by Jadex's
 
@@ -41,7 +31,7 @@ final class JadexHost implements AgentHost, Carrier {
 
     @Override
     public Scheduler lane(String name) {
-        var body = new Body(name, run);
+        var body = new Body(name);
         bodies.put(name, body);
         platform.createComponent(new CreationInfo().setPojo(body).setName(componentName(name)))
                 .catchEx(e -> run.exclusively(() -> {
@@ -58,13 +48,7 @@ final class JadexHost implements AgentHost, Carrier {
     }
 
     @Override
-    public Optional<Carrier> carrier() {
-        return Optional.of(this);
-    }
-
-    @Override
     public void end(String name) {
-        listeners.values().forEach(those -> those.remove(name));
         Optional.ofNullable(bodies.remove(name)).ifPresent(body -> leaving.add(body.end()));
         leaving.removeIf(IFuture::isDone);
     }
@@ -76,41 +60,4 @@ final class JadexHost implements AgentHost, Carrier {
         leaving.forEach(all::addFuture);
         all.waitForIgnoreFailures(_ -> {}).then(_ -> platform.killComponent());
     }
-
-    @Override
-    public void listens(String agent, Topic<?> topic) {
-        listeners.computeIfAbsent(topic.name(), _ -> new LinkedHashSet<>()).add(agent);
-    }
-
-    @Override
-    public void ignores(String agent, Topic<?> topic) {
-        listeners.getOrDefault(topic.name(), Set.of()).remove(agent);
-    }
-
-    @Override
-    public void carry(Message<?> message, Consumer<String> arrival) {
-        var said = new Spoken(message, arrival);
-        Set<String> those = listeners.getOrDefault(message.topic().name(), Set.of());
-        if (message.isForAll()) {
-            List.copyOf(those).forEach(name -> hand(name, said));
-        } else if (those.contains(message.to())) {
-            Body sender = bodies.get(message.sender());
-            Body receiver = bodies.get(message.to());
-            if (message.content() instanceof Act && sender != null && receiver != null && receiver.isThere()) {
-                sender.say(receiver, said);
-            } else {
-                hand(message.to(), said);
-            }
-        }
-    }
-
-    private void hand(String name, Spoken said) {
-        Optional.ofNullable(bodies.get(name)).ifPresent(body -> body.hear(said));
-    }
-
-    @Override
-    public void offers(String agent, Capability capability) {}
-
-    @Override
-    public void withdraws(String agent, Capability capability) {}
 }
