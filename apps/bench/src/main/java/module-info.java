@@ -11,6 +11,7 @@ module rsal.bench {
 
     exports rsal.bench;
 
+    uses rsal.agent.AgentHostProvider;
     uses rsal.robot.DeviceDriver;
     uses rsal.system.BridgeProvider;
     uses rsal.system.RobotSystemProvider;

@@ -1,0 +1,122 @@
+package rsal.bench;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import rsal.agent.Agent;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentSpec;
+import rsal.agent.AgentType;
+import rsal.agent.Society;
+import rsal.settings.Arguments;
+import rsal.time.AllowedToReadWallClock;
+import rsal.time.LockstepScheduler;
+import rsal.time.Scheduler;
+import rsal.time.WallScheduler;
+
+/// Agents of one host, without robots.
+@AllowedToReadWallClock("Benchmarks measure real time.")
+final class BenchedSociety implements AutoCloseable {
+    private static final Duration STEP = Duration.ofMillis(1);
+
+    private final Scheduler time;
+    private final Society society;
+    private final List<String> names = new ArrayList<>();
+
+    private BenchedSociety(AgentHostProvider host, Scheduler time) {
+        this.time = time;
+        var made = new Society[1];
+        act(() -> made[0] =
+                new Society(time, host.create(Arguments.defaults(host.parameters()), time), Optional.empty()));
+        this.society = made[0];
+    }
+
+    static BenchedSociety inRealTime(AgentHostProvider host) {
+        return new BenchedSociety(host, new WallScheduler("benched", Runnable::run));
+    }
+
+    /// In simulated time where the host follows that.
+    static BenchedSociety of(AgentHostProvider host) {
+        return host.followsSchedulerTime() ? new BenchedSociety(host, new LockstepScheduler()) : inRealTime(host);
+    }
+
+    /// Time to let pass before an agent does again what it did, as one that does too much at one instant is ended.
+    /// Costs
+    /// nothing in simulated time; in real time there are no instants.
+    Duration moment() {
+        return time instanceof LockstepScheduler ? STEP : Duration.ZERO;
+    }
+
+    /// Names of those who were started.
+    List<String> names() {
+        return List.copyOf(names);
+    }
+
+    void start(int count, Agent agent) {
+        var type = new Same(agent);
+        act(() -> {
+            for (int i = 0; i < count; i++) {
+                String name = "agent-" + names.size();
+                names.add(name);
+                society.start(new AgentSpec(
+                        name, "benched", type, Arguments.defaults(List.of()), Optional.empty(), names.size()));
+            }
+        });
+    }
+
+    /// Waits until something is so.
+    void until(BooleanSupplier done) {
+        while (!done.getAsBoolean()) {
+            LockSupport.parkNanos(100_000);
+        }
+    }
+
+    /// Lets so much real time pass, or simulated time for as long.
+    void pass(Duration real) {
+        if (time instanceof LockstepScheduler simulated) {
+            var watch = new Stopwatch();
+            while (watch.wall() < real.toNanos() * 1e-9) {
+                simulated.advance(STEP);
+            }
+        } else {
+            LockSupport.parkNanos(real.toNanos());
+        }
+    }
+
+    private void act(Runnable deed) {
+        if (time instanceof WallScheduler) {
+            time.exclusively(deed);
+        } else {
+            deed.run();
+        }
+    }
+
+    @Override
+    public void close() {
+        act(society::close);
+        if (time instanceof WallScheduler real) {
+            real.close();
+        }
+    }
+
+    /// A type of which all are the same agent.
+    private record Same(Agent agent) implements AgentType {
+        @Override
+        public String key() {
+            return "benched";
+        }
+
+        @Override
+        public String description() {
+            return "Does what a benchmark wants.";
+        }
+
+        @Override
+        public Agent create(Arguments arguments) {
+            return agent;
+        }
+    }
+}
