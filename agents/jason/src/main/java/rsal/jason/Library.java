@@ -17,7 +17,7 @@ final class Library {
                             + " .my_name .namespace .nth .number .plan_label .prefix .range .relevant_plan .relevant_plans"
                             + " .relevant_rules .remove_plan .remove_source_annot .rename_apart .replace .resume .reverse"
                             + " .setof .signal .sort .string .structure .sublist .substring .succeed_goal .suffix .suspend"
-                            + " .suspended .term2string .type .union .upper_case")
+                            + " .suspended .type .union .upper_case")
                     .split(" ", -1));
 
     private static final Set<String> COLLECTIONS = Set.of(".map", ".queue", ".set");

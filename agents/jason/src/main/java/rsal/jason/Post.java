@@ -61,7 +61,7 @@ final class Post {
     private void hear(String sender, Speech speech) {
         Term content;
         try {
-            content = Terms.read(speech.content());
+            content = Terms.read(speech.content(), agent.reasoner());
         } catch (IllegalArgumentException e) {
             agent.complain("Agent (%s) said what is no term: %s".formatted(sender, speech));
             return;

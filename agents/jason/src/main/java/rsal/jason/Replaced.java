@@ -56,7 +56,8 @@ final class Replaced {
             ".all_names",
             ".df_register",
             ".df_deregister",
-            ".df_search");
+            ".df_search",
+            ".term2string");
 
     /// What stands for any of them in an agent that is only read.
     static final InternalAction UNBOUND = new Simple(0, Integer.MAX_VALUE, (_, _, _) -> false);
@@ -107,6 +108,7 @@ final class Replaced {
         all.put(".df_register", new Simple(1, 2, this::register).onlyInBodies());
         all.put(".df_deregister", new Simple(1, 2, this::deregister).onlyInBodies());
         all.put(".df_search", new Simple(2, 3, this::search));
+        all.put(".term2string", new Simple(2, 2, Replaced::termAndString));
         return all;
     }
 
@@ -255,6 +257,13 @@ final class Replaced {
 
     private Object allNames(TransitionSystem ts, Unifier un, Term[] terms) {
         return un.unifies(terms[0], names(self.directory().agents()));
+    }
+
+    /// `.term2string(T, S)`, whichever of the two is known.
+    private static Object termAndString(TransitionSystem ts, Unifier un, Term[] terms) {
+        return terms[0].isVar()
+                ? un.unifies(terms[0], Terms.read(Terms.words(terms[1]), ts.getAg()))
+                : un.unifies(terms[1], new StringTermImpl(Terms.written(terms[0])));
     }
 
     private static ListTerm names(List<Directory.Entry> agents) {

@@ -1,6 +1,7 @@
 package rsal.jason;
 
 import jason.NoValueException;
+import jason.asSemantics.Agent;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Atom;
 import jason.asSyntax.ListTerm;
@@ -14,6 +15,9 @@ import jason.asSyntax.Term;
 import jason.asSyntax.VarTerm;
 import jason.asSyntax.parser.ParseException;
 import jason.asSyntax.parser.TokenMgrError;
+import jason.asSyntax.parser.as2j;
+import jason.asSyntax.parser.as2jConstants;
+import java.io.StringReader;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
@@ -305,10 +309,17 @@ final class Terms {
         text.append(close);
     }
 
+    /// @param reader whose functions it names: Jason's own of the process would read the machine's clock
     /// @throws IllegalArgumentException when it is no term
-    static Term read(String text) {
+    static Term read(String text, Agent reader) {
+        var parser = new as2j(new StringReader(text));
+        parser.setAg(reader);
         try {
-            return ASSyntax.parseTerm(text);
+            Term term = parser.term();
+            if (parser.getNextToken().kind != as2jConstants.EOF) {
+                throw new IllegalArgumentException("(%s) is more than a term.".formatted(text));
+            }
+            return term;
         } catch (ParseException | TokenMgrError e) {
             throw new IllegalArgumentException("(%s) is no term.".formatted(text), e);
         }

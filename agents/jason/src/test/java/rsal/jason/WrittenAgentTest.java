@@ -390,6 +390,19 @@ class WrittenAgentTest extends RobotBench {
     }
 
     @Test
+    void timeIsTheRunsAlsoInWhatIsReadWhileItRuns() {
+        start("a", """
+                !text. !word.
+                +!text <- .wait(1500); .term2string(T, "system.time"); X = T + 0; .print("text ", X).
+                +!word <- .term2string(p(1,"two"), S); .print(S).
+                +!told(T) <- X = T + 0; .print("told ", X).
+                """);
+        start("b", "!go. +!go <- .wait(2000); .send(a, achieve, told(system.time + 0)).");
+        advance(3);
+        assertThat(states).contains("a: text 1500", "a: p(1,\"two\")", "a: told 2000");
+    }
+
+    @Test
     void whoDropsAllForgetsAlsoWhatWasToComeLater() {
         start("a", """
                 !go. !other.
