@@ -13,9 +13,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
+import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
@@ -32,7 +34,7 @@ import rsal.time.WallScheduler;
 
 /// A run for agents of a host under test: in simulated time where the host follows that, else in real time. All is done
 /// while it is the caller's turn.
-final class HostRun implements AutoCloseable {
+public final class HostRun implements AutoCloseable {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
 
     /// Said of what went wrong outside of agents.
@@ -45,23 +47,33 @@ final class HostRun implements AutoCloseable {
     private int started;
 
     HostRun(AgentHostProvider provider) {
-        simulated = provider.followsSchedulerTime() ? Optional.of(new LockstepScheduler()) : Optional.empty();
+        this(
+                provider.followsSchedulerTime() ? Optional.of(new LockstepScheduler()) : Optional.empty(),
+                time -> provider.create(Arguments.defaults(provider.parameters()), time));
+    }
+
+    /// On a host that is made otherwise than with its fallbacks.
+    public static HostRun inRealTime(Function<Scheduler, AgentHost> host) {
+        return new HostRun(Optional.empty(), host);
+    }
+
+    private HostRun(Optional<LockstepScheduler> simulated, Function<Scheduler, AgentHost> host) {
+        this.simulated = simulated;
         scheduler = simulated
                 .<Scheduler>map(time -> time)
                 .orElseGet(() -> new WallScheduler("tested run", Runnable::run, failures::add));
-        society = ask(() -> new Society(
-                scheduler, provider.create(Arguments.defaults(provider.parameters()), scheduler), Optional.empty()));
+        society = ask(() -> new Society(scheduler, host.apply(scheduler), Optional.empty()));
     }
 
     Scheduler scheduler() {
         return scheduler;
     }
 
-    Society society() {
+    public Society society() {
         return society;
     }
 
-    void start(String name, Agent agent) {
+    public void start(String name, Agent agent) {
         start(name, new TestedType(agent), Arguments.defaults(List.of()), Optional.empty());
     }
 
@@ -129,7 +141,7 @@ final class HostRun implements AutoCloseable {
                 .orElseThrow());
     }
 
-    void act(Runnable deed) {
+    public void act(Runnable deed) {
         ask(() -> {
             deed.run();
             return true;
@@ -137,7 +149,7 @@ final class HostRun implements AutoCloseable {
     }
 
     /// Done at the run's next turn, and what it throws is thrown here.
-    <T> T ask(Supplier<T> question) {
+    public <T> T ask(Supplier<T> question) {
         if (simulated.isPresent()) {
             return question.get();
         }
@@ -153,7 +165,7 @@ final class HostRun implements AutoCloseable {
     }
 
     /// Lets time pass until it is so; fails when it never is.
-    void until(String what, BooleanSupplier done) {
+    public void until(String what, BooleanSupplier done) {
         if (simulated.isPresent()) {
             LockstepScheduler time = simulated.get();
             Duration end = time.elapsed().plus(PATIENCE);
