@@ -37,7 +37,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     private final long startNanos = System.nanoTime();
     private final Thread thread;
     private long order;
-    private boolean closed;
+    private volatile boolean closed; // written while `lock` is held
 
     /// @param name of its thread (`run-1`)
     /// @param workers where [#compute] runs; not shared with tasks that wait
@@ -133,22 +133,13 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     private void run(Runnable task) {
         turn.lock();
         try {
-            if (!isClosed()) {
+            if (!closed) {
                 task.run();
             }
         } catch (RuntimeException | Error e) {
             report(e);
         } finally {
             turn.unlock();
-        }
-    }
-
-    private boolean isClosed() {
-        lock.lock();
-        try {
-            return closed;
-        } finally {
-            lock.unlock();
         }
     }
 
