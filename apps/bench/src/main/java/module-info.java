@@ -11,8 +11,6 @@ module rsal.bench {
 
     exports rsal.bench;
 
-    uses rsal.agent.AgentHostProvider;
     uses rsal.robot.DeviceDriver;
-    uses rsal.system.BridgeProvider;
     uses rsal.system.RobotSystemProvider;
 }

@@ -13,11 +13,12 @@ import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import rsal.data.OccupancyGrid;
+import rsal.scenario.Providers;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
 import rsal.system.BridgeProvider.Lent;
@@ -85,11 +86,8 @@ final class Beacons {
     }
 
     private static Bridge open(String key, List<Beacon> beacons, WallScheduler time) throws IOException {
-        BridgeProvider provider = ServiceLoader.load(BridgeProvider.class).stream()
-                .map(ServiceLoader.Provider::get)
-                .filter(bridge -> bridge.key().equals(key))
-                .findFirst()
-                .orElseThrow();
+        BridgeProvider provider = Objects.requireNonNull(
+                Providers.byKey(BridgeProvider.class, BridgeProvider::key).get(key));
         var map = new OccupancyGrid(1, 1, 1, 0, 0, new byte[1]);
         var lent = new Lent(beacons.stream().map(Beacon::robot).toList(), map, Optional.empty(), List.of());
         return provider.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), lent, time);

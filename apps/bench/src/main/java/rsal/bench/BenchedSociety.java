@@ -44,8 +44,7 @@ final class BenchedSociety implements AutoCloseable {
     }
 
     /// Time to let pass before an agent does again what it did, as one that does too much at one instant is ended.
-    /// Costs
-    /// nothing in simulated time; in real time there are no instants.
+    /// Costs nothing in simulated time; in real time there are no instants.
     Duration moment() {
         return time instanceof LockstepScheduler ? STEP : Duration.ZERO;
     }

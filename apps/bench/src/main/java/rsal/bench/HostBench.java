@@ -2,8 +2,8 @@ package rsal.bench;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
-import java.util.ServiceLoader;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -13,6 +13,7 @@ import rsal.agent.Topic;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.Ending;
 import rsal.data.Pose2d;
+import rsal.scenario.Providers;
 import rsal.time.Scheduler;
 
 /// What agents cost on each host that is installed, before they do anything of their own.
@@ -33,9 +34,8 @@ final class HostBench implements Bench {
     private static final Duration WINDOW = Duration.ofSeconds(5);
     private static final Topic<Pose2d> POSES = new Topic<>("bench-pose", Pose2d.class);
 
-    private final List<AgentHostProvider> hosts = ServiceLoader.load(AgentHostProvider.class).stream()
-            .map(ServiceLoader.Provider::get)
-            .toList();
+    private final Collection<AgentHostProvider> hosts =
+            Providers.byKey(AgentHostProvider.class, AgentHostProvider::key).values();
 
     @Override
     public List<String> names() {

@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
@@ -25,6 +25,7 @@ import rsal.device.Sensor;
 import rsal.device.SonarArray;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
+import rsal.scenario.Providers;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.system.RobotSystem;
@@ -36,9 +37,8 @@ import rsal.time.WallScheduler;
 /// ten times a second; then the same while they are driven as often.
 ///
 /// Names are `<system>.<robots>[.driven].<what>`. What: `cpu`, the share of a core that this process takes; `delay.p50`
-/// and
-/// `delay.p99`, from when the other process has a reading until a listener here is told of it, which is more than from
-/// the socket to the listener; `rate`, readings told per second; `skipped`, readings of which a newer one took the
+/// and `delay.p99`, from when the other process has a reading until a listener here is told of it, which is more than
+/// from the socket to the listener; `rate`, readings told per second; `skipped`, readings of which a newer one took the
 /// place; `old`, devices whose newest reading is not the last that was told, once all is quiet.
 @AllowedToReadWallClock("Benchmarks measure real time.")
 final class RemoteBench implements Bench {
@@ -85,11 +85,8 @@ final class RemoteBench implements Bench {
     }
 
     private RobotSystemProvider provider() {
-        return ServiceLoader.load(RobotSystemProvider.class).stream()
-                .map(ServiceLoader.Provider::get)
-                .filter(provider -> provider.key().equals(system))
-                .findFirst()
-                .orElseThrow();
+        return Objects.requireNonNull(Providers.byKey(RobotSystemProvider.class, RobotSystemProvider::key)
+                .get(system));
     }
 
     private RobotSystemProvider.Config config(List<Integer> ports) {

@@ -5,8 +5,8 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.concurrent.Executor;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
@@ -21,6 +21,7 @@ import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotModel.RangeNoise;
 import rsal.robot.RobotSpec;
+import rsal.scenario.Providers;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.system.RobotSystem;
@@ -84,11 +85,8 @@ final class Swarm implements AutoCloseable {
     }
 
     private static RobotSystemProvider simulator() {
-        return ServiceLoader.load(RobotSystemProvider.class).stream()
-                .map(ServiceLoader.Provider::get)
-                .filter(provider -> provider.key().equals("sim"))
-                .findFirst()
-                .orElseThrow();
+        return Objects.requireNonNull(Providers.byKey(RobotSystemProvider.class, RobotSystemProvider::key)
+                .get("sim"));
     }
 
     private void wander(Robot robot) {
