@@ -14,7 +14,9 @@ public interface AgentHostProvider {
     /// Whether it can follow simulated time. When not, scenarios on a simulated clock refuse it at start.
     boolean followsSchedulerTime();
 
-    List<Parameter> parameters();
+    default List<Parameter> parameters() {
+        return List.of();
+    }
 
     /// Languages in which agents can be written for it, besides Java; none for most.
     default List<AgentLanguage> languages() {

@@ -10,7 +10,7 @@ public interface Carrier {
     /// From now on this agent is to be brought what is said there.
     void listens(String agent, Topic<?> topic);
 
-    /// No more. An agent that ends is not said to listen no more.
+    /// No more; told of an agent that ends, too, before that ends.
     void ignores(String agent, Topic<?> topic);
 
     /// Brings a message to all who listen to its topic by then, or to the one it is for. What one says arrives at

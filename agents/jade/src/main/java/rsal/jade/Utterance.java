@@ -9,8 +9,7 @@ import rsal.agent.Message;
 import rsal.agent.protocol.Act;
 
 /// A message of ours as JADE carries it. Its tools see an ACL message with the words that people see; who it is for
-/// gets
-/// the content itself, which never leaves this process.
+/// gets the content itself, which never leaves this process.
 ///
 /// Copies, which JADE makes, are of the same message.
 final class Utterance extends ACLMessage {

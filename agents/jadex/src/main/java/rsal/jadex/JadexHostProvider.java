@@ -1,10 +1,8 @@
 package rsal.jadex;
 
-import java.util.List;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.Scheduler;
 
 /// Runs agents on Jadex 4, in real time: its clock is its own. Needs `--sun-misc-unsafe-memory-access=allow` to be
@@ -18,11 +16,6 @@ public final class JadexHostProvider implements AgentHostProvider {
     @Override
     public boolean followsSchedulerTime() {
         return false;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of();
     }
 
     @Override

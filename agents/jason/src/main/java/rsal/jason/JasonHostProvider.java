@@ -4,8 +4,8 @@ import java.util.List;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentLanguage;
+import rsal.agent.PlainHost;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.Scheduler;
 
 /// Runs agents written in AgentSpeak, and Java agents beside them, all on the run's own thread: deterministic in
@@ -22,17 +22,12 @@ public final class JasonHostProvider implements AgentHostProvider {
     }
 
     @Override
-    public List<Parameter> parameters() {
-        return List.of();
-    }
-
-    @Override
     public List<AgentLanguage> languages() {
         return List.of(new AgentSpeak());
     }
 
     @Override
     public AgentHost create(Arguments settings, Scheduler scheduler) {
-        return new JasonHost(scheduler);
+        return new PlainHost(scheduler); // an agent's interpreter is part of the agent
     }
 }

@@ -1,10 +1,9 @@
 package rsal.agent.plain;
 
-import java.util.List;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
+import rsal.agent.PlainHost;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.Scheduler;
 
 /// Runs all agents on the run's own thread: as fast as a method call, and deterministic in simulated time.
@@ -17,11 +16,6 @@ public final class PlainHostProvider implements AgentHostProvider {
     @Override
     public boolean followsSchedulerTime() {
         return true;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of();
     }
 
     @Override

@@ -1,10 +1,8 @@
 package rsal.scenario.example;
 
-import java.util.List;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.Scheduler;
 
 /// A multi-agent system with a clock of its own.
@@ -17,11 +15,6 @@ public final class WallClockHost implements AgentHostProvider {
     @Override
     public boolean followsSchedulerTime() {
         return false;
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-        return List.of();
     }
 
     @Override

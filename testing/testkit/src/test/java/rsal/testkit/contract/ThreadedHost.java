@@ -17,7 +17,6 @@ import rsal.agent.Message;
 import rsal.agent.ThreadLane;
 import rsal.agent.Topic;
 import rsal.settings.Arguments;
-import rsal.settings.Parameter;
 import rsal.time.Scheduler;
 
 /// A thread for each agent, and one more for the mail, as multi-agent systems with threads of their own have them.
@@ -102,11 +101,6 @@ final class ThreadedHost implements AgentHost {
         @Override
         public boolean followsSchedulerTime() {
             return false;
-        }
-
-        @Override
-        public List<Parameter> parameters() {
-            return List.of();
         }
 
         @Override

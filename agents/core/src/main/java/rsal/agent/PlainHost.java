@@ -1,10 +1,9 @@
-package rsal.agent.plain;
+package rsal.agent;
 
-import rsal.agent.AgentHost;
 import rsal.time.Scheduler;
 
-/// Each lane is the run's scheduler.
-record PlainHost(Scheduler scheduler) implements AgentHost {
+/// Each lane is the run's scheduler: for systems whose agents bring all else that they need.
+public record PlainHost(Scheduler scheduler) implements AgentHost {
     @Override
     public Scheduler lane(String name) {
         return scheduler;
