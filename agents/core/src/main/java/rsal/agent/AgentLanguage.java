@@ -1,5 +1,6 @@
 package rsal.agent;
 
+import java.util.Set;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -9,6 +10,11 @@ import rsal.settings.Location;
 public interface AgentLanguage {
     /// How its files' names end: `.asl`.
     String suffix();
+
+    /// Names that mean something else in it, as `self`: agents that run beside those written in it can't have them.
+    default Set<String> takenNames() {
+        return Set.of();
+    }
 
     /// Reads an agent's file.
     ///

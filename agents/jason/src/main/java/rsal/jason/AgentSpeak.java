@@ -1,5 +1,6 @@
 package rsal.jason;
 
+import java.util.Set;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.settings.FileSource;
@@ -8,9 +9,17 @@ import rsal.settings.Location;
 /// AgentSpeak(L) as Jason reads it: Bordini, Hübner and Wooldridge, Programming Multi-Agent Systems in AgentSpeak using
 /// Jason, Wiley 2007.
 final class AgentSpeak implements AgentLanguage {
+    static final Set<String> TAKEN = Set.of("self", "percept");
+
     @Override
     public String suffix() {
         return ".asl";
+    }
+
+    /// Sources of what an agent believes.
+    @Override
+    public Set<String> takenNames() {
+        return TAKEN;
     }
 
     @Override

@@ -334,6 +334,7 @@ final class PlanReader {
                             "There are two agents (%s).".formatted(planned.name()),
                             "Rename one of them.");
                 }
+                checkName(planned.name(), mas, agent.location());
                 agents.add(planned);
             }
             agent.done();
@@ -360,6 +361,7 @@ final class PlanReader {
                         "There is an agent (%s) here and in scenario (%s).".formatted(name, other.name()),
                         "Rename the one here.");
             }
+            checkName(name, mas, other.at());
             if (type.isEmpty()) {
                 continue;
             }
@@ -409,6 +411,18 @@ final class PlanReader {
             e.problems().forEach(problems::add);
             return Optional.empty();
         }
+    }
+
+    /// A language may have other uses for a name.
+    private void checkName(String agent, Optional<Mas> mas, Location at) {
+        mas.map(Mas::provider)
+                .filter(host -> host.languages().stream()
+                        .anyMatch(language -> language.takenNames().contains(agent)))
+                .ifPresent(host -> problems.add(
+                        at,
+                        "No agent can be called (%s) on multi-agent system (%s): its language has another use for that name."
+                                .formatted(agent, host.key()),
+                        "Rename it."));
     }
 
     private void checkNumber(int agents, Location at) {

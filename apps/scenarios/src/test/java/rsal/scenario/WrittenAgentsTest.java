@@ -81,6 +81,13 @@ class WrittenAgentsTest {
     }
 
     @Test
+    void noneIsCalledWhatMeansSomethingElseInTheirLanguage() throws IOException {
+        String words = "No agent can be called (%s) on multi-agent system (jason)";
+        refuses(SCENARIO.replace("own: {type", "self: {type"), "scenario.yaml:10:9: " + words.formatted("self"));
+        refuses(SCENARIO.replace("own: {type", "percept: {type"), words.formatted("percept"));
+    }
+
+    @Test
     void thoseOfAScenarioThatJoinsAreReadBesideThat() throws IOException {
         write("greeter.asl", "greeting(\"hi\"). !go. +!go : greeting(G) <- state(G).");
         write("other.yaml", """
