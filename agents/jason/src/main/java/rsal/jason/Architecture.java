@@ -5,6 +5,7 @@ import jason.architecture.AgArch;
 import jason.asSemantics.ActionExec;
 import jason.asSemantics.Message;
 import java.time.Duration;
+import rsal.time.Task;
 
 /// Jason's link to the world, with RSAL behind: all that the interpreter asks for goes to the agent.
 final class Architecture extends AgArch {
@@ -18,8 +19,8 @@ final class Architecture extends AgArch {
         this.name = Terms.quoted(name);
     }
 
-    void after(Duration delay, Runnable task) {
-        agent.after(delay, task);
+    Task after(Duration delay, Runnable task) {
+        return agent.after(delay, task);
     }
 
     @Override

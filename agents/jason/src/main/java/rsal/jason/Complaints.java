@@ -1,6 +1,7 @@
 package rsal.jason;
 
 import java.lang.System.Logger.Level;
+import java.util.List;
 import java.util.Optional;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
@@ -12,10 +13,13 @@ import org.jspecify.annotations.Nullable;
 final class Complaints extends Handler {
     private static final System.Logger LOG = System.getLogger("rsal.jason");
     private static final String BEGINS_ANEW = "*** ERROR in the transition system";
+    private static final List<String> TOLD_BETTER =
+            List.of("No fail", "Could not finish intention", "Error in internal action", "\n");
 
     private final String agent;
     private String last = "";
     private @Nullable String broken;
+    private boolean endless;
 
     /// @param agent its name
     Complaints(String agent) {
@@ -40,6 +44,11 @@ final class Complaints extends Handler {
         return Optional.ofNullable(broken);
     }
 
+    /// Whether it has searched without an end.
+    boolean endless() {
+        return endless;
+    }
+
     @Override
     public void publish(LogRecord said) {
         if (said.getLevel().intValue() < java.util.logging.Level.WARNING.intValue()) {
@@ -47,12 +56,19 @@ final class Complaints extends Handler {
         }
         String words = String.valueOf(said.getMessage());
         Throwable cause = said.getThrown();
+        if (cause instanceof StackOverflowError) {
+            endless = true;
+            return; // the agent fails with that
+        }
+        if (cause == null && TOLD_BETTER.stream().anyMatch(words::startsWith)) {
+            return; // by the deliberation
+        }
         if (words.startsWith(BEGINS_ANEW)) {
             broken = cause == null ? words : String.valueOf(cause);
             return; // the agent fails with that
         }
-        last = words;
-        LOG.log(Level.WARNING, () -> "Agent (%s): %s".formatted(agent, words));
+        last = Terms.masked(words);
+        LOG.log(Level.WARNING, () -> "Agent (%s): %s".formatted(agent, last));
     }
 
     @Override

@@ -1,30 +1,120 @@
 package rsal.jason;
 
 import jason.JasonException;
-import jason.NoValueException;
 import jason.architecture.AgArch;
 import jason.asSemantics.Agent;
 import jason.asSemantics.Circumstance;
 import jason.asSemantics.Event;
+import jason.asSemantics.IntendedMeans;
 import jason.asSemantics.Intention;
 import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
-import jason.asSyntax.NumberTerm;
+import jason.asSyntax.PlanBody;
+import jason.asSyntax.SourceInfo;
+import jason.asSyntax.Term;
+import jason.asSyntax.Trigger;
 import jason.runtime.Settings;
 import jason.stdlib.fail_goal;
-import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import rsal.time.Task;
 
 /// Jason's reasoning cycle with deadlines of goals in the run's time.
 final class Deliberation extends TransitionSystem {
     private static final long serialVersionUID = 1;
 
     private final AgArch architecture;
+    private final transient List<Deadline> deadlines = new ArrayList<>();
+
+    /// @param size of the intention without the goal
+    private record Deadline(Task task, Intention intention, int size) {
+        boolean isOver() {
+            return intention.isFinished() || intention.size() < size;
+        }
+    }
 
     Deliberation(Agent agent, Circumstance circumstance, AgArch architecture) {
         super(agent, circumstance, new Settings(), architecture);
         this.architecture = architecture;
+    }
+
+    @Override
+    public void reasoningCycle() {
+        super.reasoningCycle();
+        deadlines.removeIf(deadline -> {
+            if (deadline.isOver()) {
+                deadline.task.cancel();
+            }
+            return deadline.isOver();
+        });
+    }
+
+    /// What fails next when a goal has failed. Jason would try a failure plan that fails for ever where no goal is left
+    /// below it, and knows no intention without goals, as `.fail_goal` leaves them.
+    @Override
+    public @Nullable Event findEventForFailure(@Nullable Intention intention, Trigger failed) {
+        if (intention == null || intention.isFinished()) {
+            return super.findEventForFailure(Intention.EmptyInt, failed);
+        }
+        Event next = super.findEventForFailure(intention, failed);
+        return next == null || failed.isAddition() || !isTried(intention, next.getTrigger()) ? next : null;
+    }
+
+    /// Whether as many plans for the failure of a goal are under way as there are such goals.
+    private static boolean isTried(Intention intention, Trigger failure) {
+        int goals = 0;
+        int failures = 0;
+        for (IntendedMeans means : intention) {
+            Trigger trigger = means.getTrigger();
+            boolean same = trigger.isGoal() && new Unifier().unifies(failure.getLiteral(), trigger.getLiteral());
+            goals += same && trigger.isAddition() ? 1 : 0;
+            failures += same && !trigger.isAddition() ? 1 : 0;
+        }
+        return failures >= goals;
+    }
+
+    /// Says what has failed where, when nobody has a plan for that.
+    @Override
+    public boolean generateGoalDeletion(Intention intention, List<Term> annotations, Term reason)
+            throws JasonException {
+        IntendedMeans failed = intention.peek();
+        boolean goesOn = super.generateGoalDeletion(intention, annotations, reason);
+        if (!goesOn) {
+            getLogger().warning(words(failed, annotations));
+        }
+        return goesOn;
+    }
+
+    private static String words(IntendedMeans failed, @Nullable List<Term> annotations) {
+        PlanBody step = failed.isFinished() ? null : failed.getCurrentStep();
+        SourceInfo place =
+                step == null || step.getSrcInfo() == null ? failed.getPlan().getSrcInfo() : step.getSrcInfo();
+        String what = step == null ? "" : ": " + step.getBodyType() + Terms.written(step.getBodyTerm());
+        Trigger event = failed.getTrigger();
+        String words = !event.isGoal()
+                ? "A plan for (%s) has failed at %s%s%s."
+                : event.isAddition()
+                        ? "Goal (%s) has failed at %s%s%s. There is no plan for that."
+                        : "Goal (%s) has failed, and so has the plan for that at %s%s%s.";
+        return words.formatted(Terms.written(event.getLiteral().copy().clearAnnots()), place, what, why(annotations));
+    }
+
+    private static String why(@Nullable List<Term> annotations) {
+        return annotations == null
+                ? ""
+                : annotations.stream()
+                        .filter(each -> each instanceof Literal about
+                                && about.getFunctor().equals("error_msg")
+                                && about.getArity() == 1)
+                        .map(each -> Terms.words(((Literal) each).getTerm(0)))
+                        .filter(words -> !words.isBlank())
+                        .map(words -> " (" + words + ")")
+                        .findFirst()
+                        .orElse("");
     }
 
     @Override
@@ -34,18 +124,19 @@ final class Deliberation extends TransitionSystem {
         if (deadline == null || !(architecture instanceof Architecture own)) {
             return;
         }
-        if (deadline.getArity() != 1 || !(deadline.getTerm(0) instanceof NumberTerm millis)) {
+        if (deadline.getArity() != 1) {
             getLogger().warning("A deadline must be a number of milliseconds, not (%s).".formatted(deadline));
             return;
         }
-        Intention intention = event.getIntention();
-        int size = intention == null ? 0 : intention.size();
+        Optional<Intention> intention = Optional.ofNullable(event.getIntention());
+        int size = intention.map(Intention::size).orElse(0);
         try {
-            own.after(
-                    Duration.ofNanos(Math.round(millis.solve() * 1e6)),
-                    () -> runAtBeginOfNextCycle(() -> fail(goal, intention, size, event)));
-        } catch (NoValueException e) {
-            getLogger().warning(e.getMessage());
+            Task task = own.after(
+                    Terms.millis(deadline.getTerm(0)),
+                    () -> runAtBeginOfNextCycle(() -> fail(goal, event.getIntention(), size, event)));
+            intention.ifPresent(waiting -> deadlines.add(new Deadline(task, waiting, size)));
+        } catch (IllegalArgumentException e) {
+            getLogger().warning("A deadline of goal (%s): %s".formatted(Terms.written(goal), e.getMessage()));
         }
     }
 

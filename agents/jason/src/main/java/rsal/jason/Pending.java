@@ -2,10 +2,16 @@ package rsal.jason;
 
 import jason.asSemantics.ActionExec;
 import jason.asSemantics.Circumstance;
+import jason.asSemantics.Event;
 import jason.asSemantics.Intention;
+import jason.asSyntax.StringTerm;
+import jason.asSyntax.StringTermImpl;
+import jason.asSyntax.Structure;
+import jason.asSyntax.Term;
 import java.util.AbstractMap;
 import java.util.AbstractSet;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
@@ -13,9 +19,37 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /// Jason's circumstance with what is pending in the order in which it began. Jason's own order hangs on numbers that
-/// are counted for the whole process, so that two equal runs in one would differ.
+/// are counted for the whole process, so that two equal runs in one would differ; so do numbers in its messages, which
+/// are left out.
 final class Pending extends Circumstance {
     private static final long serialVersionUID = 1;
+    private static final String MESSAGE = "error_msg";
+
+    private final Map<String, Integer> suspended = new HashMap<>(); // pending events, the how many-th
+    private int everSuspended;
+
+    @Override
+    public void addEvent(Event event) {
+        if (event.getTrigger().getLiteral().getAnnot(MESSAGE) instanceof Structure said
+                && said.getArity() == 1
+                && said.getTerm(0) instanceof StringTerm message) {
+            said.setTerm(0, new StringTermImpl(Terms.masked(message.getString())));
+        }
+        super.addEvent(event);
+    }
+
+    @Override
+    public void addPendingEvent(String id, Term reason, Event event) {
+        suspended.keySet().retainAll(super.getPendingEvents().keySet());
+        suspended.put(id, ++everSuspended);
+        super.addPendingEvent(id, reason, event);
+    }
+
+    @Override
+    public Map<String, Event> getPendingEvents() {
+        return new Sorted<>(
+                super.getPendingEvents(), Comparator.comparingInt(event -> suspended.getOrDefault(event.getKey(), 0)));
+    }
 
     @Override
     public Map<Integer, ActionExec> getPendingActions() {

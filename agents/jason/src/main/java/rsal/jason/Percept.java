@@ -3,6 +3,7 @@ package rsal.jason;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Structure;
+import jason.bb.BeliefBase;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -85,7 +86,12 @@ enum Percept {
         this.device = device;
     }
 
+    /// What a formula asks for; empty when it names a source that is not the robot, as `holding[source(amy)]`.
     static Optional<Percept> of(Literal literal) {
+        Literal source = literal.getAnnot("source");
+        if (source != null && !(source.hasTerm() && source.getTerm(0).equals(BeliefBase.APercept))) {
+            return Optional.empty();
+        }
         for (Percept percept : values()) {
             if (percept.functor.equals(literal.getFunctor()) && percept.arity == literal.getArity()) {
                 return Optional.of(percept);

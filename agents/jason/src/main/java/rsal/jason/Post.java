@@ -59,6 +59,11 @@ final class Post {
     }
 
     private void hear(String sender, Speech speech) {
+        if (AgentSpeak.TAKEN.contains(sender)) {
+            agent.complain("Agent (%s) is not listened to: in AgentSpeak, that is a source of one's own beliefs."
+                    .formatted(sender));
+            return;
+        }
         Term content;
         try {
             content = Terms.read(speech.content(), agent.reasoner());

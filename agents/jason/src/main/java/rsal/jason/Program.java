@@ -23,6 +23,7 @@ record Program(String path, Map<String, String> texts) {
     private static final int MAX_BYTES = 1 << 18;
     private static final int MOST_FILES = 30;
     private static final Pattern LEXICAL = Pattern.compile("line (\\d+), column (\\d+)");
+    private static final Pattern UNPLACED = Pattern.compile("^\\[\\]\\s*");
     private static final Pattern SOURCE = Pattern.compile("\\[?[^\\[]*:(\\d+)\\]?\\s*(.*)", Pattern.DOTALL);
 
     Program {
@@ -58,7 +59,7 @@ record Program(String path, Map<String, String> texts) {
         try {
             grammar.into(agent);
         } catch (ParseException e) {
-            throw mistake(path, e);
+            throw mistake(new Location(path, grammar.line(), grammar.column()), e);
         } catch (TokenMgrError e) {
             throw new InvalidSettings(
                     lexical(path, String.valueOf(e.getMessage())),
@@ -78,7 +79,9 @@ record Program(String path, Map<String, String> texts) {
         }
     }
 
-    private static InvalidSettings mistake(String path, ParseException e) {
+    /// @param near it is, as far as it was read
+    private static InvalidSettings mistake(Location near, ParseException e) {
+        String path = near.file();
         if (e.currentToken == null) { // what the parser says itself begins with the place
             Matcher said = SOURCE.matcher(String.valueOf(e.getMessage()));
             return said.matches()
@@ -86,7 +89,10 @@ record Program(String path, Map<String, String> texts) {
                             new Location(path, Integer.parseInt(said.group(1)), 1),
                             said.group(2).strip(),
                             "")
-                    : new InvalidSettings(Location.of(path), String.valueOf(e.getMessage()), "");
+                    : new InvalidSettings(
+                            near,
+                            UNPLACED.matcher(String.valueOf(e.getMessage())).replaceFirst(""),
+                            "");
         }
         var read = e.currentToken.next;
         var at = new Location(path, read.beginLine, read.beginColumn);

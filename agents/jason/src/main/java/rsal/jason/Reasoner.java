@@ -21,6 +21,7 @@ final class Reasoner extends Agent {
 
     private final transient @Nullable Map<String, InternalAction> replaced;
     private final transient ArithFunction clock;
+    private final Beliefs beliefs;
 
     static {
         Quiet.make();
@@ -53,7 +54,14 @@ final class Reasoner extends Agent {
             }
         };
         new Deliberation(this, circumstance, architecture);
+        this.beliefs = new Beliefs();
+        setBB(beliefs);
+        setPL(new Plans());
         initAg();
+    }
+
+    Beliefs beliefs() {
+        return beliefs;
     }
 
     @Override
@@ -82,6 +90,7 @@ final class Reasoner extends Agent {
         if (replaced == null) {
             return Replaced.UNBOUND; // whether there is one of that name, the review tells
         }
-        throw new ClassNotFoundException("There is no internal action (%s). %s".formatted(name, Library.instead(name)));
+        throw new ClassNotFoundException(
+                "Internal action (%s) can't be used here. %s".formatted(name, Library.instead(name)));
     }
 }

@@ -1,6 +1,7 @@
 package rsal.jason;
 
 import jason.JasonException;
+import jason.asSemantics.Agent;
 import jason.asSemantics.DefaultInternalAction;
 import jason.asSemantics.Event;
 import jason.asSemantics.Intention;
@@ -11,12 +12,22 @@ import jason.asSemantics.Unifier;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Atom;
 import jason.asSyntax.ListTerm;
+import jason.asSyntax.StringTerm;
 import jason.asSyntax.StringTermImpl;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.VarTerm;
+import jason.stdlib.add_plan;
 import jason.stdlib.concat;
+import jason.stdlib.delete;
+import jason.stdlib.desire;
+import jason.stdlib.intend;
+import jason.stdlib.intention;
+import jason.stdlib.lower_case;
+import jason.stdlib.replace;
+import jason.stdlib.substring;
+import jason.stdlib.upper_case;
 import java.time.Duration;
 import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
@@ -57,12 +68,23 @@ final class Replaced {
             ".df_register",
             ".df_deregister",
             ".df_search",
-            ".term2string");
+            ".term2string",
+            ".upper_case",
+            ".lower_case",
+            ".replace",
+            ".substring",
+            ".delete",
+            ".add_plan",
+            ".fail_goal",
+            ".intention",
+            ".intend",
+            ".desire");
 
     /// What stands for any of them in an agent that is only read.
     static final InternalAction UNBOUND = new Simple(0, Integer.MAX_VALUE, (_, _, _) -> false);
 
     private static final InternalAction LISTS = new concat();
+    private static final InternalAction PLANS = new add_plan();
     private static final Pattern DELAY = Pattern.compile("now\\s*\\+\\s*(\\d{1,9})\\s*([a-z]*)");
     private static final int MOST_TRIES = 10_000;
 
@@ -103,12 +125,23 @@ final class Replaced {
                         (ts, un, terms) -> print(ts, un, Arrays.copyOfRange(terms, 1, terms.length))));
         all.put(".concat", new Simple(2, Integer.MAX_VALUE, this::concat));
         all.put(".send", new Send());
-        all.put(".broadcast", new Simple(2, 2, this::broadcast).onlyInBodies());
+        all.put(".broadcast", new Simple(2, 2, false, this::broadcast));
         all.put(".all_names", new Simple(1, 1, this::allNames));
-        all.put(".df_register", new Simple(1, 2, this::register).onlyInBodies());
-        all.put(".df_deregister", new Simple(1, 2, this::deregister).onlyInBodies());
+        all.put(".df_register", new Simple(1, 2, false, this::register));
+        all.put(".df_deregister", new Simple(1, 2, false, this::deregister));
         all.put(".df_search", new Simple(2, 3, this::search));
         all.put(".term2string", new Simple(2, 2, Replaced::termAndString));
+        all.put(".upper_case", ofText(new upper_case(), 0));
+        all.put(".lower_case", ofText(new lower_case(), 0));
+        all.put(".replace", ofText(new replace(), 0));
+        all.put(".substring", ofText(new substring(), 0, 1));
+        all.put(".delete", ofText(new delete(), 1));
+        all.put(".add_plan", new Simple(1, 3, Replaced::addPlan));
+        all.put(".fail_goal", new FailGoal());
+        var intentions = new Intentions();
+        all.put(".intention", intentions.numbered(new intention(), 0));
+        all.put(".intend", intentions.numbered(new intend(), 1));
+        all.put(".desire", intentions.numbered(new desire(), 1));
         return all;
     }
 
@@ -253,6 +286,60 @@ final class Replaced {
         return un.unifies(last, new StringTermImpl(words));
     }
 
+    /// One of Jason's that takes terms as the texts that they are written as: with our numbers of variables, not those
+    /// of
+    /// the process.
+    ///
+    /// @param at which of its terms are taken so
+    private static Simple ofText(DefaultInternalAction jasons, int... at) {
+        return new Simple(jasons.getMinArgs(), jasons.getMaxArgs(), (ts, un, terms) -> {
+            Term[] texts = terms.clone();
+            for (int i : at) {
+                if (i < terms.length && terms[i].isStructure() && !terms[i].isList() && !terms[i].isGround()) {
+                    texts[i] = new StringTermImpl(Terms.written(terms[i]));
+                }
+            }
+            return jasons.execute(ts, un, texts);
+        });
+    }
+
+    // ── Plans and goals ──────────────────────────────────────────────────────────────────────────────────────────
+
+    /// Jason's own, but that plans in texts are read with the functions of this agent.
+    private static Object addPlan(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
+        Term[] read = terms.clone();
+        read[0] = Terms.list(terms[0])
+                .<Term>map(all -> ASSyntax.createList(
+                        all.stream().map(each -> plan(each, ts.getAg())).toList()))
+                .orElseGet(() -> plan(terms[0], ts.getAg()));
+        return PLANS.execute(ts, un, read);
+    }
+
+    private static Term plan(Term term, Agent reader) {
+        return term instanceof StringTerm text ? Terms.plan(text.getString(), reader) : term;
+    }
+
+    /// Jason's own lets an intention go on that has failed its own goal.
+    private static final class FailGoal extends jason.stdlib.fail_goal {
+        private static final long serialVersionUID = 1;
+
+        private boolean own; // whether the intention that said it last has failed by that
+
+        @Override
+        public boolean suspendIntention() {
+            return own;
+        }
+
+        @Override
+        public Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
+            Intention intention = ts.getC().getSelectedIntention();
+            int before = intention == null ? 0 : intention.size();
+            Object done = super.execute(ts, un, terms);
+            own = intention != null && intention.size() < before;
+            return done;
+        }
+    }
+
     // ── Others ───────────────────────────────────────────────────────────────────────────────────────────────────
 
     private Object allNames(TransitionSystem ts, Unifier un, Term[] terms) {
@@ -306,24 +393,13 @@ final class Replaced {
     }
 
     /// `.send(to, performative, content)`, and with an answer to wait for, in milliseconds if not for ever.
-    private final class Send extends DefaultInternalAction {
+    private final class Send extends OwnAction {
         private static final long serialVersionUID = 1;
 
         private boolean asks; // the intention that said it last
 
-        @Override
-        public int getMinArgs() {
-            return 3;
-        }
-
-        @Override
-        public int getMaxArgs() {
-            return 5;
-        }
-
-        @Override
-        public boolean canBeUsedInContext() {
-            return false;
+        Send() {
+            super(3, 5, false);
         }
 
         @Override
@@ -332,15 +408,13 @@ final class Replaced {
         }
 
         @Override
-        public Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
+        Object act(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
             asks = false;
-            checkArguments(terms);
             List<Term> receivers = Terms.list(terms[0]).orElseGet(() -> List.of(terms[0]));
             var message = new Message(terms[1].toString(), "", null, terms[2], "");
             boolean isAsking = message.isAsk() && terms.length > 3;
-            Optional<Duration> limit = isAsking && terms.length == 5
-                    ? Optional.of(Duration.ofNanos(Math.round(Terms.number(terms[4]) * 1e6)))
-                    : Optional.empty();
+            Optional<Duration> limit =
+                    isAsking && terms.length == 5 ? Optional.of(Terms.millis(terms[4])) : Optional.empty();
             message.setMsgId(post.nextId(isAsking ? Message.msgIdSyncAskPrefix : Message.msgIdPrefix));
             if (!message.isAsk() && terms.length > 3) {
                 message.setInReplyTo(terms[3].toString());
@@ -357,7 +431,7 @@ final class Replaced {
                         .addPendingIntention(
                                 id, new Atom("waiting_ask"), ts.getC().getSelectedIntention(), false);
                 limit.ifPresent(time ->
-                        agent.after(time, () -> ts.runAtBeginOfNextCycle(() -> giveUp(ts, id, terms[0].isList()))));
+                        waits.limit(id, time, () -> ts.runAtBeginOfNextCycle(() -> giveUp(ts, id, terms[0].isList()))));
             }
             return true;
         }
@@ -387,44 +461,22 @@ final class Replaced {
         Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception;
     }
 
-    private static final class Simple extends DefaultInternalAction {
+    static final class Simple extends OwnAction {
         private static final long serialVersionUID = 1;
 
-        private final int least;
-        private final int most;
         private final transient Deed deed;
-        private boolean inContexts = true;
 
         Simple(int least, int most, Deed deed) {
-            this.least = least;
-            this.most = most;
+            this(least, most, true, deed);
+        }
+
+        Simple(int least, int most, boolean inConditions, Deed deed) {
+            super(least, most, inConditions);
             this.deed = deed;
         }
 
-        /// It has effects, so it is of no use in conditions.
-        Simple onlyInBodies() {
-            inContexts = false;
-            return this;
-        }
-
         @Override
-        public int getMinArgs() {
-            return least;
-        }
-
-        @Override
-        public int getMaxArgs() {
-            return most;
-        }
-
-        @Override
-        public boolean canBeUsedInContext() {
-            return inContexts;
-        }
-
-        @Override
-        public Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
-            checkArguments(terms);
+        Object act(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
             return deed.execute(ts, un, terms);
         }
     }

@@ -168,14 +168,23 @@ final class Review {
     private void internal(InternalActionLiteral action) {
         String name = action.getFunctor();
         if (!Library.isKnown(name)) {
-            String instead = Library.instead(name);
             problems.add(
                     program.locationOf(action),
                     "Internal action (%s) can't be used here.".formatted(name),
-                    instead.isEmpty() ? Suggestion.among(name, Library.names()) : instead);
+                    Library.instead(name));
         }
         if (action.hasTerm()) {
-            action.getTerms().forEach(this::formula);
+            boolean asks = Library.asks(name);
+            action.getTerms().stream().filter(term -> asks || !isPlain(term)).forEach(this::formula);
         }
+    }
+
+    /// Whether it is only a term, as what is said to others: nothing that is believed, done or waited for.
+    private static boolean isPlain(Term term) {
+        return term instanceof Literal
+                && !(term instanceof InternalActionLiteral
+                        || term instanceof PlanBody
+                        || term instanceof Rule
+                        || term instanceof LogExpr);
     }
 }

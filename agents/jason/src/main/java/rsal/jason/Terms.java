@@ -8,11 +8,12 @@ import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
 import jason.asSyntax.NumberTerm;
 import jason.asSyntax.NumberTermImpl;
+import jason.asSyntax.Plan;
+import jason.asSyntax.Pred;
 import jason.asSyntax.StringTerm;
 import jason.asSyntax.StringTermImpl;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
-import jason.asSyntax.VarTerm;
 import jason.asSyntax.parser.ParseException;
 import jason.asSyntax.parser.TokenMgrError;
 import jason.asSyntax.parser.as2j;
@@ -22,12 +23,11 @@ import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -45,6 +45,8 @@ final class Terms {
     private static final Pattern VARIABLE = Pattern.compile("(?<!\\w)_\\d+\\w*");
     private static final Set<String> KEYWORDS =
             Set.of("true", "false", "not", "div", "mod", "begin", "end", "if", "else", "elif", "for", "while");
+
+    private static final double LONGEST = 3.15576e12; // ms, which clocks still count in nanoseconds
 
     private Terms() {}
 
@@ -77,7 +79,7 @@ final class Terms {
     /// What a term says as a text: an atom's name, a string's letters, else the term as it is written.
     static String words(Term term) {
         return switch (term) {
-            case StringTerm string -> letters(string);
+            case StringTerm string -> string.getString();
             case Atom atom when atom.isAtom() -> unquoted(atom.getFunctor());
             default -> written(term);
         };
@@ -86,12 +88,6 @@ final class Terms {
     /// The members of a list; empty for what is none, as a variable, which is a ListTerm too.
     static Optional<List<Term>> list(Term term) {
         return term.isList() && term instanceof ListTerm list ? Optional.of(list.getAsList()) : Optional.empty();
-    }
-
-    /// A string's letters, without the numbers that Jason gives to variables in its messages: they differ from run to
-    /// run.
-    private static String letters(StringTerm string) {
-        return VARIABLE.matcher(string.getString()).replaceAll("_");
     }
 
     /// What they say one after the other.
@@ -244,69 +240,12 @@ final class Terms {
     /// A term as it can be read again: variables are numbered as they come, as Jason's own names of them differ
     /// from run to run.
     static String written(Term term) {
-        var text = new StringBuilder();
-        write(term, text, new LinkedHashMap<>());
-        return text.toString();
+        return Written.of(term);
     }
 
-    private static void write(Term term, StringBuilder text, Map<VarTerm, String> variables) {
-        switch (term) {
-            case VarTerm variable ->
-                text.append(variables.computeIfAbsent(variable, _ -> "V" + (variables.size() + 1)));
-            case StringTerm string ->
-                text.append('"')
-                        .append(letters(string).replace("\\", "\\\\").replace("\"", "\\\""))
-                        .append('"');
-            case ListTerm list -> writeList(list, text, variables);
-            case Literal literal when literal.getClass() == Atom.class -> text.append(literal.getFunctor());
-            case Literal literal
-            when !literal.isRule() && !literal.isInternalAction() -> writeLiteral(literal, text, variables);
-            default -> text.append(term);
-        }
-    }
-
-    private static void writeLiteral(Literal literal, StringBuilder text, Map<VarTerm, String> variables) {
-        if (!(literal instanceof Structure) || literal instanceof jason.asSyntax.BinaryStructure) {
-            text.append(literal);
-            return;
-        }
-        if (literal.negated()) {
-            text.append('~');
-        }
-        if (!literal.getNS().equals(Literal.DefaultNS)) {
-            write(literal.getNS(), text, variables);
-            text.append("::");
-        }
-        text.append(literal.getFunctor());
-        if (literal.hasTerm()) {
-            writeAll(literal.getTerms(), "(", ")", text, variables);
-        }
-        if (literal.hasAnnot()) {
-            writeList(literal.getAnnots(), text, variables);
-        }
-    }
-
-    private static void writeList(ListTerm list, StringBuilder text, Map<VarTerm, String> variables) {
-        text.append('[');
-        writeAll(list.getAsList(), "", "", text, variables);
-        Optional<VarTerm> tail = Optional.ofNullable(list.getTail());
-        tail.ifPresent(rest -> {
-            text.append('|');
-            write(rest, text, variables);
-        });
-        text.append(']');
-    }
-
-    private static void writeAll(
-            List<Term> terms, String open, String close, StringBuilder text, Map<VarTerm, String> variables) {
-        text.append(open);
-        String separator = "";
-        for (Term each : terms) {
-            text.append(separator);
-            write(each, text, variables);
-            separator = ",";
-        }
-        text.append(close);
+    /// What Jason says of terms, without its numbers of variables: they differ from run to run.
+    static String masked(String message) {
+        return VARIABLE.matcher(message).replaceAll("_");
     }
 
     /// @param reader whose functions it names: Jason's own of the process would read the machine's clock
@@ -319,9 +258,43 @@ final class Terms {
             if (parser.getNextToken().kind != as2jConstants.EOF) {
                 throw new IllegalArgumentException("(%s) is more than a term.".formatted(text));
             }
-            return term;
+            return labelled(term);
         } catch (ParseException | TokenMgrError e) {
             throw new IllegalArgumentException("(%s) is no term.".formatted(text), e);
         }
+    }
+
+    /// Jason adds who said it to a plan's label, so it must have one.
+    private static Term labelled(Term term) {
+        if (term instanceof Plan plan && plan.getLabel() == null) {
+            plan.setLabel(new Pred(Written.UNNAMED));
+        }
+        list(term).orElse(List.of()).forEach(Terms::labelled);
+        return term;
+    }
+
+    /// A plan that stands in a text.
+    ///
+    /// @throws IllegalArgumentException when it is none
+    static Plan plan(String text, Agent reader) {
+        String plan = text.strip();
+        var parser = new as2j(new StringReader(plan.endsWith(".") ? plan : plan + "."));
+        parser.setAg(reader);
+        try {
+            return parser.plan();
+        } catch (ParseException | TokenMgrError e) {
+            throw new IllegalArgumentException("(%s) is no plan.".formatted(text), e);
+        }
+    }
+
+    /// A time in milliseconds. What is longer than a hundred years lasts for ever, as far as runs go.
+    ///
+    /// @throws IllegalArgumentException when it is none
+    static Duration millis(Term term) {
+        double millis = number(term);
+        if (!(millis >= 0)) {
+            throw new IllegalArgumentException("(%s) is no time in milliseconds.".formatted(written(term)));
+        }
+        return Duration.ofNanos(Math.round(Math.min(millis, LONGEST) * 1e6));
     }
 }

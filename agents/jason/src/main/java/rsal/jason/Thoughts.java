@@ -9,6 +9,8 @@ import jason.asSyntax.ListTerm;
 import jason.asSyntax.Literal;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
+import jason.asSyntax.Pred;
+import jason.asSyntax.SourceInfo;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 import java.util.ArrayList;
@@ -16,6 +18,7 @@ import java.util.Collections;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import rsal.agent.bdi.Mind;
 import rsal.agent.bdi.Mind.GoalState;
@@ -24,7 +27,6 @@ import rsal.agent.bdi.Mind.GoalView;
 /// What is in an agent's mind, for people: its beliefs by name, and its intentions as goals with the plans and steps by
 /// which it pursues them.
 final class Thoughts {
-    private static final String NO_LABEL = "p__"; // with a number of Jason's
     private static final int MOST_BELIEFS = 20; // of one name
 
     private Thoughts() {}
@@ -88,10 +90,17 @@ final class Thoughts {
 
     /// Its label; where its author gave it none, where it is written.
     private static String name(Plan plan) {
-        String label = plan.getLabel().getFunctor();
-        return label.startsWith(NO_LABEL) && plan.getSrcInfo() != null
-                ? plan.getSrcInfo().toString()
-                : label;
+        Optional<Pred> label = Optional.ofNullable(plan.getLabel());
+        return label.filter(own -> !Plans.isCounted(own) || place(plan).isEmpty())
+                .map(Pred::getFunctor)
+                .or(() -> place(plan))
+                .orElse("");
+    }
+
+    private static Optional<String> place(Plan plan) {
+        return Optional.ofNullable(plan.getSrcInfo())
+                .filter(source -> source.getSrcFile() != null)
+                .map(SourceInfo::toString);
     }
 
     private static List<String> steps(Intention intention) {
@@ -120,6 +129,9 @@ final class Thoughts {
     }
 
     private static boolean isComputed(Term term) {
+        if (term.isVar()) {
+            return false;
+        }
         if (term instanceof ListTerm list) {
             return list.stream().anyMatch(Thoughts::isComputed);
         }
@@ -133,6 +145,11 @@ final class Thoughts {
     /// What it is about now, for messages.
     static String newest(Reasoner reasoner) {
         List<GoalView> goals = goals(reasoner, "");
-        return goals.isEmpty() ? "nothing but events" : goals.getFirst().name();
+        return goals.isEmpty()
+                ? "nothing but events"
+                : "%s (%s)"
+                        .formatted(
+                                goals.getFirst().name(),
+                                goals.getFirst().plans().getLast());
     }
 }

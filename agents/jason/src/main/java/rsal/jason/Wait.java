@@ -1,7 +1,5 @@
 package rsal.jason;
 
-import jason.JasonException;
-import jason.asSemantics.DefaultInternalAction;
 import jason.asSemantics.TransitionSystem;
 import jason.asSemantics.Unifier;
 import jason.asSyntax.LogicalFormula;
@@ -12,28 +10,14 @@ import java.util.Optional;
 
 /// `.wait(1000)`, `.wait({+event})`, `.wait(formula)`, the latter two with a limit in milliseconds that they fail
 /// after, or don't when they are asked for the time that it took.
-final class Wait extends DefaultInternalAction {
+final class Wait extends OwnAction {
     private static final long serialVersionUID = 1;
 
     private final transient Waits waits;
 
     Wait(Waits waits) {
+        super(1, 3, false);
         this.waits = waits;
-    }
-
-    @Override
-    public int getMinArgs() {
-        return 1;
-    }
-
-    @Override
-    public int getMaxArgs() {
-        return 3;
-    }
-
-    @Override
-    public boolean canBeUsedInContext() {
-        return false;
     }
 
     @Override
@@ -42,13 +26,12 @@ final class Wait extends DefaultInternalAction {
     }
 
     @Override
-    public Object execute(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
-        checkArguments(terms);
+    Object act(TransitionSystem ts, Unifier un, Term[] terms) throws Exception {
         if (terms[0].isNumeric()) {
-            waits.forTime(un, millis(terms[0]));
+            waits.forTime(un, Terms.millis(terms[0]));
             return true;
         }
-        Optional<Duration> limit = terms.length > 1 ? Optional.of(millis(terms[1])) : Optional.empty();
+        Optional<Duration> limit = terms.length > 1 ? Optional.of(Terms.millis(terms[1])) : Optional.empty();
         Optional<Term> elapsed = terms.length > 2 ? Optional.of(terms[2]) : Optional.empty();
         Trigger event = Trigger.tryToGetTrigger(terms[0]);
         if (event != null) {
@@ -56,17 +39,10 @@ final class Wait extends DefaultInternalAction {
         } else if (terms[0] instanceof LogicalFormula formula) {
             waits.forFormula(un, formula, limit, elapsed);
         } else {
-            throw new JasonException("(.wait) takes a number of milliseconds, an event {+e} or a formula, not (%s)."
-                    .formatted(terms[0]));
+            throw new IllegalArgumentException(
+                    "(.wait) takes a number of milliseconds, an event {+e} or a formula, not (%s)."
+                            .formatted(Terms.written(terms[0])));
         }
         return true;
-    }
-
-    private static Duration millis(Term term) {
-        double millis = Terms.number(term);
-        if (!(millis >= 0)) {
-            throw new IllegalArgumentException("One can't wait (%s) ms.".formatted(millis));
-        }
-        return Duration.ofNanos(Math.round(millis * 1e6));
     }
 }

@@ -16,10 +16,13 @@ import jason.stdlib.suspend;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import rsal.time.Task;
 
 /// Intentions of an agent that wait for a time, an event or a belief. They go on in the cycle after that has come.
 final class Waits implements CircumstanceListener {
@@ -27,6 +30,7 @@ final class Waits implements CircumstanceListener {
 
     private final transient WrittenAgent agent;
     private final transient List<Waiting> waiting = new ArrayList<>();
+    private final transient Map<String, Task> limits = new HashMap<>(); // by what of Jason's they are for
     private int begun;
 
     Waits(WrittenAgent agent) {
@@ -61,7 +65,14 @@ final class Waits implements CircumstanceListener {
         var one = new Waiting("wait" + ++begun, intention, un, event, formula, elapsed, agent.now());
         waiting.add(one);
         c.addPendingIntention(one.key, new Atom("wait"), intention, false);
-        limit.ifPresent(time -> agent.after(time, () -> end(one, true)));
+        limit.ifPresent(time -> limit(one.key, time, () -> end(one, true)));
+    }
+
+    /// Does something after a time, unless a pending intention has gone on by then.
+    ///
+    /// @param key under which it is pending
+    void limit(String key, Duration time, Runnable task) {
+        limits.put(key, agent.after(time, task));
     }
 
     /// A cycle is over: some of what is waited for may be believed by now.
@@ -71,7 +82,15 @@ final class Waits implements CircumstanceListener {
                 end(one, false);
             }
         }
-        waiting.removeIf(one -> !circumstance().getPendingIntentions().containsKey(one.key)); // of dropped intentions
+        Map<String, Intention> pending = circumstance().getPendingIntentions();
+        waiting.removeIf(one -> !pending.containsKey(one.key)); // of dropped intentions
+        limits.entrySet().removeIf(limit -> {
+            boolean over = !pending.containsKey(limit.getKey());
+            if (over) {
+                limit.getValue().cancel();
+            }
+            return over;
+        });
     }
 
     @Override

@@ -25,6 +25,7 @@ import rsal.agent.AgentContext;
 import rsal.agent.Topic;
 import rsal.agent.bdi.Mind;
 import rsal.robot.Robot;
+import rsal.time.Task;
 
 /// An agent that reasons as its author wrote it. Whenever there is something to do (a percept has changed, a message or
 /// a timer has come, an action has ended) its reasoning cycles run, at that instant, until there is nothing left to do.
@@ -53,6 +54,11 @@ final class WrittenAgent implements Agent {
 
     @Override
     public void start(AgentContext self) {
+        if (AgentSpeak.TAKEN.contains(self.name())) {
+            throw new IllegalArgumentException(
+                    "An agent in AgentSpeak can't be called (%s): that is a source of its own beliefs."
+                            .formatted(self.name()));
+        }
         var complaints = new Complaints(self.name());
         var waits = new Waits(this);
         var post = new Post(self, this);
@@ -139,8 +145,8 @@ final class WrittenAgent implements Agent {
         return life;
     }
 
-    void after(Duration delay, Runnable task) {
-        alive().self.scheduler().after(delay, task);
+    Task after(Duration delay, Runnable task) {
+        return alive().self.scheduler().after(delay, task);
     }
 
     void say(String words) {
@@ -180,8 +186,15 @@ final class WrittenAgent implements Agent {
                         "Agent (%s) found no end after %d reasoning cycles at one instant: %s. Maybe a goal calls itself for ever; (.wait) lets time pass."
                                 .formatted(own.self.name(), LIMIT, Thoughts.newest(own.reasoner)));
             }
-            deliberation.reasoningCycle();
-            own.waits.check();
+            try {
+                deliberation.reasoningCycle();
+                own.waits.check();
+            } catch (StackOverflowError _) {
+                throw endless(own);
+            }
+            if (own.complaints.endless()) {
+                throw endless(own);
+            }
             own.deeds.check();
             own.complaints.broken().ifPresent(why -> {
                 throw new IllegalStateException(
@@ -189,6 +202,18 @@ final class WrittenAgent implements Agent {
             });
         }
         thinking = false;
+    }
+
+    private IllegalStateException endless(Life own) {
+        String rule = own.reasoner
+                .beliefs()
+                .askedRule()
+                .map(asked -> " Rule (%s) at %s asks for itself."
+                        .formatted(asked.getPredicateIndicator(), program.locationOf(asked)))
+                .orElse("");
+        return new IllegalStateException(
+                "Agent (%s) searched without an end at: %s.%s Maybe it should begin with the case in which it ends."
+                        .formatted(own.self.name(), Thoughts.newest(own.reasoner), rule));
     }
 
     /// What a device tells takes the place of what it told before; what has changed makes events.

@@ -74,6 +74,24 @@ class AgentSpeakTest {
     }
 
     @Test
+    void needsNothingForWhatOthersBelieve() {
+        assertThat(Texts.type("+holding[source(R)] : R \\== percept <- .print(R).")
+                        .needs())
+                .isEmpty();
+        assertThat(Texts.type("+!go : pose(X, _, _)[source(amy)] <- .print(X).").needs())
+                .isEmpty();
+        assertThat(Texts.type("+!go <- .broadcast(tell, pose(1, 2, 3)); .send(amy, askOne, battery(_), B).")
+                        .needs())
+                .isEmpty();
+        assertThat(Texts.type("+!go : pose(X, _, _)[source(percept)] <- .print(X).")
+                        .needs())
+                .containsExactly(Localizer.class);
+        assertThat(Texts.type("+!go <- .findall(X, pose(X, _, _), L); .send(amy, tell, L).")
+                        .needs())
+                .containsExactly(Localizer.class);
+    }
+
+    @Test
     void filesMayIncludeOthersBesideThem() {
         AgentType type = Texts.type(Map.of(
                 "a.asl", "{ include(\"b.asl\") } speed(1).", "b.asl", "{include(\"a.asl\")} turn(2). +!go <- stop."));
@@ -92,6 +110,14 @@ class AgentSpeakTest {
         refuses("+!go <- goto(1).", "a.asl:1:9: Action (goto) takes 2 to 3 terms, not 1.");
         refuses("+!go <- .prnt(1).", "a.asl:1:9: Internal action (.prnt) can't be used here.", "Maybe (.print)");
         refuses("+!go <- my.own.action(1).", "a.asl:1:", "my.own.action");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type("+!go <- .current_intention(I); .qqqqqqqq."))
+                .satisfies(e -> assertThat(e.getMessage().lines())
+                        .containsExactly(
+                                "a.asl:1:9: Internal action (.current_intention) can't be used here.",
+                                "    Maybe .intention(Id, State, Stack, current).",
+                                "a.asl:1:32: Internal action (.qqqqqqqq) can't be used here.",
+                                "    docs/reference/agentspeak.md tells which can."));
         refuses("+heard(poes, _, _) <- stop.", "a.asl:1:2: There is no topic (poes).", "Maybe (pose)");
         refuses("+!go <- publish(caugt, 1).", "a.asl:1:9: There is no topic (caugt).", "Maybe (caught)");
     }
@@ -208,7 +234,10 @@ class AgentSpeakTest {
             try {
                 Texts.type(text.toString());
             } catch (InvalidSettings e) {
-                assertThat(e.problems()).as("seed %d", seed).isNotEmpty();
+                assertThat(e.problems()).as("seed %d", seed).isNotEmpty().allSatisfy(problem -> {
+                    assertThat(problem.location().file()).isEqualTo("a.asl");
+                    assertThat(problem.location().line()).isPositive();
+                });
             } catch (RuntimeException | Error e) {
                 throw new AssertionError("seed %d: %s".formatted(seed, text), e);
             }

@@ -4,6 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import jason.architecture.MindInspectorWeb;
+import jason.asSyntax.ASSyntax;
+import jason.asSyntax.StringTermImpl;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Proxy;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -11,6 +16,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
@@ -41,6 +48,9 @@ import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
 import rsal.testkit.fake.FakeProvider;
 import rsal.testkit.fake.TestedType;
+import rsal.time.LockstepScheduler;
+import rsal.time.Scheduler;
+import rsal.time.Task;
 
 class WrittenAgentTest extends RobotBench {
     private final List<String> states = new ArrayList<>();
@@ -298,6 +308,42 @@ class WrittenAgentTest extends RobotBench {
     }
 
     @Test
+    void theyTellEachOtherHow() {
+        start("amy", """
+                what("a \\"fine\\" thing").
+                +!cook(What) : what(W) <- .print("cook ", What, " and\\n", W).
+                """);
+        start("bob", """
+                !go.
+                what(soup).
+                +!go <- .send(amy, askHow, {+!cook(_)}, Plans, 500); .add_plan(Plans, amy); !cook(rice);
+                        .send(amy, tellHow, { @cleaning[atomic] +!clean(X) : X > 1 & not dirty <- if (X < 3) { +done(X) } else { .print(no) }; .print("clean") });
+                        .send(amy, tellHow, "+!sweep <- .print(\\"swept at \\", system.time).");
+                        .wait(100); .send(amy, achieve, clean(2)); .send(amy, achieve, sweep);
+                        .wait(100); .send(amy, untellHow, cleaning); .wait(100); .send(amy, achieve, clean(3)).
+                """);
+        advance(1);
+        assertThat(states).contains("bob: cook rice and\nsoup", "amy: clean", "amy: swept at 100");
+        assertThat(states).doesNotContain("amy: no");
+        assertThat(view("amy").status()).isEqualTo(Society.Status.RUNNING);
+    }
+
+    @Test
+    void textsAreHeardAsTheyWereSaid() {
+        start("amy", "+said(X) <- .print(X).");
+        start("bob", "!go. +!go <- .send(amy, tell, said(\"one\\n\\\"two\\\" \\tthree\")).");
+        advance(0.1);
+        assertThat(states).contains("amy: one\n\"two\" \\tthree");
+        start("java", self -> self.send("amy", Speech.TOPIC, new Speech("tell", said("C:\\dir\r\n\\"), "", "")));
+        advance(0.1);
+        assertThat(states).as("with what AgentSpeak has for them").contains("amy: C:\\\\dir \n\\\\");
+    }
+
+    private static String said(String text) {
+        return Terms.written(ASSyntax.createStructure("said", new StringTermImpl(text)));
+    }
+
+    @Test
     void anAnswerIsWaitedForOnlySoLong() {
         start("amy", _ -> {});
         start("bob", "!go. +!go <- .send(amy, askOne, price(_), P, 500); .print(P).");
@@ -462,6 +508,54 @@ class WrittenAgentTest extends RobotBench {
         assertThat(transcripts.iterator().next()).anyMatch(line -> line.contains("missing(_)"));
     }
 
+    /// What Jason counts for the whole process: labels of plans, intentions, variables, also within formulas.
+    @Test
+    void nothingThatJasonCountsIsSeen() {
+        String text = """
+                !go. !other.
+                +!go <- .relevant_plans({+!other}, _, Labels); .print(Labels);
+                        .intention(I, S, _, current); .print("I am ", I); .intention(J, waiting); .print("there is ", J);
+                        .desire(go, K); .print(K == I);
+                        .broadcast(tell, seen({ X > Y & not p(X, _) }, { +!g(Z) : p(Z, _) <- .print(Z) }));
+                        .upper_case(f(_, _), U); .concat("can", "_1", N); .print(U, N).
+                +!other <- .wait(1000).
+                +!rest <- .wait(1). { +x <- .print(x). }
+                """;
+        var transcripts = new HashSet<List<String>>();
+        for (int i = 0; i < 3; i++) {
+            states.clear();
+            said.clear();
+            start("a", text);
+            advance(0.5);
+            society.stop("a");
+            var all = new ArrayList<>(states);
+            said.forEach(message -> all.add(message.content().toString()));
+            transcripts.add(all);
+        }
+        assertThat(transcripts).hasSize(1);
+        assertThat(transcripts.iterator().next())
+                .contains(
+                        "a: [p__2[source(self),url(\"a.asl\")]]",
+                        "a: I am 1",
+                        "a: there is 2",
+                        "a: F(V1,V2)can_1",
+                        "tell: seen({ ((V1 > V2) & not (p(V1,V3))) },{ +!g(V4) : p(V4,V5) <- .print(V4) })");
+    }
+
+    @Test
+    void suspendedEventsGoOnInTheOrderInWhichTheyCame() {
+        start("a", """
+                !go.
+                +!go <- for (.range(I, 1, 9)) { !!count(I) }; .suspend(count(_)); .wait(10); .resume(count(_)).
+                +!count(I) <- .print(I).
+                """);
+        advance(0.1);
+        assertThat(states)
+                .containsExactlyElementsOf(Stream.concat(
+                                Stream.of("a: "), IntStream.rangeClosed(1, 9).mapToObj(i -> "a: " + i))
+                        .toList());
+    }
+
     /// An agent may fail, and says why; the others go on.
     @Test
     void whateverOneDoesHarmsNobodyElse() {
@@ -538,9 +632,17 @@ class WrittenAgentTest extends RobotBench {
             try {
                 startOnRobot(text);
                 advance(0.5);
+                Society.View after = view("a");
+                assertThat(after.status() == Society.Status.RUNNING
+                                || after.state().contains("found no end after"))
+                        .as("seed %d: %s: %s", seed, text, after.state())
+                        .isTrue();
                 society.stop("a");
             } catch (InvalidSettings e) {
-                assertThat(e.problems()).as("seed %d: %s", seed, text).isNotEmpty();
+                assertThat(e.problems())
+                        .as("seed %d: %s", seed, text)
+                        .isNotEmpty()
+                        .allSatisfy(problem -> assertThat(problem.toString()).startsWith("a.asl:1:"));
             } catch (RuntimeException e) {
                 throw new AssertionError("seed %d: %s".formatted(seed, text), e);
             }
@@ -585,7 +687,112 @@ class WrittenAgentTest extends RobotBench {
         start("b", "!go. +!go <- .print(\"lives\").");
         advance(1);
         assertThat(view("a").status()).isEqualTo(Society.Status.FAILED);
+        assertThat(view("a").state())
+                .contains("Agent (a) searched without an end", "Rule (p/1) at a.asl:1:1 asks for itself.");
         assertThat(view("b").state()).isEqualTo("lives");
+        start("c", "q(X) :- q(X).\n!go.\n+!go <- .findall(X, q(X), L); .print(L).");
+        advance(1);
+        assertThat(view("c").state()).contains("searched without an end at: go", "a.asl:3", "Rule (q/1) at a.asl:1:1");
+    }
+
+    @Test
+    void aFailurePlanThatFailsEndsItsIntention() {
+        start("a", """
+                !go. !wait.
+                +!go <- .fail.
+                -!go <- .print("tried");
+                        .fail.
+                +!wait <- .wait(5000).
+                """);
+        advance(1);
+        assertThat(states).containsExactly("a: ", "a: tried");
+        assertThat(view("a").status()).isEqualTo(Society.Status.RUNNING);
+        assertThat(society.look("a", Mind.View.class)
+                        .orElseThrow()
+                        .goals()
+                        .getFirst()
+                        .failure())
+                .isEqualTo("Goal (go) has failed, and so has the plan for that at a.asl:4: .fail.");
+    }
+
+    @Test
+    void aGoalThatFailsItselfFails() {
+        start("a", """
+                !go. !outer. !bare. !wait.
+                +!go <- .fail_goal(go); .print("not here").
+                -!go <- .print("go failed").
+                +!outer <- !inner; .print("not here").
+                -!outer <- .print("outer failed").
+                +!inner <- .fail_goal(inner); .print("not here").
+                +!bare <- .fail_goal(bare); .print("not here").
+                +!wait <- .wait(100); .fail_goal(wait2); .print("goes on").
+                """);
+        advance(1);
+        assertThat(states)
+                .contains("a: go failed", "a: outer failed", "a: goes on")
+                .doesNotContain("a: not here");
+        assertThat(view("a").status()).isEqualTo(Society.Status.RUNNING);
+    }
+
+    @Test
+    void noAgentIsCalledLikeASourceOfBeliefs() {
+        start("self", "!go. +!go <- .print(1).");
+        advance(0);
+        assertThat(view("self").status()).isEqualTo(Society.Status.FAILED);
+        assertThat(view("self").state()).contains("can't be called (self)");
+    }
+
+    @Test
+    void limitsThatWereNotNeededAreNoTimersAnyMore() {
+        var clock = new LockstepScheduler();
+        var timers = new HashSet<Object>();
+        var counted = counting(timers, clock);
+        society = new Society(
+                counted, new JasonHostProvider().create(Arguments.defaults(List.of()), counted), Optional.empty());
+        start("amy", "price(1).");
+        start("a", """
+                !event. !ask. !goal.
+                +!event <- .wait({+come}, 1000000).
+                +!ask <- .wait(10); +come; .send(amy, askOne, price(_), P, 2000000).
+                +!goal <- !sub[hard_deadline(3000000)].
+                +!sub <- .wait(10).
+                """);
+        clock.advance(Duration.ofMillis(5));
+        assertThat(timers).hasSize(4);
+        clock.advance(Duration.ofSeconds(1));
+        assertThat(timers).isEmpty();
+    }
+
+    /// A scheduler that notes which timers have neither run nor been cancelled.
+    private static Scheduler counting(Set<Object> timers, Scheduler scheduler) {
+        InvocationHandler handler = (_, method, arguments) -> {
+            if (!method.getName().equals("after")) {
+                return method.invoke(scheduler, arguments);
+            }
+            var timer = new Object();
+            var task = (Runnable) arguments[arguments.length - 1];
+            arguments[arguments.length - 1] = (Runnable) () -> {
+                timers.remove(timer);
+                task.run();
+            };
+            timers.add(timer);
+            var made = (Task) method.invoke(scheduler, arguments);
+            return (Task) () -> {
+                timers.remove(timer);
+                made.cancel();
+            };
+        };
+        return (Scheduler)
+                Proxy.newProxyInstance(Scheduler.class.getClassLoader(), new Class<?>[] {Scheduler.class}, handler);
+    }
+
+    @Test
+    void aTimeWithoutAnEndIsWaitedFor() {
+        start("a", "!go. +!go <- .wait(1e18); .print(\"over\").");
+        start("b", "!go. +!go <- .wait({+never}, 1.0E300).");
+        advance(10);
+        assertThat(states).containsExactly("a: ", "b: ");
+        assertThat(Terms.millis(Terms.number(1e18))).isLessThan(Duration.ofNanos(Long.MAX_VALUE / 2));
     }
 
     // ── For people ───────────────────────────────────────────────────────────────────────────────────────────────
