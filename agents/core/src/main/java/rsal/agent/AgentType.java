@@ -1,6 +1,7 @@
 package rsal.agent;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -25,6 +26,11 @@ public interface AgentType {
     /// The same for one with such arguments, which may need more.
     default List<Class<? extends Device>> needs(Arguments arguments) {
         return needs();
+    }
+
+    /// What stands in its file; empty for one in Java.
+    default Optional<Outline> outline() {
+        return Optional.empty();
     }
 
     /// @param arguments for [#parameters]

@@ -75,6 +75,11 @@ final class Library {
         return ASKING.contains(name);
     }
 
+    /// Whether it says something to others.
+    static boolean isSaying(String name) {
+        return name.equals(".send") || name.equals(".broadcast");
+    }
+
     /// What to do instead of using one that is not known.
     static String instead(String name) {
         return Optional.ofNullable(REFUSED.get(name))

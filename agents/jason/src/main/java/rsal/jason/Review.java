@@ -12,6 +12,7 @@ import jason.asSyntax.Rule;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.VarTerm;
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -31,6 +32,7 @@ final class Review {
     private final Set<Percept> percepts = EnumSet.noneOf(Percept.class);
     private final Set<Topic<?>> topics = new LinkedHashSet<>();
     private final Set<Class<? extends Device>> devices = new LinkedHashSet<>();
+    private final List<Literal> said = new ArrayList<>();
 
     private Review(Program program) {
         this.program = program;
@@ -58,6 +60,11 @@ final class Review {
 
     List<Class<? extends Device>> devices() {
         return List.copyOf(devices);
+    }
+
+    /// Where it says something to others.
+    List<Literal> said() {
+        return said;
     }
 
     private void plan(Plan plan) {
@@ -129,6 +136,7 @@ final class Review {
                                         "");
                             }
                             if (action == Action.PUBLISH && literal.getArity() > 0) {
+                                said.add(literal);
                                 published(literal);
                             }
                         },
@@ -172,6 +180,9 @@ final class Review {
                     program.locationOf(action),
                     "Internal action (%s) can't be used here.".formatted(name),
                     Library.instead(name));
+        }
+        if (Library.isSaying(name)) {
+            said.add(action);
         }
         if (action.hasTerm()) {
             boolean asks = Library.asks(name);

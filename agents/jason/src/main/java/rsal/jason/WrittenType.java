@@ -1,13 +1,17 @@
 package rsal.jason;
 
 import jason.asSyntax.Literal;
+import jason.asSyntax.Plan;
 import jason.asSyntax.Term;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import rsal.agent.Agent;
 import rsal.agent.AgentType;
+import rsal.agent.Outline;
+import rsal.agent.Outline.Line;
 import rsal.device.Device;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
@@ -19,6 +23,7 @@ final class WrittenType implements AgentType {
     private final Program program;
     private final List<Parameter> parameters;
     private final List<Class<? extends Device>> needs;
+    private final Outline outline;
 
     /// @throws InvalidSettings with what the agent names that there is not
     WrittenType(Program program) {
@@ -29,6 +34,22 @@ final class WrittenType implements AgentType {
         review.problems().throwIfAny();
         this.parameters = parameters(program, reasoner.getInitialBels());
         this.needs = review.devices();
+        this.outline = new Outline(
+                reasoner.getInitialGoals().stream()
+                        .map(goal -> line(goal.toString(), goal))
+                        .toList(),
+                reasoner.getPL().getPlans().stream().map(this::line).toList(),
+                review.topics().stream().map(Heard::name).toList(),
+                review.said().stream().map(said -> line(said.toString(), said)).toList());
+    }
+
+    private Line line(String text, Literal literal) {
+        return new Line(Terms.masked(text), program.locationOf(literal));
+    }
+
+    private Line line(Plan plan) {
+        String context = plan.getContext() == null ? "" : " : " + plan.getContext();
+        return line(plan.getTrigger() + context, plan.getTrigger().getLiteral());
     }
 
     private static List<Parameter> parameters(Program program, List<Literal> beliefs) {
@@ -85,6 +106,11 @@ final class WrittenType implements AgentType {
     @Override
     public List<Class<? extends Device>> needs() {
         return needs;
+    }
+
+    @Override
+    public Optional<Outline> outline() {
+        return Optional.of(outline);
     }
 
     @Override

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.AgentType;
+import rsal.agent.Outline;
 import rsal.behavior.Pilot;
 import rsal.device.Battery;
 import rsal.device.BlobFinder;
@@ -97,6 +98,38 @@ class AgentSpeakTest {
                 "a.asl", "{ include(\"b.asl\") } speed(1).", "b.asl", "{include(\"a.asl\")} turn(2). +!go <- stop."));
         assertThat(type.parameters()).extracting(Parameter::name).containsExactly("turn", "speed");
         assertThat(type.needs()).containsExactly(DriveBase.class);
+    }
+
+    @Test
+    void tellsWhatStandsInItsFile() {
+        Outline outline = Texts.type(Map.of(
+                        "a.asl",
+                        """
+                        !go.
+                        { include("b.asl") }
+                        @first +!go : pose(X, _, _) & X > 1
+                           <- publish(text, "far");
+                              .send(amy, tell, far(X)).
+                        +!go.
+                        """,
+                        "b.asl",
+                        "\n+heard(goal_reached, _, _) <- if (true) { .broadcast(tell, there) }."))
+                .outline()
+                .orElseThrow();
+        assertThat(outline.goals()).extracting(Object::toString).containsExactly("Line[text=go, at=a.asl:1:2]");
+        assertThat(outline.plans())
+                .extracting(line -> line.text() + " " + line.at())
+                .containsExactly(
+                        "+heard(goal_reached,_,_) b.asl:2:2",
+                        "+!go : (pose(X,_,_) & (X > 1)) a.asl:3:10",
+                        "+!go a.asl:6:3");
+        assertThat(outline.hears()).containsExactly("goal_reached");
+        assertThat(outline.says())
+                .extracting(line -> line.text() + " " + line.at())
+                .containsExactly(
+                        ".broadcast(tell,there) b.asl:2:43",
+                        "publish(text,\"far\") a.asl:4:7",
+                        ".send(amy,tell,far(X)) a.asl:5:7");
     }
 
     @Test

@@ -61,14 +61,17 @@ record Kind(
     }
 
     static Stream<Kind> agents() {
-        return found(AgentType.class, AgentType::key)
-                .map(a -> new Kind(
-                        "agent",
-                        a.key(),
-                        a.description(),
-                        Optional.empty(),
-                        names(a.needs()),
-                        settings(a.parameters())));
+        return found(AgentType.class, AgentType::key).map(Kind::of);
+    }
+
+    static Kind of(AgentType type) {
+        return new Kind(
+                "agent",
+                type.key(),
+                type.description(),
+                Optional.empty(),
+                names(type.needs()),
+                settings(type.parameters()));
     }
 
     static Stream<Kind> drivers() {

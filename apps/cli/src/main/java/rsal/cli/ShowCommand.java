@@ -26,12 +26,12 @@ import rsal.settings.Suggestion;
         name = "show",
         description =
                 "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
-                        + " and measures), what is in a world, with a picture of it, what a map, robot model or part is, or what can be set of an agent, a device driver (also by what it may use, as 'vfh') or a back end.")
+                        + " and measures), what is in a world, with a picture of it, what a map, robot model or part is, what is in the file of an agent (FILE.asl), or what can be set of an agent, a device driver (also by what it may use, as 'vfh') or a back end.")
 final class ShowCommand extends Subcommand {
     @Parameters(
-            paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|NAME",
+            paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|AGENT|NAME",
             description =
-                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); or what 'rsal list WHAT' names.")
+                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); an agent in AgentSpeak (FILE.asl); or what 'rsal list WHAT' names.")
     private String name = "";
 
     @Option(
@@ -49,6 +49,11 @@ final class ShowCommand extends Subcommand {
         if (image == null && ShownMap.is(name)) {
             ShownMap map = ShownMap.of(name);
             show(map, map.text());
+            return Exit.SUCCESS;
+        }
+        Optional<ShownAgent> agent = image == null ? ShownAgent.of(name) : Optional.empty();
+        if (agent.isPresent()) {
+            show(agent.get(), agent.get().text());
             return Exit.SUCCESS;
         }
         Optional<ShownPart> part = ShownPart.of(name);

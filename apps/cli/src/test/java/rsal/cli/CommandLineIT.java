@@ -580,6 +580,47 @@ class CommandLineIT {
     }
 
     @Test
+    void showTellsWhatIsInAnAgentsFile() throws Exception {
+        Files.writeString(folder.resolve("sentry.asl"), """
+                // Stands and calls.
+                rest(2). // How long it waits [s].
+                !guard.
+                +!guard : rest(S)
+                   <- goto(1, 2);
+                      publish(text, "here");
+                      .wait(S * 1000);
+                      !!guard.
+                +heard(pose, Who, _) <- .send(Who, tell, halt).
+                """);
+        Ended text = rsal.run("show", "sentry.asl");
+        assertThat(text.code()).as(text.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(text.out().lines())
+                .contains(
+                        "sentry.asl: an agent for jason",
+                        "Stands and calls.",
+                        "Needs a robot with Navigator.",
+                        "  sentry.asl:3   guard",
+                        "  sentry.asl:4   +!guard : rest(S)",
+                        "  sentry.asl:9   +heard(pose,Who,_)",
+                        "  sentry.asl:6   publish(text,\"here\")",
+                        "  sentry.asl:9   .send(Who,tell,halt)",
+                        "  pose");
+        assertThat(text.out()).containsPattern("rest +2.0 +.* +How long it waits \\[s\\]\\.");
+
+        JsonNode json = JsonMapper.shared()
+                .readTree(rsal.run("show", "sentry.asl", "--json").out());
+        assertThat(json.get("hosts").get(0).stringValue()).isEqualTo("jason");
+        assertThat(json.get("settings").get(0).get("name").stringValue()).isEqualTo("rest");
+        assertThat(json.get("plans").get(1).get("line").asInt()).isEqualTo(9);
+
+        Files.writeString(folder.resolve("sentry.asl"), "!guard.\n+!guard <- godo(1).");
+        Ended mistake = rsal.run("show", "sentry.asl");
+        assertThat(mistake.code()).isEqualTo(Exit.INVALID);
+        assertThat(mistake.err()).contains("sentry.asl:2:12: There is no action (godo).");
+        assertThat(rsal.run("show", "none.asl").err()).contains("There is no file (none.asl).");
+    }
+
+    @Test
     void showTellsWhichScenarioJoins() throws Exception {
         Ended text = rsal.run("show", "patrol:distributed"); // an agent is called patrol, too
         JsonNode json = JsonMapper.shared()
