@@ -63,6 +63,10 @@ public record RunOptions(
         return new RunOptions(configuration, arguments, OptionalLong.of(number), mas, mrs, clock, with, limit, speed);
     }
 
+    public RunOptions withHost(String key) {
+        return new RunOptions(configuration, arguments, seed, Optional.of(key), mrs, clock, with, limit, speed);
+    }
+
     /// In real time, on another agent host.
     public RunOptions inRealTimeOn(String host) {
         return new RunOptions(
