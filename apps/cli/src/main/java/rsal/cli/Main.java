@@ -44,6 +44,7 @@ import rsal.settings.Suggestion;
             ListCommand.class,
             ShowCommand.class,
             ValidateCommand.class,
+            NewCommand.class,
             ConvertCommand.class,
             LocalizeCommand.class,
             MapCommand.class,

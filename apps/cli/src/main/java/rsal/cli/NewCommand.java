@@ -1,0 +1,207 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import rsal.agent.AgentHostProvider;
+import rsal.scenario.Providers;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Template;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Suggestion;
+
+/// `rsal new`
+@Command(
+        name = "new",
+        description =
+                "Make a folder with a scenario of your own to begin with: NAME.yaml, the files that it names, a test"
+                        + " and a README. It runs as it is. Overwrites nothing.")
+final class NewCommand extends Subcommand {
+    private static final String JAVA = "plain";
+    private static final String TEST = "test.sh";
+    private static final String README = "README.md";
+
+    @Parameters(paramLabel = "NAME", description = "What to call the scenario and its folder, here or by a path.")
+    private String name = "";
+
+    @Option(
+            names = "--from",
+            paramLabel = "SCENARIO",
+            description = "One that comes with RSAL ('rsal list') to begin with; hunt-and-prey when left out.")
+    private @Nullable String from;
+
+    @Option(
+            names = "--mas",
+            paramLabel = "KEY",
+            description = "jason for an agent in AgentSpeak, a file beside the scenario; agents in Java when left out.")
+    private @Nullable String mas;
+
+    /// @param run the scenario's file
+    /// @param files all that were made
+    record Made(String scenario, String run, List<String> files) {}
+
+    @Override
+    int run() {
+        Path folder = folder();
+        String own = folder.getFileName().toString();
+        Template template = template();
+        var texts = new LinkedHashMap<>(template.named(own));
+        if (Files.exists(folder)) {
+            throw there(folder);
+        }
+        texts.put(TEST, test(own, template));
+        texts.put(README, readme(own, template, texts));
+        write(folder, texts);
+        tell(own, folder, List.copyOf(texts.keySet()));
+        return Exit.SUCCESS;
+    }
+
+    private Path folder() {
+        try {
+            Path folder = Path.of(name);
+            check(folder.getFileName() != null, "(%s) can't be a folder.".formatted(name));
+            return folder;
+        } catch (InvalidPathException e) {
+            throw new ParameterException(spec.commandLine(), "(%s) can't be a folder.".formatted(name), e);
+        }
+    }
+
+    private Template template() {
+        if (mas == null || mas.equals(JAVA)) {
+            return Template.of(from == null ? ScenarioReference.DEFAULT : from);
+        }
+        List<String> hosts = List.copyOf(
+                Providers.byKey(AgentHostProvider.class, AgentHostProvider::key).keySet());
+        check(
+                hosts.contains(mas),
+                "There is no multi-agent system (%s). %s".formatted(mas, Suggestion.among(mas, hosts)));
+        Template template = Template.inLanguageOf(mas)
+                .orElseThrow(() -> new ParameterException(
+                        spec.commandLine(),
+                        "Multi-agent system (%s) runs the same agents as (%s). Leave --mas out here, and say it to 'rsal run'."
+                                .formatted(mas, JAVA)));
+        check(from == null, "--mas %s begins with a scenario of its own. Leave --from %s out.".formatted(mas, from));
+        return template;
+    }
+
+    // ── What is written ──────────────────────────────────────────────────────────────────────────────────────────
+
+    /// The test is the command itself, so that it needs nothing else.
+    private static String test(String name, Template template) {
+        boolean ends = !template.scenario().plan(RunOptions.NONE).stops().isEmpty();
+        return """
+                #!/usr/bin/env bash
+                # Checks the scenario and runs it with the seeds that are given, or with 1, 2 and 3, as fast as it can. Fails at
+                # the first run that does not end in success. RSAL names another command than the one that made this.
+                set -eu
+                cd "$(dirname "${BASH_SOURCE[0]}")"
+                rsal=${RSAL:-%s}
+                "$rsal" validate %s.yaml
+                (($#)) || set -- 1 2 3
+                for seed; do
+                    "$rsal" run %s.yaml --headless --speed max --seed "$seed"%s
+                done
+                """.formatted(command(), name, name, ends ? "" : " --for 30");
+    }
+
+    /// In quotes for a shell.
+    private static String command() {
+        return "'" + System.getProperty("rsal.launcher", "rsal").replace("'", "'\\''") + "'";
+    }
+
+    private String readme(String name, Template template, Map<String, String> texts) {
+        String files = texts.keySet().stream()
+                .filter(file -> !file.equals(TEST))
+                .map(file -> "| `%s` | %s |%n".formatted(file, about(file, name)))
+                .collect(Collectors.joining());
+        boolean written = texts.keySet().stream().anyMatch(file -> file.endsWith(".asl"));
+        return """
+                # %s
+
+                %s. Made by `rsal new`, from %s.
+
+                ```
+                rsal run %s.yaml          with the page
+                rsal show %s.yaml         what can be set, robots, agents, ends and measures
+                ./test.sh%s   runs it with three seeds; fails where one does not end in success
+                ```
+
+                | file | |
+                |---|---|
+                %s| `test.sh` | the test |
+
+                Agents are named by their `type` under `agents`. `rsal list agents` tells which there are in Java, `rsal show TYPE` what can be set of
+                one; how to write your own tells `docs/tutorials/first-agent.md` of RSAL. %s
+                """.formatted(
+                        name,
+                        template.scenario().title(),
+                        mas == null || mas.equals(JAVA)
+                                ? "`%s`".formatted(template.scenario().name())
+                                : "its template for " + mas,
+                        name,
+                        name,
+                        " ".repeat(name.length() + 12),
+                        files,
+                        written
+                                ? "Those in AgentSpeak are files\nhere: change one and run again (`docs/tutorials/first-agentspeak-robot.md`)."
+                                : "In AgentSpeak an agent is a\nfile here (`docs/tutorials/first-agentspeak-robot.md`).");
+    }
+
+    private static String about(String file, String name) {
+        if (file.equals(name + ".yaml")) {
+            return "the scenario";
+        }
+        return file.endsWith(".asl")
+                ? "an agent in AgentSpeak: `rsal show %s`".formatted(file)
+                : "named by the scenario";
+    }
+
+    private static void write(Path folder, Map<String, String> texts) {
+        try {
+            Files.createDirectory(folder);
+            for (Map.Entry<String, String> text : texts.entrySet()) {
+                Files.writeString(folder.resolve(text.getKey()), text.getValue());
+            }
+            if (!folder.resolve(TEST).toFile().setExecutable(true, false)) {
+                throw new IOException("(%s) can't be made executable".formatted(TEST));
+            }
+        } catch (FileAlreadyExistsException e) {
+            throw there(folder);
+        } catch (NoSuchFileException e) {
+            throw new Unreachable("There is no folder (%s) in which (%s) could be made."
+                    .formatted(folder.toAbsolutePath().getParent(), folder.getFileName()));
+        } catch (IOException e) {
+            throw new Unreachable("(%s) can't be written: %s.".formatted(folder, e));
+        }
+    }
+
+    private static InvalidSettings there(Path folder) {
+        return new InvalidSettings(Location.of(folder.toString()), "This is there already.", "Choose another name.");
+    }
+
+    private void tell(String own, Path folder, List<String> files) {
+        Path run = folder.resolve(own + ".yaml");
+        List<String> all =
+                files.stream().map(file -> folder.resolve(file).toString()).toList();
+        if (json) {
+            printJson(new Made(own, run.toString(), all));
+            return;
+        }
+        all.forEach(out()::println);
+        out().println("\nRun it by   rsal run %s%nTest it by  %s".formatted(run, folder.resolve(TEST)));
+        out().flush();
+    }
+}

@@ -1,0 +1,148 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/// Makes scenarios of one's own, and runs what was made, unedited.
+class NewIT {
+    @TempDir
+    Path folder;
+
+    private Rsal rsal;
+
+    @BeforeEach
+    void start() {
+        rsal = new Rsal(folder);
+    }
+
+    private List<String> made(String name) throws Exception {
+        try (var files = Files.list(folder.resolve(name))) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    private Ended test(String name, String... seeds) throws Exception {
+        Path command = folder.resolve("my rsal");
+        Files.writeString(
+                command,
+                "#!/bin/sh\nexec %s \"$@\"\n"
+                        .formatted(
+                                rsal.command().stream().map("'%s'"::formatted).collect(Collectors.joining(" "))));
+        assertThat(command.toFile().setExecutable(true)).isTrue();
+        var builder =
+                new ProcessBuilder("./test.sh").directory(folder.resolve(name).toFile());
+        builder.command().addAll(List.of(seeds));
+        builder.environment().putAll(Map.of("RSAL", command.toString()));
+        return Ended.of(builder.start());
+    }
+
+    @Test
+    void theHuntIsWhatOneBeginsWith() throws Exception {
+        Ended ended = rsal.run("new", "chase");
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out().lines())
+                .contains(
+                        "chase/chase.yaml",
+                        "chase/hunter.asl",
+                        "Run it by   rsal run chase/chase.yaml",
+                        "Test it by  chase/test.sh");
+        assertThat(made("chase")).containsExactly("README.md", "chase.yaml", "hunter.asl", "prey.asl", "test.sh");
+        assertThat(folder.resolve("chase/README.md"))
+                .content()
+                .startsWith("# chase\n")
+                .contains("from `hunt-and-prey`");
+
+        Ended run = rsal.run("run", "chase/chase.yaml", "--headless", "--speed", "max", "--seed", "7");
+        assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(run.out()).startsWith("chase:virtual, seed 7\n").containsPattern("outcome +success");
+        assertThat(test("chase", "1", "2").code()).isEqualTo(Exit.SUCCESS);
+    }
+
+    @Test
+    void itsTestFailsWhereTheScenarioDoes() throws Exception {
+        rsal.run("new", "chase");
+        Path scenario = folder.resolve("chase/chase.yaml");
+        String text = Files.readString(scenario);
+        Files.writeString(scenario, text.replace("time > 300", "time > 3"));
+        assertThat(test("chase").code()).isEqualTo(Exit.NO_SUCCESS);
+        Files.writeString(scenario, text.replace("world:", "wrld:"));
+        assertThat(test("chase").code()).isEqualTo(Exit.INVALID);
+    }
+
+    @Test
+    void anAgentInAgentSpeakIsAFileBeside() throws Exception {
+        Ended ended = rsal.run("new", "chase", "--mas", "jason", "--json");
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        JsonNode result = JsonMapper.shared().readTree(ended.out());
+        assertThat(result.get("run").stringValue()).isEqualTo("chase/chase.yaml");
+        assertThat(result.get("files").size()).isEqualTo(4);
+        assertThat(made("chase")).containsExactly("README.md", "chase.yaml", "hunter.asl", "test.sh");
+
+        Ended test = test("chase", "3");
+        assertThat(test.code()).as(test.out() + test.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(test.out()).contains("chase.yaml: right", "chase:default, seed 3");
+        assertThat(rsal.run("show", "chase/hunter.asl").out()).contains("+!hunt");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "distribution",
+                "find-and-collect",
+                "foraging",
+                "hunt-and-prey",
+                "patrol",
+                "rescue",
+                "swarm",
+                "teleop"
+            })
+    void eachThatComesWithRsalCanBeTaken(String scenario) throws Exception {
+        Ended ended = rsal.run("new", "mine", "--from", scenario);
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(rsal.run("validate", "mine/mine.yaml").out()).startsWith("mine/mine.yaml: right");
+        Ended run = rsal.run("run", "mine/mine.yaml", "--headless", "--speed", "max", "--for", "3");
+        assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(run.out()).startsWith("mine:");
+    }
+
+    @Test
+    void overwritesNothing() throws Exception {
+        Files.writeString(Files.createDirectory(folder.resolve("chase")).resolve("mine"), "mine");
+        Ended ended = rsal.run("new", "chase");
+        assertThat(ended.code()).isEqualTo(Exit.INVALID);
+        assertThat(ended.out()).isEmpty();
+        assertThat(ended.err()).contains("chase: This is there already.");
+        assertThat(made("chase")).containsExactly("mine");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            new                               | 2 | NAME
+            new chase --from hunt             | 3 | There is no scenario (hunt) to begin with.
+            new chase --from my.yaml          | 3 | There is no scenario (my.yaml) to begin with.
+            new chase --mas jsaon             | 2 | There is no multi-agent system (jsaon). Maybe (jason) was meant?
+            new chase --mas jade              | 2 | (jade) runs the same agents as (plain)
+            new chase --mas jason --from swarm | 2 | Leave --from swarm out.
+            new 2nd                           | 3 | A scenario can't be called (2nd).
+            new none/chase                    | 5 | There is no folder
+            """)
+    void refusesWhatItCannotMake(String line, int code, String expected) throws Exception {
+        Ended ended = rsal.run(line.split(" ", -1));
+        assertThat(ended.code()).as(ended.err()).isEqualTo(code);
+        assertThat(ended.err()).contains(expected);
+        assertThat(folder).isEmptyDirectory();
+    }
+}

@@ -1,0 +1,89 @@
+package rsal.scenario;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Suggestion;
+import rsal.settings.Yaml;
+
+/// What somebody's own scenario begins with: one that comes with the program, and the files that it names. Immutable.
+public final class Template {
+    private static final String FILE = "scenario.yaml";
+    private static final Pattern NAME = Pattern.compile("(?m)^scenario: .*$");
+
+    private final Scenario scenario;
+    private final Map<String, String> texts;
+
+    private Template(Scenario scenario, Map<String, String> texts) {
+        this.scenario = scenario;
+        this.texts = Collections.unmodifiableMap(new LinkedHashMap<>(texts));
+    }
+
+    /// @param scenario the name of one that comes with the program
+    /// @throws InvalidSettings when none has that name
+    public static Template of(String scenario) {
+        if (!Scenario.isBuiltIn(scenario)) {
+            throw new InvalidSettings(
+                    Location.of(scenario),
+                    "There is no scenario (%s) to begin with.".formatted(scenario),
+                    Suggestion.among(scenario, Scenario.builtInNames()));
+        }
+        return read("/rsal/scenarios/" + scenario + "/");
+    }
+
+    /// One with agents in the language of a host; empty where there is none.
+    ///
+    /// @param mas key of the host
+    public static Optional<Template> inLanguageOf(String mas) {
+        String folder = "/rsal/templates/" + mas + "/";
+        return mas.matches("\\w+") && Template.class.getResource(folder + FILE) != null
+                ? Optional.of(read(folder))
+                : Optional.empty();
+    }
+
+    private static Template read(String folder) {
+        var texts = new LinkedHashMap<String, String>();
+        FileSource resources = FileSource.resources(Template.class, folder);
+        FileSource noted = (path, most, askedAt) -> {
+            byte[] read = resources.read(path, most, askedAt);
+            texts.put(path, new String(read, StandardCharsets.UTF_8));
+            return read;
+        };
+        Location at = Location.of(FILE);
+        Scenario scenario = Scenario.read(FILE, noted.text(FILE, Yaml.MAX_CHARACTERS, at), noted);
+        scenario.check(); // reads what its configurations name
+        return new Template(scenario, texts);
+    }
+
+    /// The scenario as it comes with the program.
+    public Scenario scenario() {
+        return scenario;
+    }
+
+    /// The same by another name.
+    ///
+    /// @return texts by path; the scenario's own, the first, is `NAME.yaml`
+    /// @throws InvalidSettings when no scenario can be called so
+    public Map<String, String> named(String name) {
+        if (!Format.NAME.matcher(name).matches()) {
+            throw new InvalidSettings(
+                    Location.of(name),
+                    "A scenario can't be called (%s).".formatted(name),
+                    "A name begins with a letter and has up to 40 letters, digits, - and _.");
+        }
+        var own = new LinkedHashMap<String, String>();
+        texts.forEach((path, text) -> own.put(
+                path.equals(FILE) ? name + ".yaml" : path,
+                path.equals(FILE)
+                        ? NAME.matcher(text).replaceFirst(Matcher.quoteReplacement("scenario: " + name))
+                        : text));
+        return own;
+    }
+}
