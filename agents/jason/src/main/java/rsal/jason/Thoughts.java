@@ -20,6 +20,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 import rsal.agent.bdi.Mind;
 import rsal.agent.bdi.Mind.GoalState;
 import rsal.agent.bdi.Mind.GoalView;
@@ -32,7 +34,8 @@ final class Thoughts {
     private Thoughts() {}
 
     static Mind.View of(Reasoner reasoner, String complaint) {
-        return new Mind.View(beliefs(reasoner), goals(reasoner, complaint));
+        Circumstance c = reasoner.getTS().getC();
+        return new Mind.View(beliefs(reasoner), goals(reasoner, complaint, intention -> isUnderWay(c, intention)));
     }
 
     private static Map<String, String> beliefs(Reasoner reasoner) {
@@ -58,13 +61,22 @@ final class Thoughts {
         return Collections.unmodifiableMap(words);
     }
 
-    private static List<GoalView> goals(Reasoner reasoner, String complaint) {
+    /// Jason goes on to hold the intention that it did a step of last, even one that has failed by that.
+    private static boolean isUnderWay(Circumstance c, Intention intention) {
+        return c.getRunningIntentions().contains(intention)
+                || c.getPendingIntentions().containsValue(intention)
+                || c.getPendingActions().containsKey(intention.getId())
+                || Stream.concat(c.getEvents().stream(), c.getPendingEvents().values().stream())
+                        .anyMatch(event -> intention.equals(event.getIntention()));
+    }
+
+    private static List<GoalView> goals(Reasoner reasoner, String complaint, Predicate<Intention> shown) {
         var goals = new ArrayList<GoalView>();
         Circumstance c = reasoner.getTS().getC();
         Iterator<Intention> all = c.getAllIntentions();
         while (all.hasNext()) {
             Intention intention = all.next();
-            if (intention.isFinished()) {
+            if (intention.isFinished() || !shown.test(intention)) {
                 continue;
             }
             boolean waits = c.getPendingIntentions().containsValue(intention);
@@ -144,7 +156,7 @@ final class Thoughts {
 
     /// What it is about now, for messages.
     static String newest(Reasoner reasoner) {
-        List<GoalView> goals = goals(reasoner, "");
+        List<GoalView> goals = goals(reasoner, "", _ -> true);
         return goals.isEmpty()
                 ? "nothing but events"
                 : "%s (%s)"

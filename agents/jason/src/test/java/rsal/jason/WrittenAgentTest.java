@@ -707,11 +707,10 @@ class WrittenAgentTest extends RobotBench {
         advance(1);
         assertThat(states).containsExactly("a: ", "a: tried");
         assertThat(view("a").status()).isEqualTo(Society.Status.RUNNING);
-        assertThat(society.look("a", Mind.View.class)
-                        .orElseThrow()
-                        .goals()
-                        .getFirst()
-                        .failure())
+        List<Mind.GoalView> left =
+                society.look("a", Mind.View.class).orElseThrow().goals();
+        assertThat(left).extracting(Mind.GoalView::name).containsExactly("wait[source(self)]");
+        assertThat(left.getFirst().failure())
                 .isEqualTo("Goal (go) has failed, and so has the plan for that at a.asl:4: .fail.");
     }
 
