@@ -29,6 +29,7 @@ class LauncherIT {
                     System.out.println("args " + String.join(" ", args));
                     System.out.println("in " + System.getProperty("user.dir"));
                     System.out.println("page " + System.getProperty("rsal.page"));
+                    System.out.println("launcher " + System.getProperty("rsal.launcher"));
                 }
             }
             """;
@@ -114,6 +115,12 @@ class LauncherIT {
         assertThat(ended.code()).isEqualTo(Exit.INTERNAL);
         assertThat(ended.out()).isEmpty();
         assertThat(ended.err()).contains("Building RSAL failed", "build.log", "there is no such thing");
+    }
+
+    @Test
+    void tellsANewScenariosTestWhereItIs() throws Exception {
+        assertThat(run("new", "mine").out())
+                .contains("launcher " + project.toRealPath().resolve("rsal"));
     }
 
     @Test

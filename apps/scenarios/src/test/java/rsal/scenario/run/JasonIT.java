@@ -17,7 +17,6 @@ class JasonIT {
         "hunt-and-prey, virtual, 7",
         "hunt-and-prey, advanced, 1",
         "find-and-collect, four-rooms, 1",
-        "find-and-collect, told, 2",
         "distribution, virtual, 5"
     })
     void agentsInJavaDoAsOnOurOwnHost(String scenario, String configuration, long seed) {
