@@ -57,7 +57,6 @@ final class Member implements AgentContext {
     private final Map<Class<?>, Supplier<?>> views = new HashMap<>(); // for those who look
     private final Set<Subscription> held = new LinkedHashSet<>();
     private @Nullable Agent agent;
-    private volatile @Nullable Thread thread; // where its code ran last; others only compare it with their own
     private Society.Status status = Society.Status.RUNNING;
     private String state = "";
     private long sent;
@@ -117,7 +116,6 @@ final class Member implements AgentContext {
         if (status != Society.Status.RUNNING) {
             return;
         }
-        settle();
         boolean begins = turn.begin();
         try {
             code.accept(value);
@@ -130,20 +128,12 @@ final class Member implements AgentContext {
         }
     }
 
-    /// The run may go on on another thread than before.
-    private void settle() {
-        Thread here = Thread.currentThread();
-        if (!here.equals(thread)) {
-            thread = here;
-        }
-    }
-
     /// Refuses what is called from a thread of the agent's own. That thread may keep to itself what it is thrown, so
     /// the agent is ended on its lane as well.
     ///
     /// @param call name of it
     private void onLane(String call) {
-        if (!Thread.currentThread().equals(thread)) {
+        if (!turn.isHere()) {
             var misuse = new IllegalStateException(
                     "Agent (%s) called (%s) on thread (%s), not on its lane, so equal runs would differ. Maybe hand it over: self.scheduler().execute(() -> ...)."
                             .formatted(name(), call, Thread.currentThread().getName()));
@@ -384,7 +374,6 @@ final class Member implements AgentContext {
         if (view == null) {
             return Optional.empty();
         }
-        settle();
         boolean begins = turn.begin();
         try {
             return Optional.of(type.cast(view.get()));
@@ -529,6 +518,11 @@ final class Member implements AgentContext {
         }
 
         @Override
+        public Object run() {
+            return hostLane.run();
+        }
+
+        @Override
         public Instant instant() {
             return hostLane.instant();
         }
@@ -536,6 +530,12 @@ final class Member implements AgentContext {
         @Override
         public void execute(Runnable task) {
             hostLane.execute(() -> turn(task));
+        }
+
+        /// The calling thread is the agent's lane while it does the task.
+        @Override
+        public void exclusively(Runnable task) {
+            hostLane.exclusively(() -> turn(task));
         }
 
         @Override

@@ -35,6 +35,22 @@ class TurnsTest {
     }
 
     @Test
+    void tellsWhoseCodeRunsWhere() throws InterruptedException {
+        assertThat(turns.thread("amy")).isEmpty();
+        Turns.Turn amy = turns.of("amy");
+        Thread other = Thread.ofPlatform().start(() -> {
+            amy.begin();
+            amy.end();
+        });
+        other.join();
+        assertThat(turns.thread("amy")).contains(other);
+        assertThat(amy.isHere()).isFalse();
+        amy.begin();
+        assertThat(turns.thread("amy")).contains(Thread.currentThread());
+        assertThat(amy.isHere()).isTrue();
+    }
+
+    @Test
     void anAgentIsAtWorkOnlyWhileItsCodeRuns() {
         var run = new Run();
         var seen = new ArrayList<String>();

@@ -86,7 +86,7 @@ public final class LiveRun implements AutoCloseable {
                 helpers, Thread.ofPlatform().daemon().name(name + "-helper-", 1).factory());
         this.scheduler = switch (plan.clock()) {
             case SIMULATED -> new LockstepScheduler(Instant.EPOCH, this.helpers);
-            case WALL -> new WallScheduler(name, this.helpers, this::breaks);
+            case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread);
         };
         this.began = scheduler.instant();
         this.journal = new Journal(this::elapsed, eventViewers::tell);
@@ -312,7 +312,7 @@ public final class LiveRun implements AutoCloseable {
             LOG.log(
                     Level.WARNING,
                     "A run does not end. It is busy in {0}; maybe an agent there never returns.",
-                    place());
+                    place(busyThread()));
         } catch (InterruptedException _) {
             Thread.currentThread().interrupt();
         } catch (ExecutionException e) {
@@ -338,17 +338,24 @@ public final class LiveRun implements AutoCloseable {
     private void giveUp(String agent, int seconds) {
         var broken = new RunBroken(
                 "Agent (%s) has not returned for %d s; it is in %s. Nothing in an agent may block: maybe use its scheduler, or a CompletionStage."
-                        .formatted(agent, seconds, place()));
+                        .formatted(agent, seconds, place(turns.thread(agent))));
         LOG.log(Level.ERROR, broken::getMessage);
         commands.add(() -> end("broken")); // if it returns after all
         result.completeExceptionally(broken);
     }
 
-    /// Where the run's thread is, beside what Java itself does there.
-    private String place() {
-        Thread busy = thread;
-        StackTraceElement[] frames = busy == null ? new StackTraceElement[0] : busy.getStackTrace();
-        return Arrays.stream(frames)
+    /// That of an agent at work, as hosts may have threads of their own; the run's else.
+    private Optional<Thread> busyThread() {
+        return turns.underWay().keySet().stream()
+                .findFirst()
+                .flatMap(turns::thread)
+                .or(() -> Optional.ofNullable(thread));
+    }
+
+    /// Where a thread is, beside what Java itself does there.
+    private static String place(Optional<Thread> busy) {
+        return busy.map(Thread::getStackTrace).stream()
+                .flatMap(Arrays::stream)
                 .filter(frame -> !frame.getClassName().matches("(java|javax|jdk|sun)\\..*"))
                 .findFirst()
                 .map(StackTraceElement::toString)
@@ -478,6 +485,15 @@ public final class LiveRun implements AutoCloseable {
         letGo();
         over = true;
         result.complete(ended);
+    }
+
+    /// In real time tasks run on threads of agents, too; these are not to end the run.
+    private void breaksOnItsThread(Throwable cause) {
+        if (Thread.currentThread().equals(thread)) {
+            breaks(cause);
+        } else {
+            scheduler.execute(() -> breaks(cause));
+        }
     }
 
     /// The run can't go on.

@@ -1,14 +1,14 @@
 package rsal.scenario.example;
 
 import java.time.Duration;
-import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Semaphore;
 import rsal.agent.Agent;
 import rsal.agent.AgentType;
 import rsal.settings.Arguments;
 
 /// Does not return after a second, until somebody lets it.
 public final class Endless implements AgentType {
-    public static final CountDownLatch RELEASE = new CountDownLatch(1);
+    public static final Semaphore RELEASE = new Semaphore(0);
 
     @Override
     public String key() {
@@ -23,11 +23,7 @@ public final class Endless implements AgentType {
     @Override
     public Agent create(Arguments arguments) {
         return self -> self.scheduler().after(Duration.ofSeconds(1), () -> {
-            try {
-                RELEASE.await();
-            } catch (InterruptedException e) {
-                throw new AssertionError("Nobody interrupts it.", e);
-            }
+            RELEASE.acquireUninterruptibly(); // called by code of its own, which is where it is found
         });
     }
 }

@@ -1,6 +1,7 @@
 package rsal.testkit.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -135,6 +136,28 @@ public abstract class AgentHostContract {
             run.pass(100);
         }
         assertThat(log).hasSize(5);
+    }
+
+    @Test
+    void aThreadOfAnAgentsOwnTakesTurnsInRealTime() {
+        var agents = new ArrayList<AgentContext>();
+        try (var run = run()) {
+            run.start("amy", agents::add);
+            run.untilAllHaveBegun();
+            AgentContext amy = agents.getFirst();
+            assertThat(amy.scheduler().run()).isEqualTo(run.scheduler().run());
+            if (provider().followsSchedulerTime()) {
+                assertThatThrownBy(() -> amy.scheduler().exclusively(() -> {}))
+                        .isInstanceOf(UnsupportedOperationException.class);
+            } else {
+                amy.scheduler().exclusively(() -> log.add("turn " + amy.random().nextInt(1)));
+                amy.scheduler().exclusively(() -> {
+                    throw new IllegalStateException("a screw is loose");
+                });
+                assertThat(log).containsExactly("turn 0");
+                assertThat(run.status("amy")).isEqualTo(Status.FAILED);
+            }
+        }
     }
 
     @Test
