@@ -46,9 +46,14 @@ public final class ThreadLane implements Scheduler {
         run.exclusively(task);
     }
 
+    /// What is due at once goes to the thread at once, so that it stays before what is handed in later.
     @Override
     public Task after(Duration delay, Phase phase, Runnable task) {
         var handed = new Handed(task);
+        if (!delay.isPositive()) {
+            handed.hand();
+            return () -> handed.cancel(() -> {});
+        }
         Task timer = run.after(delay, phase, handed::hand);
         return () -> handed.cancel(timer);
     }
