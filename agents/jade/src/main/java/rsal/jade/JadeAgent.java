@@ -13,6 +13,7 @@ import jade.domain.FIPAAgentManagement.ServiceDescription;
 import jade.lang.acl.ACLMessage;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.SortedMap;
@@ -32,6 +33,7 @@ import rsal.time.Scheduler;
 final class JadeAgent extends Agent implements Executor {
     private static final Logger LOG = System.getLogger(JadeAgent.class.getName());
     private static final int MOST_AT_ONCE = 100; // then others have their turn
+    private static final Duration PATIENCE = Duration.ofSeconds(5); // as JADE's own
 
     private final String name;
     private final transient Scheduler run;
@@ -157,6 +159,24 @@ final class JadeAgent extends Agent implements Executor {
     public void clean(boolean regular) {
         super.clean(regular);
         gone.accept(this);
+    }
+
+    /// Waits until its thread has ended, but not for ever: as JADE does, which tells the terminal of one that never
+    /// returns.
+    @Override
+    public void join() {
+        Thread own = thread;
+        if (own == null || isHere()) {
+            return;
+        }
+        try {
+            if (!own.join(PATIENCE)) {
+                LOG.log(Level.WARNING, () -> "Agent (%s) never returns; its thread is left.".formatted(name));
+                own.interrupt();
+            }
+        } catch (InterruptedException _) {
+            Thread.currentThread().interrupt(); // whoever wants it to end waits no more
+        }
     }
 
     private void hear(ACLMessage message) {

@@ -28,6 +28,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Semaphore;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -318,6 +320,30 @@ class JadeTalkTest {
         }
         assertThat(said.toString(StandardCharsets.UTF_8)).isEmpty();
         assertThat(Path.of("APDescription.txt")).doesNotExist();
+    }
+
+    @Test
+    void anAgentThatNeverReturnsIsLeftAndLoggedAsTheRestIs() throws InterruptedException {
+        var said = new ByteArrayOutputStream();
+        PrintStream out = System.out;
+        var begun = new CountDownLatch(1);
+        var released = new Semaphore(0);
+        try (var time = new WallScheduler("tested run", Runnable::run)) {
+            System.setOut(new PrintStream(said, true, StandardCharsets.UTF_8));
+            Platform platform = Platform.start();
+            var amy = new JadeAgent("amy", time, _ -> {});
+            platform.start("amy", amy);
+            amy.execute(() -> {
+                begun.countDown();
+                released.acquireUninterruptibly();
+            });
+            begun.await();
+            platform.end();
+            released.release();
+        } finally {
+            System.setOut(out);
+        }
+        assertThat(said.toString(StandardCharsets.UTF_8)).isEmpty();
     }
 
     private static void awaitEnds() throws InterruptedException {
