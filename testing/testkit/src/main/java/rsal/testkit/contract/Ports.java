@@ -4,28 +4,30 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
-import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/// The TCP ports on which this process listens, as Linux tells them; none are known elsewhere.
+/// The TCP and UDP ports on which this process listens, as Linux tells them; none are known elsewhere.
 final class Ports {
-    private static final String LISTEN = "0A"; // state of a socket in /proc/net/tcp
+    /// By table, the state of a socket that hears from anybody, as `/proc/net` has it.
+    private static final Map<String, String> LISTENING = Map.of("tcp", "0A", "tcp6", "0A", "udp", "07", "udp6", "07");
 
     private Ports() {}
 
-    /// As address and port in hexadecimal digits.
+    /// As protocol, address and port in hexadecimal digits: `udp 0100007F:1F90`.
     static Set<String> listening() {
         try {
             Set<String> own = sockets();
             var ports = new HashSet<String>();
-            for (String table : List.of("/proc/self/net/tcp", "/proc/self/net/tcp6")) {
-                if (Files.isReadable(Path.of(table))) {
-                    Files.readAllLines(Path.of(table)).stream()
+            for (String protocol : LISTENING.keySet()) {
+                Path table = Path.of("/proc/self/net", protocol);
+                if (Files.isReadable(table)) {
+                    Files.readAllLines(table).stream()
                             .skip(1) // names of the columns
                             .map(line -> line.strip().split("\\s+", -1))
-                            .filter(columns -> columns[3].equals(LISTEN) && own.contains(columns[9]))
-                            .forEach(columns -> ports.add(columns[1]));
+                            .filter(columns -> columns[3].equals(LISTENING.get(protocol)) && own.contains(columns[9]))
+                            .forEach(columns -> ports.add(protocol + " " + columns[1]));
                 }
             }
             return ports;
