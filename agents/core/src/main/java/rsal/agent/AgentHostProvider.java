@@ -11,6 +11,9 @@ public interface AgentHostProvider {
     /// `plain`, `jason`, `jadex`, `jade`.
     String key();
 
+    /// For people: a sentence.
+    String description();
+
     /// Whether it can follow simulated time. When not, scenarios on a simulated clock refuse it at start.
     boolean followsSchedulerTime();
 

@@ -14,6 +14,11 @@ public final class JadexHostProvider implements AgentHostProvider {
     }
 
     @Override
+    public String description() {
+        return "Runs agents on Jadex in real time: each is a micro agent.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return false;
     }

@@ -17,6 +17,11 @@ public final class JasonHostProvider implements AgentHostProvider {
     }
 
     @Override
+    public String description() {
+        return "Runs agents that are written in AgentSpeak, and Java agents beside them, inside the run, also in simulated time.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return true;
     }

@@ -87,12 +87,14 @@ record Kind(
 
     static Stream<Kind> hosts() {
         return found(AgentHostProvider.class, AgentHostProvider::key)
-                .map(h -> new Kind("mas", h.key(), "", Optional.empty(), List.of(), settings(h.parameters())));
+                .map(h -> new Kind(
+                        "mas", h.key(), h.description(), Optional.empty(), List.of(), settings(h.parameters())));
     }
 
     static Stream<Kind> systems() {
         return found(RobotSystemProvider.class, RobotSystemProvider::key)
-                .map(s -> new Kind("mrs", s.key(), "", Optional.empty(), List.of(), settings(s.parameters())));
+                .map(s -> new Kind(
+                        "mrs", s.key(), s.description(), Optional.empty(), List.of(), settings(s.parameters())));
     }
 
     static List<Kind> all() {

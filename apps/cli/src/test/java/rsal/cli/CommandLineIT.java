@@ -959,9 +959,11 @@ class CommandLineIT {
     @ValueSource(strings = {"scenarios", "maps", "models", "parts", "agents", "drivers", "mas", "mrs", "bridges"})
     void listsWhatThereIs(String what) throws Exception {
         Ended ended = rsal.run("list", what, "--json");
-        assertThat(JsonMapper.shared().readTree(ended.out()).get(what).isEmpty())
+        assertThat(JsonMapper.shared().readTree(ended.out()).get(what))
                 .as(ended.out())
-                .isFalse();
+                .isNotEmpty()
+                .allSatisfy(
+                        entry -> assertThat(entry.get("description").asString()).isNotEmpty());
     }
 
     @Test

@@ -13,6 +13,9 @@ public interface RobotSystemProvider {
     /// `sim`, `player`, `ros2`.
     String key();
 
+    /// For people: a sentence.
+    String description();
+
     /// Whether it can follow simulated time. When not, scenarios on a simulated clock refuse it at start.
     boolean followsSchedulerTime();
 

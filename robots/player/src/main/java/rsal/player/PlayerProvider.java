@@ -71,6 +71,11 @@ public final class PlayerProvider implements RobotSystemProvider {
     }
 
     @Override
+    public String description() {
+        return "Joins robots of Player servers, real or in Stage, over the network.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return false;
     }

@@ -65,6 +65,11 @@ final class OverTheWire implements RobotSystemProvider {
     }
 
     @Override
+    public String description() {
+        return "Robots of another system, over the wire.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return true;
     }

@@ -43,6 +43,11 @@ public final class SimProvider implements RobotSystemProvider {
     }
 
     @Override
+    public String description() {
+        return "Simulates robots, and the world that they are in, inside the run.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return true;
     }

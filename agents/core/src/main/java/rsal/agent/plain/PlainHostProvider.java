@@ -14,6 +14,11 @@ public final class PlainHostProvider implements AgentHostProvider {
     }
 
     @Override
+    public String description() {
+        return "Runs agents on the thread of the run, as fast as method calls, and in simulated time the same each time.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return true;
     }

@@ -30,6 +30,11 @@ public class Reality implements RobotSystemProvider {
     }
 
     @Override
+    public String description() {
+        return "Robots that nobody knows the truth about.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return true;
     }

@@ -13,6 +13,11 @@ public final class WallClockHost implements AgentHostProvider {
     }
 
     @Override
+    public String description() {
+        return "Can only live in real time.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return false;
     }

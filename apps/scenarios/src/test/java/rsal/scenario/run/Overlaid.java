@@ -26,6 +26,11 @@ final class Overlaid implements RobotSystemProvider {
     }
 
     @Override
+    public String description() {
+        return "Fakes that sense an empty world.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return true;
     }

@@ -66,8 +66,9 @@ public abstract class AgentHostContract {
     }
 
     @Test
-    void hasAKey() {
+    void hasAKeyAndADescription() {
         assertThat(provider().key()).matches("[a-z][a-z0-9-]*");
+        assertThat(provider().description()).matches("[A-Z].*\\.");
     }
 
     @Test

@@ -44,6 +44,7 @@ public abstract class RobotSystemContract extends RobotBench {
         assertThat(ServiceLoader.load(RobotSystemProvider.class))
                 .extracting(RobotSystemProvider::key)
                 .contains(provider().key());
+        assertThat(provider().description()).matches("[A-Z].*\\.");
     }
 
     @Test

@@ -14,6 +14,11 @@ public final class FakeProvider implements RobotSystemProvider {
     }
 
     @Override
+    public String description() {
+        return "Robots that exist only for tests.";
+    }
+
+    @Override
     public boolean followsSchedulerTime() {
         return true;
     }

@@ -99,6 +99,11 @@ final class ThreadedHost implements AgentHost {
         }
 
         @Override
+        public String description() {
+            return "A thread for each agent.";
+        }
+
+        @Override
         public boolean followsSchedulerTime() {
             return false;
         }
