@@ -89,7 +89,8 @@ class FindAndCollectIT {
         "office, 2",
         "office, 3",
         "told, 1",
-        "told, 2"
+        "told, 2",
+        "near, 1"
     })
     void everyCanLiesInADepotAtTheEnd(String configuration, long seed) {
         Collection all = collect(configuration, seed);
