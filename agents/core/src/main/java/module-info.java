@@ -5,6 +5,7 @@ module rsal.agents {
     requires static org.jspecify;
 
     exports rsal.agent;
+    exports rsal.agent.bare;
     exports rsal.agent.bdi;
     exports rsal.agent.board;
     exports rsal.agent.message;

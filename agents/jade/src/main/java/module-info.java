@@ -9,4 +9,6 @@ module rsal.jade {
 
     provides rsal.agent.AgentHostProvider with
             rsal.jade.JadeHostProvider;
+    provides rsal.agent.bare.BareSystem with
+            rsal.jade.BareJade;
 }

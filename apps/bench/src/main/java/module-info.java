@@ -11,6 +11,7 @@ module rsal.bench {
 
     exports rsal.bench;
 
+    uses rsal.agent.bare.BareSystem;
     uses rsal.robot.DeviceDriver;
     uses rsal.system.RobotSystemProvider;
 }

@@ -115,7 +115,7 @@ final class JadeHost implements AgentHost, Carrier {
         if (!closed) {
             closed = true;
             people.leave();
-            Thread.ofPlatform().daemon().name("end of JADE").start(platform::end);
+            platform.endSoon();
         }
     }
 

@@ -21,8 +21,7 @@ import java.util.concurrent.CountDownLatch;
 import org.jspecify.annotations.Nullable;
 
 /// What JADE is to be like: a platform of one container that opens no socket, so that nobody else can join it or send
-/// it
-/// anything. JADE's own transport listens on all addresses of the machine and makes objects of what it receives.
+/// it anything. JADE's own transport listens on all addresses of the machine and makes objects of what it receives.
 final class LonelyProfile extends ProfileImpl {
     private final NoNetwork network = new NoNetwork();
     private final ResourceManager threads = new DaemonThreads();

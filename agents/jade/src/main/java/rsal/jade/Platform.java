@@ -118,6 +118,11 @@ final class Platform {
         }
     }
 
+    /// Ends it on a thread of its own.
+    void endSoon() {
+        Thread.ofPlatform().daemon().name("end of JADE").start(this::end);
+    }
+
     /// Ends it and all that is left of it. Waits for its agents, but not for ever; not on a thread that they may wait
     /// for.
     void end() {

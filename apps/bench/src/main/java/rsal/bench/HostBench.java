@@ -27,11 +27,12 @@ import rsal.time.Scheduler;
 /// `deliveries` and `contracts` are measured in simulated time on hosts that follow it, as most of their runs are;
 /// all else in real time.
 final class HostBench implements Bench {
-    private static final int TEAM = 100;
+    static final int TEAM = 100;
+    static final int BURST = 10; // messages that each says before all have heard them
+    static final Duration PERIOD = Duration.ofMillis(100);
+    static final Duration WARM = Duration.ofSeconds(3);
+    static final Duration WINDOW = Duration.ofSeconds(5);
     private static final int BIDDERS = 20;
-    private static final int BURST = 10; // messages that each says before all have heard them
-    private static final Duration WARM = Duration.ofSeconds(3);
-    private static final Duration WINDOW = Duration.ofSeconds(5);
     private static final Topic<Pose2d> POSES = new Topic<>("bench-pose", Pose2d.class);
 
     private final Collection<AgentHostProvider> hosts =
@@ -48,7 +49,7 @@ final class HostBench implements Bench {
                 .toList();
     }
 
-    private static String name(AgentHostProvider host, String what) {
+    static String name(AgentHostProvider host, String what) {
         return "mas." + host.key() + "." + what;
     }
 
@@ -70,7 +71,7 @@ final class HostBench implements Bench {
         }
     }
 
-    private static boolean wants(Assignment assignment, AgentHostProvider host, String... whats) {
+    static boolean wants(Assignment assignment, AgentHostProvider host, String... whats) {
         return assignment.wantsAny(
                 Stream.of(whats).map(what -> name(host, what)).toList());
     }
@@ -103,10 +104,7 @@ final class HostBench implements Bench {
         var rate = new double[repeats];
         var heard = new LongAdder();
         try (var society = BenchedSociety.inRealTime(host)) {
-            society.start(TEAM, self -> {
-                self.subscribe(POSES, _ -> heard.increment());
-                self.scheduler().every(Duration.ofMillis(100), () -> self.publish(POSES, Pose2d.ORIGIN));
-            });
+            tellPoses(society, heard);
             society.pass(WARM);
             for (int i = 0; i < repeats; i++) {
                 assignment.reach(name(host, "load"), i, repeats);
@@ -119,6 +117,14 @@ final class HostBench implements Bench {
         }
         assignment.tell(
                 Result.less(name(host, "load.cpu"), "core", cpu), Result.more(name(host, "load.rate"), "1/s", rate));
+    }
+
+    /// Starts a hundred that tell each other their poses ten times a second.
+    static void tellPoses(BenchedSociety society, LongAdder heard) {
+        society.start(TEAM, self -> {
+            self.subscribe(POSES, _ -> heard.increment());
+            self.scheduler().every(PERIOD, () -> self.publish(POSES, Pose2d.ORIGIN));
+        });
     }
 
     /// Something that agents do as often as they can.
