@@ -26,7 +26,8 @@ final class BareJava implements BareSystem {
             @Override
             public void start(int count, Life life) {
                 thread.execute(() -> {
-                    agents = Stream.generate(() -> new Teller(life)).limit(count).toList();
+                    agents =
+                            Stream.generate(() -> new Teller(life)).limit(count).toList();
                     agents.forEach(this::begin);
                 });
             }

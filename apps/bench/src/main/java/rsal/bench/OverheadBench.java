@@ -27,8 +27,8 @@ final class OverheadBench implements Bench {
     private final Collection<AgentHostProvider> hosts =
             Providers.byKey(AgentHostProvider.class, AgentHostProvider::key).values();
     private final List<BareSystem> systems = Stream.concat(
-                    Stream.of(new BareJava()), ServiceLoader.load(BareSystem.class).stream()
-                            .map(ServiceLoader.Provider::get))
+                    Stream.of(new BareJava()),
+                    ServiceLoader.load(BareSystem.class).stream().map(ServiceLoader.Provider::get))
             .toList();
 
     @Override
