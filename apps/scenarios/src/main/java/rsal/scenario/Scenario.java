@@ -61,12 +61,12 @@ public final class Scenario {
     /// @throws InvalidSettings when there is none, or with all of its mistakes
     public static Scenario load(String nameOrFile) {
         if (BUILT_IN.contains(nameOrFile)) {
-            var files = FileSource.resources(Scenario.class, "/rsal/scenarios/" + nameOrFile + "/");
+            var files = new ReadFiles(FileSource.resources(Scenario.class, "/rsal/scenarios/" + nameOrFile + "/"));
             var at = Location.of(nameOrFile + "/" + FILE);
             return read(at.file(), files.text(FILE, Yaml.MAX_CHARACTERS, at), files);
         }
         if (isWorld(nameOrFile)) {
-            return ofWorld(nameOrFile);
+            return ofWorld(nameOrFile, new ReadFiles(FileSource.disk()));
         }
         if (!looksLikeFile(nameOrFile)) {
             throw new InvalidSettings(
@@ -75,6 +75,26 @@ public final class Scenario {
                     Suggestion.among(nameOrFile, BUILT_IN) + " A scenario of your own goes by its file's name.");
         }
         return loadFile(nameOrFile);
+    }
+
+    /// Reads a scenario again from the files that it was read from before, wherever those are now.
+    ///
+    /// @param file its [#location]
+    /// @param files as [#readFiles] had them once it was planned
+    /// @throws InvalidSettings with all of its mistakes, and when one of its files is not among them
+    public static Scenario again(String file, Map<String, byte[]> files) {
+        if (isWorld(file)) {
+            return ofWorld(file, ReadFiles.again(files, true));
+        }
+        var source = ReadFiles.again(files, false);
+        String name = file.substring(file.lastIndexOf('/') + 1);
+        return read(file, source.text(name, Yaml.MAX_CHARACTERS, Location.of(file)), source);
+    }
+
+    /// What was read of it so far, by the path in its folder: itself, and what its plans took from other files that do
+    /// not come with the program. Handed over, not shared.
+    public Map<String, byte[]> readFiles() {
+        return files instanceof ReadFiles read ? read.all() : Map.of();
     }
 
     /// Whether it comes with the program.
@@ -118,7 +138,7 @@ public final class Scenario {
     }
 
     /// A world with nothing but what is in it.
-    private static Scenario ofWorld(String path) {
+    private static Scenario ofWorld(String path, ReadFiles files) {
         Location at = Location.of(path);
         String file = path.substring(path.lastIndexOf('/') + 1);
         var world = Map.<String, Value>of("file", new Value.Scalar(at, path));
@@ -126,7 +146,7 @@ public final class Scenario {
         settings.put("rsal", new Value.Scalar(at, (long) Format.VERSION));
         settings.put("scenario", new Value.Scalar(at, file));
         settings.put("world", new Value.Mapping(at, world, Map.of()));
-        return new Scenario(new Value.Mapping(at, settings, Map.of()), FileSource.disk(), new Problems());
+        return new Scenario(new Value.Mapping(at, settings, Map.of()), files, new Problems());
     }
 
     private static boolean looksLikeFile(String name) {
@@ -142,7 +162,7 @@ public final class Scenario {
             if (fileName == null || folder == null) {
                 throw new InvalidSettings(Location.of(path), "This is not a file.", "");
             }
-            var files = FileSource.folder(folder);
+            var files = new ReadFiles(FileSource.folder(folder));
             String text = files.text(fileName.toString(), Yaml.MAX_CHARACTERS, Location.of(path));
             return read(file.toString(), text, files);
         } catch (InvalidPathException e) {

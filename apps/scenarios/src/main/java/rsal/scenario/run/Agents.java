@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
@@ -154,6 +155,7 @@ final class Agents implements AutoCloseable {
         }
         String words = Words.of(message); // if it can't be made, the one who says it is told, and nothing was said
         traffic.said(message);
+        journal.said(message, words);
         var last = lastMessages.computeIfAbsent(message.sender(), _ -> new ArrayDeque<>());
         last.addLast(message.topic().name() + ": " + words);
         if (last.size() > LAST_MESSAGES) {
@@ -226,6 +228,16 @@ final class Agents implements AutoCloseable {
                         society.orElseThrow().look(name, Mind.View.class),
                         talks.of(name),
                         traffic.hearings(name)));
+    }
+
+    /// What those believe and want that show it, by name.
+    Map<String, Mind.View> minds() {
+        var minds = new TreeMap<String, Mind.View>();
+        society.ifPresent(agents -> agents.views().stream()
+                .filter(view -> view.status() == Society.Status.RUNNING)
+                .map(view -> view.agent().name())
+                .forEach(name -> agents.look(name, Mind.View.class).ifPresent(mind -> minds.put(name, mind))));
+        return minds;
     }
 
     /// The operator hears when a robot did not get where it was sent last. A goal that is cancelled has given way

@@ -7,9 +7,12 @@ import java.security.NoSuchAlgorithmException;
 import java.time.Duration;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.Supplier;
+import rsal.agent.Message;
+import rsal.agent.protocol.Act;
 import rsal.data.Pose2d;
 
 /// What happened in a run: events to be read by any thread, and a hash over them and over all that only machines
@@ -21,6 +24,7 @@ final class Journal {
     /// How many of those that count most are kept beyond.
     static final int RESERVE = 10_000;
 
+    private static final int WITNESSED_BYTES = 8;
     private static final Set<String> COUNT_MOST = Set.of("operator", "fault", "run");
 
     private final ConcurrentSkipListMap<Long, RunEvent> events = new ConcurrentSkipListMap<>();
@@ -28,13 +32,21 @@ final class Journal {
     private final MessageDigest digest;
     private final Supplier<Duration> time;
     private final Runnable onEvent;
+    private final Optional<Witness> witness;
     private long sequence;
+    private long happened; // events, with those that are not kept
 
     /// @param time since the run's start
     /// @param onEvent told of each new event
     Journal(Supplier<Duration> time, Runnable onEvent) {
+        this(time, onEvent, Optional.empty());
+    }
+
+    /// @param witness told of each event and message
+    Journal(Supplier<Duration> time, Runnable onEvent, Optional<Witness> witness) {
         this.time = time;
         this.onEvent = onEvent;
+        this.witness = witness;
         try {
             this.digest = MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
@@ -50,6 +62,36 @@ final class Journal {
         }
         if (sequence < MOST_EVENTS + (COUNT_MOST.contains(kind) ? RESERVE : 0)) {
             keep(kind, subject, text);
+        }
+        happened++;
+        witness.ifPresent(seen -> seen.happened(new RunEvent(happened, time.get(), kind, subject, text), hashSoFar()));
+    }
+
+    /// Something was said, in words for people.
+    void said(Message<?> message, String words) {
+        witness.ifPresent(seen -> seen.heard(
+                message.content() instanceof Act act
+                        ? said(
+                                message,
+                                act.conversation(),
+                                act.protocol(),
+                                act.performative().toString(),
+                                words)
+                        : said(message, "", "", "", words)));
+    }
+
+    private Said said(Message<?> message, String conversation, String protocol, String act, String words) {
+        return new Said(
+                time.get(), message.sender(), message.to(), message.topic().name(), conversation, protocol, act, words);
+    }
+
+    /// As [Witness] has it.
+    String hashSoFar() {
+        try {
+            byte[] all = ((MessageDigest) digest.clone()).digest();
+            return HexFormat.of().formatHex(all, 0, WITNESSED_BYTES);
+        } catch (CloneNotSupportedException e) {
+            throw new AssertionError("SHA-256 of the JDK can be copied.", e);
         }
     }
 

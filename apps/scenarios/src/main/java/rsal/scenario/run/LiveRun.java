@@ -52,6 +52,7 @@ public final class LiveRun implements AutoCloseable {
     private static final AtomicLong RUNS = new AtomicLong();
     private static final Duration PATIENCE = Duration.ofSeconds(1);
     private static final long MOMENT = 500_000; // [ns], after which it looks again whether it may go on
+    private static final Duration PERIOD_OF_MINDS = Duration.ofSeconds(1); // of the run
     private static final int AGENTS_MAY_TAKE = 20; // times as long for one turn
 
     private final RunPlan plan;
@@ -70,6 +71,7 @@ public final class LiveRun implements AutoCloseable {
     private final Pace pace;
     private final Snapshots snapshots;
     private final Turns turns = new Turns();
+    private final Optional<Witness> witness;
     private volatile @Nullable Thread thread;
 
     // of the run's thread
@@ -78,9 +80,13 @@ public final class LiveRun implements AutoCloseable {
     private boolean over;
     private boolean paused;
     private int stepsWanted;
+    private long witnessed; // how often everything was shown
+    private Duration nextWitnessed = Duration.ZERO;
+    private Duration nextMinds = Duration.ZERO;
 
-    private LiveRun(RunPlan plan, String name, int helpers, LongSupplier handClock) {
+    private LiveRun(RunPlan plan, String name, int helpers, LongSupplier handClock, Optional<Witness> witness) {
         this.plan = plan;
+        this.witness = witness;
         this.handClock = handClock;
         this.helpers = Executors.newFixedThreadPool(
                 helpers, Thread.ofPlatform().daemon().name(name + "-helper-", 1).factory());
@@ -89,7 +95,7 @@ public final class LiveRun implements AutoCloseable {
             case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread);
         };
         this.began = scheduler.instant();
-        this.journal = new Journal(this::elapsed, eventViewers::tell);
+        this.journal = new Journal(this::elapsed, eventViewers::tell, witness);
         this.observer = new Observer(plan, journal, scheduler);
         this.pace = new Pace(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
         this.snapshots = new Snapshots(System::nanoTime, this::snapshot);
@@ -100,9 +106,18 @@ public final class LiveRun implements AutoCloseable {
         return start(plan, System::nanoTime);
     }
 
+    /// Starts a run that somebody sees all of. It goes as it would without.
+    public static LiveRun start(RunPlan plan, Witness witness) {
+        return start(plan, usualHelpers(), System::nanoTime, AGENTS_MAY_TAKE, Optional.of(witness));
+    }
+
     /// @param handClock how long hands that drive robots are not heard is measured by [ns]; any thread asks it
     static LiveRun start(RunPlan plan, LongSupplier handClock) {
-        return start(plan, Math.max(1, Runtime.getRuntime().availableProcessors() - 1), handClock);
+        return start(plan, usualHelpers(), handClock);
+    }
+
+    private static int usualHelpers() {
+        return Math.max(1, Runtime.getRuntime().availableProcessors() - 1);
     }
 
     /// @param helpers how many threads help the run's own with heavy work
@@ -116,8 +131,13 @@ public final class LiveRun implements AutoCloseable {
 
     /// @param patience after how many seconds of real time an agent counts as one that never returns
     static LiveRun start(RunPlan plan, int helpers, LongSupplier handClock, int patience) {
+        return start(plan, helpers, handClock, patience, Optional.empty());
+    }
+
+    private static LiveRun start(
+            RunPlan plan, int helpers, LongSupplier handClock, int patience, Optional<Witness> witness) {
         String name = "run-" + RUNS.incrementAndGet();
-        var run = new LiveRun(plan, name, helpers, handClock);
+        var run = new LiveRun(plan, name, helpers, handClock, witness);
         switch (run.scheduler) {
             case LockstepScheduler time ->
                 Thread.ofPlatform().name(name).daemon().start(() -> run.simulate(time));
@@ -411,11 +431,27 @@ public final class LiveRun implements AutoCloseable {
         scheduler.every(plan.step(), Phase.OBSERVE, () -> {
             if (everything.isReady()) { // else its end would hide that robots can't be reached
                 everything.observe().ifPresent(this::end);
+                witness.ifPresent(seen -> showIfDue(seen, everything));
             }
             if (!isSimulated()) {
                 serve();
             }
         });
+    }
+
+    private void showIfDue(Witness seen, Stage everything) {
+        Duration now = elapsed();
+        if (now.compareTo(nextMinds) >= 0) {
+            nextMinds = now.plus(PERIOD_OF_MINDS);
+            seen.looksInto(now, everything.minds());
+        }
+        if (now.compareTo(nextWitnessed) >= 0) {
+            nextWitnessed = nextWitnessed.plus(seen.period());
+            if (nextWitnessed.compareTo(now) <= 0) { // real time may have gone on
+                nextWitnessed = now.plus(seen.period());
+            }
+            seen.sees(snapshot(witnessed++), journal.hashSoFar());
+        }
     }
 
     /// In real time: does what is wanted between two tasks.
@@ -480,6 +516,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private void finish() {
+        witness.ifPresent(seen -> seen.sees(snapshot(witnessed++), journal.hashSoFar()));
         snapshots.make();
         RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) / 1e9);
         letGo();

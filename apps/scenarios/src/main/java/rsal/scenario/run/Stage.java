@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rsal.agent.Turns;
+import rsal.agent.bdi.Mind;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
@@ -222,6 +223,10 @@ final class Stage implements AutoCloseable {
 
     List<AgentView> agentViews() {
         return agents.views();
+    }
+
+    Map<String, Mind.View> minds() {
+        return agents.minds();
     }
 
     Answer inside(String agent) {

@@ -1,0 +1,26 @@
+package rsal.scenario.run;
+
+import java.time.Duration;
+import java.util.Map;
+import rsal.agent.bdi.Mind;
+
+/// Sees all of a run: each event, each message, and now and then how everything stands. Called on the run's thread, in
+/// the order in which it happens; it changes nothing, and what it takes long for holds the run up.
+///
+/// Hashes are those over all that has happened so far, the first 16 digits of what [RunResult#eventHash] has 64 of.
+/// One that throws breaks the run.
+public interface Witness {
+    /// How often it is shown how everything stands [s of the run], and at the end.
+    Duration period();
+
+    /// How everything stands.
+    void sees(Snapshot now, String hash);
+
+    /// What agents believe and want; about once a second, those alone that show it.
+    void looksInto(Duration time, Map<String, Mind.View> minds);
+
+    /// An event; each is told, also where a run has more than it keeps.
+    void happened(RunEvent event, String hash);
+
+    void heard(Said message);
+}
