@@ -5,5 +5,6 @@ module rsal.recordings {
     requires com.github.luben.zstd_jni;
     requires static org.jspecify;
 
+    exports rsal.recording;
     exports rsal.recording.mcap;
 }

@@ -1,0 +1,591 @@
+package rsal.recording;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import rsal.agent.bdi.Mind;
+import rsal.data.Footprint;
+import rsal.data.LaserScan;
+import rsal.data.OccupancyGrid;
+import rsal.data.Odometry;
+import rsal.data.ParticleCloud;
+import rsal.data.Path2d;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.Prism;
+import rsal.data.RangeArray;
+import rsal.data.Solid;
+import rsal.data.Stamped;
+import rsal.device.Health;
+import rsal.device.SimulationControl.Standing;
+import rsal.recording.mcap.ByteSink;
+import rsal.recording.mcap.McapWriter;
+import rsal.recording.proto.MessageType;
+import rsal.recording.proto.ProtoWriter;
+import rsal.scenario.run.AgentView;
+import rsal.scenario.run.DeviceView;
+import rsal.scenario.run.RobotView;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.Said;
+import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Teammate;
+
+/// Writes what is seen of a run as messages, each reading once. For one thread.
+final class Encoder {
+    private static final long SECOND = 1_000_000_000;
+    private static final String MAP = "map";
+    private static final String PROTOBUF = "protobuf";
+
+    private final McapWriter file;
+    private final long start; // of the run, on its own clock, in ns
+    private final Map<String, Integer> schemas = new HashMap<>(); // by name
+    private final Map<String, Integer> channels = new HashMap<>(); // by topic
+    private final Map<String, Object> last = new HashMap<>(); // what was written of a thing
+    private final Map<String, String> frames = new HashMap<>(); // of bases, by robot
+    private final ProtoWriter out = new ProtoWriter(new ByteSink(1 << 12));
+    private List<Standing> things = List.of();
+    private int mates; // of the team that were told
+
+    /// @param start of the run, on its own clock, in ns
+    Encoder(McapWriter file, long start) {
+        this.file = file;
+        this.start = start;
+    }
+
+    /// The map that robots know, once.
+    void map(OccupancyGrid map) throws IOException {
+        grid(map, start, MAP);
+        write("/map", Foxglove.GRID, start, start, Map.of());
+    }
+
+    void event(RunEvent event, String hash) throws IOException {
+        long time = time(event.time());
+        out.clear();
+        timestamp(1, time);
+        out.varint(2, event.sequence());
+        out.string(3, event.kind());
+        out.string(4, event.subject());
+        out.string(5, event.text());
+        out.string(6, hash);
+        write(Topics.EVENTS, Own.EVENT, time, time, Map.of());
+
+        out.clear();
+        timestamp(1, time);
+        out.varint(2, level(event.kind()));
+        out.string(3, event.kind() + ": " + event.text());
+        out.string(4, event.subject().isEmpty() ? "run" : event.subject());
+        write("/log", Foxglove.LOG, time, time, Map.of());
+    }
+
+    private static int level(String kind) {
+        return switch (kind) {
+            case "fault" -> 4; // error
+            case "collision", "health", "unreached" -> 3; // warning
+            default -> 2; // info
+        };
+    }
+
+    void said(Said said) throws IOException {
+        long time = time(said.time());
+        out.clear();
+        timestamp(1, time);
+        out.string(2, said.from());
+        out.string(3, said.to());
+        out.string(4, said.topic());
+        out.string(5, said.conversation());
+        out.string(6, said.protocol());
+        out.string(7, said.act());
+        out.string(8, said.words());
+        write("/messages", Own.MESSAGE, time, time, Map.of());
+    }
+
+    void minds(Duration at, Map<String, Mind.View> minds) throws IOException {
+        long time = time(at);
+        for (var mind : minds.entrySet()) {
+            if (isNew("mind " + mind.getKey(), mind.getValue())) {
+                out.clear();
+                timestamp(1, time);
+                out.string(2, mind.getKey());
+                pairs(3, mind.getValue().beliefs());
+                for (Mind.GoalView goal : mind.getValue().goals()) {
+                    int begun = out.begin(4);
+                    out.string(1, goal.name());
+                    out.string(2, goal.state().name());
+                    out.number(3, goal.urgency());
+                    goal.plans().forEach(plan -> out.string(4, plan));
+                    goal.steps().forEach(step -> out.string(5, step));
+                    out.string(6, goal.failure());
+                    out.end(begun);
+                }
+                write("/minds", Own.MIND, time, time, Map.of());
+            }
+        }
+    }
+
+    void state(Snapshot now, String hash) throws IOException {
+        long time = time(now.time());
+        team(now.team(), time);
+        state(now, hash, time);
+        transforms(now, time);
+        things(now.things(), time);
+        for (RobotView robot : now.robots()) {
+            readings(robot, time);
+        }
+        for (AgentView agent : now.agents()) {
+            agent(agent, time);
+        }
+    }
+
+    private void state(Snapshot now, String hash, long time) throws IOException {
+        out.clear();
+        timestamp(1, time);
+        out.string(2, hash);
+        out.bool(3, now.stopped());
+        for (RobotView robot : now.robots()) {
+            int begun = out.begin(4);
+            robot(robot);
+            out.end(begun);
+        }
+        write(Topics.STATE, Own.STATE, time, time, Map.of());
+    }
+
+    private void robot(RobotView robot) {
+        out.string(1, robot.id());
+        out.bool(2, robot.gone());
+        robot.truth().ifPresent(mapFromBase -> pose(3, mapFromBase));
+        if (robot.odometry().isPresent()) {
+            Odometry odometry = robot.odometry().get().value();
+            pose(4, odometry.odomFromBase());
+            out.number(5, odometry.velocity().vx());
+            out.number(6, odometry.velocity().vy());
+            out.number(7, odometry.velocity().omega());
+            out.bool(8, odometry.stalled());
+        }
+        robot.estimate().ifPresent(estimate -> {
+            int begun = out.begin(9);
+            PoseEstimate belief = estimate.value();
+            out.string(1, estimate.frame());
+            pose(2, belief.mapFromBase());
+            out.number(3, belief.covariance().xx());
+            out.number(4, belief.covariance().xy());
+            out.number(5, belief.covariance().yy());
+            out.number(6, belief.covariance().thetaTheta());
+            out.number(7, belief.confidence());
+            out.string(8, belief.quality().name());
+            out.end(begun);
+        });
+        robot.goal().ifPresent(goal -> pose(10, goal));
+        out.string(11, robot.inCharge());
+        out.string(12, robot.behavior());
+        out.string(13, robot.driver());
+        robot.gripper().ifPresent(gripper -> {
+            out.number(14, gripper.value().closed());
+            out.bool(15, gripper.value().holding());
+            out.bool(16, true);
+        });
+        out.bool(17, robot.lit());
+        robot.real().flatMap(RobotView.Real::standIn).ifPresent(standIn -> pose(18, standIn));
+    }
+
+    /// Where bases are, as Foxglove wants to know it: in truth where that is known.
+    private void transforms(Snapshot now, long time) throws IOException {
+        out.clear();
+        for (RobotView robot : now.robots()) {
+            Optional<Pose2d> mapFromBase = robot.truth()
+                    .or(() -> robot.estimate().map(estimate -> estimate.value().mapFromBase()))
+                    .or(() -> robot.real().flatMap(RobotView.Real::standIn));
+            if (mapFromBase.isPresent()) {
+                int begun = out.begin(1);
+                timestamp(1, time);
+                out.string(2, MAP);
+                out.string(3, frame(robot.id()));
+                vector(4, mapFromBase.get().x(), mapFromBase.get().y(), 0);
+                quaternion(5, mapFromBase.get().theta());
+                out.end(begun);
+            }
+        }
+        write("/tf", Foxglove.FRAME_TRANSFORMS, time, time, Map.of());
+    }
+
+    /// Each reading once, by its time.
+    private void readings(RobotView robot, long time) throws IOException {
+        String id = robot.id();
+        if (robot.scan().isPresent() && isNew(id + " scan", robot.scan().get().time())) {
+            scan(id, robot.scan().get(), time);
+        }
+        if (robot.ranges().isPresent()
+                && isNew(id + " ranges", robot.ranges().get().time())) {
+            ranges(id, robot.ranges().get(), time);
+        }
+        if (robot.estimate().isPresent()
+                && isNew(id + " estimate", robot.estimate().get().time())) {
+            Stamped<PoseEstimate> estimate = robot.estimate().get();
+            out.clear();
+            timestamp(1, nanos(estimate.time()));
+            out.string(2, estimate.frame());
+            foxglovePose(3, estimate.value().mapFromBase());
+            write(Topics.of(id, "estimate"), Foxglove.POSE_IN_FRAME, time, nanos(estimate.time()), Map.of());
+        }
+        if (robot.particles().isPresent()
+                && isNew(id + " particles", robot.particles().get().time())) {
+            particles(id, robot.particles().get(), time);
+        }
+        if (robot.map().isPresent() && isNew(id + " map", robot.map().get().time())) {
+            Stamped<OccupancyGrid> map = robot.map().get();
+            grid(map.value(), nanos(map.time()), map.frame());
+            write(Topics.of(id, "map"), Foxglove.GRID, time, nanos(map.time()), Map.of());
+        }
+        if (isNew(id + " path", robot.path())) {
+            path(id, robot.path(), robot.color(), time);
+        }
+        if (isNew(id + " devices", robot.devices())) {
+            for (DeviceView device : robot.devices()) {
+                if (isNew(id + " device " + device.name(), device)) {
+                    device(id, device, time);
+                }
+            }
+        }
+    }
+
+    private void scan(String id, Stamped<LaserScan> scan, long time) throws IOException {
+        LaserScan laser = scan.value();
+        long taken = nanos(scan.time());
+        out.clear();
+        timestamp(1, taken);
+        out.string(2, frame(id)); // the pose says where on it
+        foxglovePose(3, laser.baseFromLaser());
+        out.number(4, laser.angleMin());
+        out.number(5, laser.angle(Math.max(0, laser.count() - 1)));
+        out.numbers(6, laser.ranges());
+        String topic = Topics.of(id, "scan");
+        write(topic, Foxglove.LASER_SCAN, time, taken, channels.containsKey(topic) ? Map.of() : limits(laser));
+    }
+
+    private void ranges(String id, Stamped<RangeArray> ranges, long time) throws IOException {
+        RangeArray array = ranges.value();
+        long taken = nanos(ranges.time());
+        out.clear();
+        timestamp(1, taken);
+        out.string(2, frame(id));
+        out.number(3, array.fieldOfView());
+        out.number(4, array.rangeMin());
+        out.number(5, array.rangeMax());
+        array.baseFromSensors().forEach(baseFromSensor -> pose(6, baseFromSensor));
+        out.numbers(7, array.ranges());
+        write(Topics.of(id, "ranges"), Own.RANGES, time, taken, Map.of());
+    }
+
+    private void particles(String id, Stamped<ParticleCloud> particles, long time) throws IOException {
+        ParticleCloud cloud = particles.value();
+        long taken = nanos(particles.time());
+        var data = new ByteSink(16 * cloud.count());
+        for (int i = 0; i < cloud.count(); i++) {
+            for (int j = 0; j < 3; j++) {
+                data.u32(Float.floatToRawIntBits(cloud.poses()[3 * i + j]));
+            }
+            data.u32(Float.floatToRawIntBits(cloud.weights()[i]));
+        }
+        out.clear();
+        timestamp(1, taken);
+        out.string(2, particles.frame());
+        foxglovePose(3, Pose2d.ORIGIN);
+        out.fixed32(4, 16);
+        field(5, "x", 0, 7);
+        field(5, "y", 4, 7);
+        field(5, "heading", 8, 7);
+        field(5, "weight", 12, 7);
+        out.bytes(6, data.toArray());
+        write(Topics.of(id, "particles"), Foxglove.POINT_CLOUD, time, taken, Map.of());
+    }
+
+    private void grid(OccupancyGrid map, long time, String frame) {
+        out.clear();
+        timestamp(1, time);
+        out.string(2, frame);
+        foxglovePose(3, new Pose2d(map.originX(), map.originY(), 0));
+        out.fixed32(4, map.width());
+        int size = out.begin(5);
+        out.number(1, map.resolution());
+        out.number(2, map.resolution());
+        out.end(size);
+        out.fixed32(6, map.width());
+        out.fixed32(7, 1);
+        field(8, "occupancy", 0, 2);
+        out.bytes(9, map.cells());
+    }
+
+    private void field(int number, String name, int offset, int type) {
+        int begun = out.begin(number);
+        out.string(1, name);
+        out.fixed32(2, offset);
+        out.varint(3, type);
+        out.end(begun);
+    }
+
+    /// A line through its points; without any, the one before is taken away.
+    private void path(String id, Path2d path, String color, long time) throws IOException {
+        out.clear();
+        int entity = path.points().isEmpty() ? out.begin(1) : out.begin(2);
+        if (path.points().isEmpty()) {
+            timestamp(1, time);
+            out.string(3, "path");
+        } else {
+            timestamp(1, time);
+            out.string(2, MAP);
+            out.string(3, "path");
+            int line = out.begin(11);
+            out.number(3, 0.04);
+            path.points().forEach(point -> vector(5, point.x(), point.y(), 0.02));
+            color(6, color);
+            out.end(line);
+        }
+        out.end(entity);
+        write(Topics.of(id, "path"), Foxglove.SCENE_UPDATE, time, time, Map.of());
+    }
+
+    private void device(String id, DeviceView device, long time) throws IOException {
+        out.clear();
+        timestamp(1, time);
+        out.string(2, id);
+        out.string(3, device.name());
+        out.string(4, device.driver());
+        out.string(5, device.type());
+        out.string(
+                6,
+                switch (device.health()) {
+                    case Health.Ok _ -> "OK";
+                    case Health.Stale _ -> "STALE";
+                    case Health.Lost _ -> "LOST";
+                });
+        out.string(
+                7,
+                switch (device.health()) {
+                    case Health.Ok _ -> "";
+                    case Health.Stale stale -> stale.reason();
+                    case Health.Lost lost -> lost.reason();
+                });
+        write("/devices", Own.DEVICE, time, time, Map.of());
+    }
+
+    private void agent(AgentView agent, long time) throws IOException {
+        var view = agent.view();
+        var told = List.of(view.status(), view.state(), view.beliefs());
+        if (!isNew("agent " + view.agent().name(), told)) {
+            return;
+        }
+        out.clear();
+        timestamp(1, time);
+        out.string(2, view.agent().name());
+        out.string(3, view.agent().role());
+        out.string(4, view.agent().type());
+        out.string(5, view.agent().robot());
+        out.string(6, view.status().name());
+        out.string(7, view.state());
+        pairs(8, view.beliefs());
+        write("/agents", Own.AGENT, time, time, Map.of());
+    }
+
+    /// Robots that have come, and what they look like.
+    private void team(List<Teammate> team, long time) throws IOException {
+        for (Teammate mate : team.subList(Math.min(mates, team.size()), team.size())) {
+            var spec = mate.spec();
+            out.clear();
+            timestamp(1, time);
+            out.string(2, spec.id());
+            out.string(3, spec.role());
+            out.string(4, spec.color());
+            out.string(5, spec.model().name());
+            write("/robots", Own.ROBOT, time, time, Map.of());
+
+            out.clear();
+            int entity = out.begin(2);
+            timestamp(1, time);
+            out.string(2, frame(spec.id()));
+            out.string(3, "robot " + spec.id());
+            out.bool(5, true); // moves with its frame
+            Solid body = mate.body().orElse(spec.model().body());
+            for (Prism piece : body.pieces()) {
+                piece(piece, piece.color().map(Object::toString).orElse(spec.color()), Pose2d.ORIGIN, 0);
+            }
+            out.end(entity);
+            write("/world", Foxglove.SCENE_UPDATE, time, time, Map.of());
+        }
+        mates = team.size();
+    }
+
+    /// Things that have come, moved or gone.
+    private void things(List<Standing> now, long time) throws IOException {
+        if (now.equals(things)) {
+            return;
+        }
+        var before = new HashMap<Integer, Standing>();
+        things.forEach(thing -> before.put(thing.number(), thing));
+        for (Standing thing : now) {
+            if (thing.equals(before.remove(thing.number()))) {
+                continue;
+            }
+            out.clear();
+            int entity = out.begin(2);
+            timestamp(1, time);
+            out.string(2, MAP);
+            out.string(3, "thing " + thing.number());
+            int name = out.begin(6);
+            out.string(1, "name");
+            out.string(2, thing.name());
+            out.end(name);
+            for (Prism piece : thing.body().pieces()) {
+                piece(
+                        piece,
+                        piece.color().map(Object::toString).orElse("#888888"),
+                        thing.mapFromThing(),
+                        thing.height());
+            }
+            out.end(entity);
+            write("/world", Foxglove.SCENE_UPDATE, time, time, Map.of());
+        }
+        for (Integer gone : before.keySet()) {
+            out.clear();
+            int deletion = out.begin(1);
+            timestamp(1, time);
+            out.string(3, "thing " + gone);
+            out.end(deletion);
+            write("/world", Foxglove.SCENE_UPDATE, time, time, Map.of());
+        }
+        things = now;
+    }
+
+    /// A piece of a body as its convex outline has it: sides and top.
+    private void piece(Prism piece, String color, Pose2d frameFromBody, double height) {
+        Footprint hull = piece.shape().hull();
+        List<Point2d> corners = hull.corners();
+        double bottom = height + piece.bottom();
+        double top = height + piece.top();
+        int begun = out.begin(12);
+        foxglovePose(1, frameFromBody);
+        for (int i = 0; i < corners.size(); i++) {
+            Point2d a = corners.get(i);
+            Point2d b = corners.get((i + 1) % corners.size());
+            vector(2, a.x(), a.y(), bottom);
+            vector(2, b.x(), b.y(), bottom);
+            vector(2, b.x(), b.y(), top);
+            vector(2, a.x(), a.y(), bottom);
+            vector(2, b.x(), b.y(), top);
+            vector(2, a.x(), a.y(), top);
+            if (i > 0 && i + 1 < corners.size()) {
+                vector(2, corners.getFirst().x(), corners.getFirst().y(), top);
+                vector(2, a.x(), a.y(), top);
+                vector(2, b.x(), b.y(), top);
+            }
+        }
+        color(3, color);
+        out.end(begun);
+    }
+
+    private void pairs(int field, Map<String, String> pairs) {
+        pairs.forEach((key, value) -> {
+            int begun = out.begin(field);
+            out.string(1, key);
+            out.string(2, value);
+            out.end(begun);
+        });
+    }
+
+    private void pose(int field, Pose2d pose) {
+        int begun = out.begin(field);
+        out.number(1, pose.x());
+        out.number(2, pose.y());
+        out.number(3, pose.theta());
+        out.end(begun);
+    }
+
+    private void foxglovePose(int field, Pose2d pose) {
+        int begun = out.begin(field);
+        vector(1, pose.x(), pose.y(), 0);
+        quaternion(2, pose.theta());
+        out.end(begun);
+    }
+
+    private void vector(int field, double x, double y, double z) {
+        int begun = out.begin(field);
+        out.number(1, x);
+        out.number(2, y);
+        out.number(3, z);
+        out.end(begun);
+    }
+
+    /// A turn about the upward axis.
+    private void quaternion(int field, double heading) {
+        int begun = out.begin(field);
+        out.number(3, Math.sin(heading / 2));
+        out.number(4, Math.cos(heading / 2));
+        out.end(begun);
+    }
+
+    /// @param color `#rrggbb`
+    private void color(int field, String color) {
+        int rgb = Integer.parseInt(color.substring(1), 16);
+        int begun = out.begin(field);
+        out.number(1, (rgb >> 16 & 0xff) / 255.0);
+        out.number(2, (rgb >> 8 & 0xff) / 255.0);
+        out.number(3, (rgb & 0xff) / 255.0);
+        out.number(4, 1);
+        out.end(begun);
+    }
+
+    private void timestamp(int field, long nanos) {
+        int begun = out.begin(field);
+        out.varint(1, Math.floorDiv(nanos, SECOND));
+        out.varint(2, Math.floorMod(nanos, SECOND));
+        out.end(begun);
+    }
+
+    private String frame(String robot) {
+        return frames.computeIfAbsent(robot, id -> id + "/base_link");
+    }
+
+    private boolean isNew(String what, Object value) {
+        return !value.equals(last.put(what, value));
+    }
+
+    private long time(Duration elapsed) {
+        return start + elapsed.toNanos();
+    }
+
+    private static long nanos(Instant time) {
+        return time.getEpochSecond() * SECOND + time.getNano();
+    }
+
+    private static Map<String, String> limits(LaserScan laser) {
+        var limits = new TreeMap<String, String>();
+        limits.put("range_min", Double.toString(laser.rangeMin()));
+        limits.put("range_max", Double.toString(laser.rangeMax()));
+        return limits;
+    }
+
+    /// Writes the message that is in the sink.
+    private void write(String topic, MessageType type, long time, long taken, Map<String, String> about)
+            throws IOException {
+        Integer channel = channels.get(topic);
+        if (channel == null) {
+            channel = open(topic, type, about);
+        }
+        file.message(channel, time, taken, out.sink().written());
+    }
+
+    private int open(String topic, MessageType type, Map<String, String> about) throws IOException {
+        Integer schema = schemas.get(type.name());
+        if (schema == null) {
+            schema = file.schema(type.name(), PROTOBUF, type.descriptors());
+            schemas.put(type.name(), schema);
+        }
+        int channel = file.channel(schema, topic, PROTOBUF, about);
+        channels.put(topic, channel);
+        return channel;
+    }
+}

@@ -1,0 +1,173 @@
+package rsal.recording;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import rsal.agent.bdi.Mind;
+import rsal.recording.Recording.Hashed;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.Said;
+import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Witness;
+
+/// Runs a recorded run again and compares: event by event, and between them hash by hash, which are over all that
+/// happened, poses and messages too.
+public final class Verification {
+    private static final Duration PERIOD = Duration.ofMillis(100);
+
+    private final List<Hashed> recorded;
+    private final Map<Duration, String> hashes;
+    private final boolean isWhole;
+    private final Duration last; // that was recorded
+    private final CompletableFuture<Finding> finding = new CompletableFuture<>();
+
+    // of the run's thread
+    private int next;
+    private Duration equalUntil = Duration.ZERO;
+
+    /// What came of it.
+    public sealed interface Finding {
+        /// All is the same.
+        ///
+        /// @param events that were compared
+        /// @param until compared, since the run's start
+        /// @param isWhole whether the recording is of the whole run
+        record Same(int events, Duration until, boolean isWhole) implements Finding {}
+
+        /// A person took part: up to then all is the same.
+        ///
+        /// @param event what they did
+        record Steered(RunEvent event, int events) implements Finding {}
+
+        /// @param equalUntil up to when all is known to be the same
+        /// @param recorded empty when nothing was
+        /// @param now empty when nothing happened
+        record Different(
+                Duration time, Duration equalUntil, Optional<RunEvent> recorded, Optional<RunEvent> now, int events)
+                implements Finding {}
+    }
+
+    private Verification(Recording recording) throws IOException {
+        this.recorded = recording.events();
+        this.hashes = recording.hashes();
+        this.isWhole = recording.result().containsKey("outcome");
+        this.last = Duration.ofNanos(recording.file().end().orElse(0));
+    }
+
+    /// Runs it again, as fast as it can.
+    ///
+    /// @return completes when it is known, maybe on the run's thread; exceptionally when the run breaks
+    /// @throws IllegalArgumentException when it was in real time
+    public static CompletionStage<Finding> begin(Recording recording) throws IOException {
+        if (!recording.isRepeatable()) {
+            throw new IllegalArgumentException("A run in real time can't be run again.");
+        }
+        var verification = new Verification(recording);
+        LiveRun run = LiveRun.start(recording.plan(), verification.new Comparison());
+        run.result().whenComplete((_, broken) -> {
+            if (broken != null) {
+                verification.finding.completeExceptionally(broken);
+            } else {
+                verification.ended();
+            }
+        });
+        return verification.finding.whenComplete((_, _) -> run.stop());
+    }
+
+    private void compare(RunEvent event, String hash) {
+        if (finding.isDone() || isBeyond(event.time())) {
+            return;
+        }
+        if (next >= recorded.size()) {
+            differ(event.time(), Optional.empty(), Optional.of(event));
+            return;
+        }
+        Hashed before = recorded.get(next);
+        if (before.event().equals(event) && before.hash().equals(hash)) {
+            next++;
+            equalUntil = event.time();
+        } else if (isByHand(before.event())) {
+            finding.complete(new Finding.Steered(before.event(), next));
+        } else {
+            differ(event.time(), Optional.of(before.event()), Optional.of(event));
+        }
+    }
+
+    private void compare(Duration time, String hash) {
+        if (finding.isDone() || isBeyond(time)) {
+            return;
+        }
+        boolean isLate =
+                next < recorded.size() && recorded.get(next).event().time().compareTo(time) < 0;
+        String before = hashes.get(time);
+        if (isLate || (before != null && !before.equals(hash))) {
+            Optional<RunEvent> missing = isLate ? Optional.of(recorded.get(next).event()) : Optional.empty();
+            if (missing.filter(Verification::isByHand).isPresent()) {
+                finding.complete(new Finding.Steered(missing.get(), next));
+            } else {
+                differ(time, missing, Optional.empty());
+            }
+        } else {
+            equalUntil = time;
+        }
+    }
+
+    /// Whether there is nothing to compare it with: the recording was cut off.
+    private boolean isBeyond(Duration time) {
+        boolean beyond = !isWhole && time.compareTo(last) >= 0;
+        if (beyond) {
+            finding.complete(new Finding.Same(next, equalUntil, false));
+        }
+        return beyond;
+    }
+
+    private void ended() {
+        if (next < recorded.size()) {
+            RunEvent missing = recorded.get(next).event();
+            finding.complete(
+                    isByHand(missing)
+                            ? new Finding.Steered(missing, next)
+                            : new Finding.Different(
+                                    missing.time(), equalUntil, Optional.of(missing), Optional.empty(), next));
+        }
+        finding.complete(new Finding.Same(next, equalUntil, isWhole)); // unless something else was found
+    }
+
+    private void differ(Duration time, Optional<RunEvent> before, Optional<RunEvent> now) {
+        finding.complete(new Finding.Different(time, equalUntil, before, now, next));
+    }
+
+    private static boolean isByHand(RunEvent event) {
+        return event.kind().equals("operator")
+                || event.kind().equals("hand")
+                || (event.kind().equals("run") && event.text().equals("ends: stopped"));
+    }
+
+    private final class Comparison implements Witness {
+        @Override
+        public Duration period() {
+            return PERIOD;
+        }
+
+        @Override
+        public void sees(Snapshot now, String hash) {
+            compare(now.time(), hash);
+        }
+
+        @Override
+        public void looksInto(Duration time, Map<String, Mind.View> minds) {} // made of what is compared
+
+        @Override
+        public void happened(RunEvent event, String hash) {
+            compare(event, hash);
+        }
+
+        @Override
+        public void heard(Said message) {} // in the hash
+    }
+}

@@ -1,0 +1,44 @@
+package rsal.recording;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.concurrent.TimeUnit;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunResult;
+
+/// Runs with a recording.
+final class Recorded {
+    private Recorded() {}
+
+    static RunPlan plan(String scenario, long seed, int seconds) {
+        return Scenario.load(scenario)
+                .plan(RunOptions.NONE
+                        .withSeed(seed)
+                        .withSpeed(Double.POSITIVE_INFINITY)
+                        .withLimit(Duration.ofSeconds(seconds)));
+    }
+
+    static RunResult run(RunPlan plan, Path file) throws Exception {
+        return run(plan, plan, file);
+    }
+
+    /// @param told what the recording says that it is of
+    static RunResult run(RunPlan plan, RunPlan told, Path file) throws Exception {
+        try (Recorder recorder = begin(told, file)) {
+            RunResult result =
+                    LiveRun.start(plan, recorder).result().toCompletableFuture().get(100, TimeUnit.SECONDS);
+            recorder.ended(result);
+            return result;
+        }
+    }
+
+    static Recorder begin(RunPlan plan, Path file) throws IOException {
+        var origin = new Origin(plan, "rsal test", "rsal run", Instant.EPOCH);
+        return Recorder.begin(file, true, origin, Recorder.Behind.WAIT, System::nanoTime);
+    }
+}
