@@ -3,6 +3,7 @@ package rsal.server;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
@@ -13,6 +14,7 @@ import rsal.scene.Entity;
 /// The run that is shown, and its successors: one at a time. All methods may be called from any thread.
 final class CurrentRun implements AutoCloseable {
     private final Consumer<LiveRun> onStart;
+    private final Function<RunPlan, LiveRun> starter;
     private volatile Numbered now;
     private boolean closed;
 
@@ -37,7 +39,12 @@ final class CurrentRun implements AutoCloseable {
     }
 
     CurrentRun(RunPlan first, Consumer<LiveRun> onStart) {
+        this(first, onStart, LiveRun::start);
+    }
+
+    CurrentRun(RunPlan first, Consumer<LiveRun> onStart, Function<RunPlan, LiveRun> starter) {
         this.onStart = onStart;
+        this.starter = starter;
         now = begin(1, first);
     }
 
@@ -55,7 +62,7 @@ final class CurrentRun implements AutoCloseable {
     }
 
     private Numbered begin(int number, RunPlan plan) {
-        LiveRun run = LiveRun.start(plan);
+        LiveRun run = starter.apply(plan);
         onStart.accept(run);
         return new Numbered(number, run);
     }

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.eclipse.jetty.ee10.websocket.server.config.JettyWebSocketServletContainerInitializer;
 import org.eclipse.jetty.server.HttpConfiguration;
 import org.eclipse.jetty.server.HttpConnectionFactory;
@@ -42,7 +43,14 @@ public final class RunServer implements AutoCloseable {
     /// @param token what a browser must know to change anything, as from [#newToken]
     /// @param page directory of the built page
     /// @param onStart told of each run, the first and those that replace it, when it begins
-    public record Options(int port, String token, Path page, Consumer<LiveRun> onStart) {}
+    /// @param starter starts a run
+    public record Options(
+            int port, String token, Path page, Consumer<LiveRun> onStart, Function<RunPlan, LiveRun> starter) {
+        /// With runs that nobody else sees all of.
+        public Options(int port, String token, Path page, Consumer<LiveRun> onStart) {
+            this(port, token, page, onStart, LiveRun::start);
+        }
+    }
 
     /// Opens the port, then starts the run.
     ///
@@ -62,7 +70,7 @@ public final class RunServer implements AutoCloseable {
     private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door) throws IOException {
         int port = ((InetSocketAddress) door.getLocalAddress()).getPort();
         url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port, options.token()));
-        current = new CurrentRun(plan, options.onStart());
+        current = new CurrentRun(plan, options.onStart(), options.starter());
         var gate = new Gate(port, options.token());
         live = new Live(current, gate);
         http = Javalin.create(config -> {

@@ -61,6 +61,7 @@ public abstract class ArchitectureRules {
     private static final String[] AGENTS = {"rsal.agent..", "rsal.agents.."};
     private static final String NAVIGATION = "rsal.navigation..";
     private static final String SCENARIOS = "rsal.scenario..";
+    private static final String RECORDING = "rsal.recording..";
     private static final String SERVER = "rsal.server..";
     private static final String CLI = "rsal.cli..";
     private static final String[] ROBOT_SYSTEMS = {"rsal.sim..", "rsal.player..", "rsal.ros2.."};
@@ -76,7 +77,7 @@ public abstract class ArchitectureRules {
         "rsal.scene..",
         "rsal.system.."
     };
-    private static final String[] APPS = {SCENARIOS, SERVER, CLI};
+    private static final String[] APPS = {SCENARIOS, RECORDING, SERVER, CLI};
 
     private static final SliceAssignment PACKAGES = new SliceAssignment() {
         @Override
@@ -219,6 +220,15 @@ public abstract class ArchitectureRules {
         check(noClasses()
                 .that()
                 .resideInAPackage(SCENARIOS)
+                .should()
+                .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION, RECORDING, SERVER, CLI))));
+    }
+
+    @Test
+    void recordingsSeeRunsOnly() {
+        check(noClasses()
+                .that()
+                .resideInAPackage(RECORDING)
                 .should()
                 .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION, SERVER, CLI))));
     }
