@@ -39,6 +39,8 @@ import rsal.settings.Suggestion;
         },
         subcommands = {
             RunCommand.class,
+            ReplayCommand.class,
+            ExportCommand.class,
             BridgeCommand.class,
             AgentCommand.class,
             ListCommand.class,

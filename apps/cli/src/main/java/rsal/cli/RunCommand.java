@@ -96,7 +96,14 @@ final class RunCommand extends Subcommand {
                     "When the run ends, write the maps that robots drew to this folder: ROBOT.yaml and ROBOT.pgm.")
     private @Nullable String saveMaps;
 
-    @Option(names = "--force", description = "Overwrite maps that are there.")
+    @Option(
+            names = "--record",
+            paramLabel = "FILE.mcap",
+            description = "Record the run, to be seen in Foxglove, run again ('rsal replay') or exported. Further runs"
+                    + " from the page go to FILE-2.mcap and so on.")
+    private @Nullable String record;
+
+    @Option(names = "--force", description = "Overwrite maps and a recording that are there.")
     private boolean force;
 
     @Option(
@@ -119,8 +126,16 @@ final class RunCommand extends Subcommand {
                     "Its robots stand until somebody switches their motors on: without a page, say --arm.");
         }
         Optional<SavedMaps> maps = Optional.ofNullable(saveMaps).map(folder -> SavedMaps.to(folder, plan, force));
-        RunResult result = headless ? runHeadless(plan, maps) : runWithPage(plan, maps);
-        return exit(result);
+        RunRecorder recorder = RunRecorder.to(Optional.ofNullable(record), force, headless, typed());
+        RunResult result = headless ? runHeadless(plan, maps, recorder) : runWithPage(plan, maps, recorder);
+        int code = exit(result);
+        return code == Exit.SUCCESS && recorder.hasFailed() ? Exit.UNREACHABLE : code;
+    }
+
+    private String typed() {
+        return "rsal "
+                + String.join(
+                        " ", spec.commandLine().getParent().getParseResult().originalArgs());
     }
 
     /// What a run's end means to whoever started it.
@@ -128,21 +143,18 @@ final class RunCommand extends Subcommand {
         return EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS);
     }
 
-    private RunResult runHeadless(RunPlan plan, Optional<SavedMaps> maps) throws Exception {
-        try (LiveRun run = start(plan)) {
-            var ending = new ClosedAtExit(run);
+    private RunResult runHeadless(RunPlan plan, Optional<SavedMaps> maps, RunRecorder recorder) throws Exception {
+        try (recorder;
+                LiveRun run = recorder.start(plan)) {
+            armIfWanted(run);
+            var ending = new ClosedAtExit(() -> close(run, recorder));
             RunResult result = new Progress(err()).await(run);
             ending.checkNoSignal();
+            recorder.end(err());
             maps.ifPresent(saved -> saved.write(run, err()));
             print(plan, result);
             return result;
         }
-    }
-
-    private LiveRun start(RunPlan plan) {
-        LiveRun run = LiveRun.start(plan);
-        armIfWanted(run);
-        return run;
     }
 
     private void armIfWanted(LiveRun run) {
@@ -153,16 +165,18 @@ final class RunCommand extends Subcommand {
 
     /// Without `--once` it returns only by exception: the page may start further runs until a signal ends it all. The
     /// maps of a later run take the place of those of an earlier one.
-    private RunResult runWithPage(RunPlan plan, Optional<SavedMaps> maps) throws Exception {
+    private RunResult runWithPage(RunPlan plan, Optional<SavedMaps> maps, RunRecorder recorder) throws Exception {
         var runs = new LinkedBlockingQueue<LiveRun>();
-        try (RunServer server = serve(plan, runs::add)) {
-            var ending = new ClosedAtExit(server);
+        try (recorder;
+                RunServer server = serve(plan, runs::add, recorder)) {
+            var ending = new ClosedAtExit(() -> close(server, recorder));
             err().println("Watch it at " + server.url());
             while (true) {
                 LiveRun run = runs.take();
                 armIfWanted(run);
                 RunResult result = new Progress(err()).await(run);
                 ending.checkNoSignal();
+                recorder.end(err());
                 maps.ifPresent(saved -> saved.write(run, err()));
                 print(run.plan(), result);
                 if (once) {
@@ -173,18 +187,24 @@ final class RunCommand extends Subcommand {
         }
     }
 
-    private RunServer serve(RunPlan plan, Consumer<LiveRun> onStart) throws IOException {
+    private static void close(AutoCloseable run, RunRecorder recorder) throws Exception {
+        run.close(); // first, for its end to be recorded
+        recorder.close();
+    }
+
+    private RunServer serve(RunPlan plan, Consumer<LiveRun> onStart, RunRecorder recorder) throws IOException {
         Path page = page().orElseThrow(() ->
                 new Unreachable("The page is not built. Start with ./rsal, which builds it; or run --headless."));
         String token = RunServer.newToken();
         try {
             if (port != null) {
-                return RunServer.start(plan, new RunServer.Options(port, token, page, onStart));
+                return RunServer.start(plan, new RunServer.Options(port, token, page, onStart, recorder::start));
             }
             try {
-                return RunServer.start(plan, new RunServer.Options(DEFAULT_PORT, token, page, onStart));
+                return RunServer.start(
+                        plan, new RunServer.Options(DEFAULT_PORT, token, page, onStart, recorder::start));
             } catch (PortInUse _) {
-                return RunServer.start(plan, new RunServer.Options(0, token, page, onStart));
+                return RunServer.start(plan, new RunServer.Options(0, token, page, onStart, recorder::start));
             }
         } catch (PortInUse taken) {
             throw new Unreachable(String.valueOf(taken.getMessage()));

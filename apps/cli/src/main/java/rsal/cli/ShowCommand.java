@@ -13,6 +13,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.map.Maps;
+import rsal.recording.Recording;
 import rsal.robot.RobotModels;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
@@ -26,12 +27,12 @@ import rsal.settings.Suggestion;
         name = "show",
         description =
                 "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
-                        + " and measures), what is in a world, with a picture of it, what a map, robot model or part is, what is in the file of an agent (FILE.asl), or what can be set of an agent, a device driver (also by what it may use, as 'vfh') or a back end.")
+                        + " and measures), what is in a world, with a picture of it, what is in a recording (FILE.mcap), what a map, robot model or part is, what is in the file of an agent (FILE.asl), or what can be set of an agent, a device driver (also by what it may use, as 'vfh') or a back end.")
 final class ShowCommand extends Subcommand {
     @Parameters(
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|AGENT|NAME",
             description =
-                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); an agent in AgentSpeak (FILE.asl); or what 'rsal list WHAT' names.")
+                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in AgentSpeak (FILE.asl); or what 'rsal list WHAT' names.")
     private String name = "";
 
     @Option(
@@ -44,6 +45,13 @@ final class ShowCommand extends Subcommand {
     int run() throws IOException {
         if (Scenario.isWorld(name)) {
             showWorld();
+            return Exit.SUCCESS;
+        }
+        if (image == null && RecordingFile.is(name)) {
+            try (Recording recording = RecordingFile.open(name, true)) {
+                var shown = ShownRecording.of(name, recording);
+                show(shown, shown.text());
+            }
             return Exit.SUCCESS;
         }
         if (image == null && ShownMap.is(name)) {

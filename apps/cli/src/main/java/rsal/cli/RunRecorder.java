@@ -1,0 +1,146 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import rsal.recording.Origin;
+import rsal.recording.Recorder;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunResult;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.time.AllowedToReadWallClock;
+
+/// Starts runs and records them where that is wanted: the first to the file that was named, others beside it. All
+/// methods may be called from any thread.
+@AllowedToReadWallClock("Recordings tell when they were begun, and are written about once a second.")
+final class RunRecorder implements AutoCloseable {
+    private static final String PROGRAM = "rsal 0.1.0";
+    private static final String ENDING = ".mcap";
+
+    private final Optional<Path> file;
+    private final boolean force;
+    private final boolean headless;
+    private final String command;
+
+    // under the lock of this
+    private int runs;
+    private @Nullable Recorder recorder;
+    private @Nullable LiveRun run;
+    private @Nullable Path recorded;
+    private boolean failed;
+
+    private RunRecorder(Optional<Path> file, boolean force, boolean headless, String command) {
+        this.file = file;
+        this.force = force;
+        this.headless = headless;
+        this.command = command;
+    }
+
+    /// @param file empty when nothing is to be recorded
+    /// @param headless whether nobody watches, so that the run may wait for the file
+    /// @param command as it was typed
+    static RunRecorder to(Optional<String> file, boolean force, boolean headless, String command) {
+        return new RunRecorder(file.map(Destination::path), force, headless, command);
+    }
+
+    /// @throws InvalidSettings when the file can't be written, or is there and may not be lost
+    synchronized LiveRun start(RunPlan plan) {
+        if (file.isEmpty()) {
+            return LiveRun.start(plan);
+        }
+        close();
+        runs++;
+        Path path = path(file.get());
+        boolean waits = headless && plan.clock() == RunPlan.Clock.SIMULATED;
+        var origin = new Origin(plan, PROGRAM, command, Instant.now());
+        try {
+            recorder = Recorder.begin(
+                    path,
+                    force && runs == 1,
+                    origin,
+                    waits ? Recorder.Behind.WAIT : Recorder.Behind.DROP,
+                    System::nanoTime);
+            recorded = path;
+        } catch (FileAlreadyExistsException _) {
+            throw new InvalidSettings(
+                    Location.of(path.toString()),
+                    "The file is there already.",
+                    "Name another, or overwrite it by '--force'.");
+        } catch (IOException e) {
+            throw new InvalidSettings(
+                    Location.of(path.toString()),
+                    "No recording can be written to this file (%s: %s)."
+                            .formatted(e.getClass().getSimpleName(), e.getMessage()),
+                    "Name one that you may write to, on a disk that has room.");
+        }
+        run = LiveRun.start(plan, recorder);
+        return run;
+    }
+
+    /// Of further runs, a file that is not there yet: `run-2.mcap`.
+    private Path path(Path named) {
+        if (runs == 1) {
+            return named;
+        }
+        String name = String.valueOf(named.getFileName());
+        String stem = name.endsWith(ENDING) ? name.substring(0, name.length() - ENDING.length()) : name;
+        Path next;
+        do {
+            next = named.resolveSibling(stem + "-" + runs + ENDING);
+        } while (Files.exists(next) && runs++ < Integer.MAX_VALUE);
+        return next;
+    }
+
+    /// Ends the recording of the run that has ended, and tells what became of it.
+    synchronized void end(PrintWriter err) {
+        Recorder ended = recorder;
+        close();
+        if (ended == null) {
+            return;
+        }
+        Optional<IOException> why = ended.failure();
+        if (why.isPresent()) {
+            err.println("rsal: The recording (%s) is not whole: %s. Maybe the disk is full."
+                    .formatted(recorded, why.get().getMessage()));
+        } else {
+            err.println("Recorded to " + recorded);
+        }
+        if (ended.dropped() > 0) {
+            err.println("The disk was too slow: %d states of the run were not recorded.".formatted(ended.dropped()));
+        }
+    }
+
+    /// Whether any recording is not whole.
+    synchronized boolean hasFailed() {
+        return failed;
+    }
+
+    /// Ends the recording that is under way.
+    @Override
+    public synchronized void close() {
+        Recorder open = recorder;
+        LiveRun recordedRun = run;
+        if (open == null) {
+            return;
+        }
+        if (recordedRun != null) {
+            recordedRun
+                    .result()
+                    .toCompletableFuture()
+                    .handle((result, _) -> Optional.<RunResult>ofNullable(result))
+                    .getNow(Optional.empty())
+                    .ifPresent(open::ended);
+        }
+        open.close();
+        failed |= open.failure().isPresent();
+        recorder = null;
+        run = null;
+    }
+}

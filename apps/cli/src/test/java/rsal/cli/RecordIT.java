@@ -1,0 +1,126 @@
+package rsal.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/// Recordings as people make and use them: each command a process of its own.
+class RecordIT {
+    @TempDir
+    Path folder;
+
+    private Rsal rsal;
+
+    @BeforeEach
+    void writeScenario() throws Exception {
+        rsal = new Rsal(folder).with("--enable-native-access=ALL-UNNAMED");
+    }
+
+    @Test
+    void aRunIsRecordedShownRunAgainAndExported() throws Exception {
+        Ended plain = rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "20", "--json");
+        Ended run = rsal.run(
+                "run", "--headless", "--speed", "max", "--seed", "7", "--for", "20", "--json", "--record", "run.mcap");
+        assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(run.err()).contains("Recorded to run.mcap");
+        assertThat(json(run).get("eventHash")).isEqualTo(json(plain).get("eventHash"));
+
+        Ended shown = rsal.run("show", "run.mcap");
+        assertThat(shown.code()).as(shown.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(shown.out())
+                .contains("hunt-and-prey:", "seed 7", "20.0 s", "outcome limit", "/tf", "foxglove.LaserScan")
+                .contains("rsal run --headless")
+                .doesNotContain("Damaged");
+
+        Ended verified = rsal.run("replay", "run.mcap", "--verify");
+        assertThat(verified.code()).as(verified.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(verified.out()).startsWith("The same: ").contains("20.00 s");
+
+        Ended exported = rsal.run("export", "run.mcap", "--csv", "tables");
+        assertThat(exported.code()).as(exported.err()).isEqualTo(Exit.SUCCESS);
+        List<String> state = Files.readAllLines(folder.resolve("tables/state.csv"));
+        assertThat(state.getFirst()).startsWith("log_time_s,").contains("robots.id", "robots.truth.x");
+        assertThat(state).anyMatch(row -> row.contains(",hunter-1,"));
+        assertThat(folder.resolve("tables/events.csv")).isNotEmptyFile();
+        assertThat(rsal.run("export", "run.mcap", "--csv", "tables").err()).contains("--force");
+    }
+
+    @Test
+    void mistakesAreToldBeforeAnythingRuns() throws Exception {
+        Files.writeString(folder.resolve("there.mcap"), "precious");
+        Ended there = rsal.run("run", "--headless", "--for", "1", "--record", "there.mcap");
+        assertThat(there.code()).isEqualTo(Exit.INVALID);
+        assertThat(there.err()).contains("there.mcap", "The file is there already", "--force");
+        assertThat(folder.resolve("there.mcap")).hasContent("precious");
+        Ended nowhere = rsal.run("run", "--headless", "--for", "1", "--record", "no/such/folder.mcap");
+        assertThat(nowhere.code()).isEqualTo(Exit.INVALID);
+        assertThat(nowhere.err()).contains("No recording can be written");
+        Ended none = rsal.run("show", "there.mcap");
+        assertThat(none.code()).isEqualTo(Exit.INVALID);
+        assertThat(none.err()).contains("is no MCAP");
+        assertThat(rsal.run("replay", "missing.mcap", "--verify").err()).contains("There is no file");
+        assertThat(rsal.run("replay", "there.mcap").code()).isEqualTo(Exit.USAGE);
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aFullDiskIsTold() throws Exception {
+        Ended full = rsal.run("run", "--headless", "--for", "1", "--record", "/dev/full", "--force");
+        assertThat(full.code()).isEqualTo(Exit.INVALID);
+        assertThat(full.err()).contains("No space left");
+    }
+
+    /// A process that is killed loses a second at most; what is there is run again and is the same.
+    @Test
+    void aKilledRunLeavesARecording() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        Process process =
+                rsal.start("run", "--headless", "--speed", "4", "--seed", "7", "--for", "600", "--record", "run.mcap");
+        try {
+            awaitSize(file, 300_000, process);
+        } finally {
+            process.destroyForcibly().waitFor();
+        }
+        Ended shown = rsal.run("show", "run.mcap", "--json");
+        assertThat(shown.code()).as(shown.err()).isEqualTo(Exit.SUCCESS);
+        JsonNode recording = json(shown);
+        assertThat(recording.get("damage").size()).isPositive();
+        assertThat(recording.get("seconds").asDouble()).isPositive();
+        Ended verified = rsal.run("replay", "run.mcap", "--verify");
+        assertThat(verified.code()).as(verified.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(verified.out()).contains("The same up to", "the recording ends before the run did");
+    }
+
+    @Test
+    void aRunThatIsInterruptedIsRecordedWhole() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        Process process = rsal.start("run", "--headless", "--speed", "4", "--for", "600", "--record", "run.mcap");
+        awaitSize(file, 200_000, process);
+        Ended.signal("INT", process);
+        assertThat(Ended.of(process).code()).isEqualTo(130);
+        JsonNode recording = json(rsal.run("show", "run.mcap", "--json"));
+        assertThat(recording.get("damage").size()).isZero();
+        assertThat(recording.get("result").get("outcome").asString()).isEqualTo("stopped");
+    }
+
+    private static void awaitSize(Path file, long bytes, Process process) throws Exception {
+        for (int i = 0; !Files.exists(file) || Files.size(file) < bytes; i++) {
+            assertThat(i).as("looks at %s", file).isLessThan(600);
+            assertThat(process.waitFor(100, TimeUnit.MILLISECONDS)).as("ended").isFalse();
+        }
+    }
+
+    private static JsonNode json(Ended ended) {
+        return JsonMapper.shared().readTree(ended.out());
+    }
+}
