@@ -25,6 +25,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import rsal.player.client.Attentive.Silence;
 import rsal.player.message.Chars;
 import rsal.player.message.Interface;
 import rsal.player.message.Protocol;
@@ -35,14 +36,16 @@ import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
 import rsal.time.AllowedToReadWallClock;
 
-/// A connection to a Player server, which keeps the newest data of each kind only for us: so a slow reader is never
-/// behind. One thread reads and one writes; nobody else waits for the network. May be used on any thread.
+/// A connection to a Player server, which keeps the newest data of each kind only for us: so a slow reader is
+/// never behind. One thread reads and one writes; nobody else waits for the network. It ends, too, when
+/// [nothing comes any more][Attentive]. May be used on any thread.
 @AllowedToReadWallClock("It waits for a network.")
 public final class Connection implements AutoCloseable {
     private static final String CLOSED = "The connection was closed.";
     private static final Duration PARTING = Duration.ofMillis(500); // to send what is left
 
     private static final Duration ROUND = Duration.ofMillis(20); // from one to the next, at least
+    private static final int MOST_ASKED = 16; // of a kind, without an answer yet
 
     private final Socket socket;
     private final boolean pulls;
@@ -73,22 +76,31 @@ public final class Connection implements AutoCloseable {
     public static Connection open(
             InetSocketAddress server, Delivery delivery, Duration patience, Consumer<? super Packet> onData)
             throws IOException {
+        return open(server, delivery, patience, Silence.USUAL, onData);
+    }
+
+    static Connection open(
+            InetSocketAddress server,
+            Delivery delivery,
+            Duration patience,
+            Silence silence,
+            Consumer<? super Packet> onData)
+            throws IOException {
         var socket = new Socket();
         try {
             int millis = Math.toIntExact(patience.toMillis());
             socket.setTcpNoDelay(true);
             socket.connect(server, millis);
             socket.setSoTimeout(millis);
-            var in = new BufferedInputStream(socket.getInputStream());
-            byte[] introduction = in.readNBytes(Session.IDENT);
+            byte[] introduction = socket.getInputStream().readNBytes(Session.IDENT);
             String ident = Chars.text(introduction);
             if (introduction.length < Session.IDENT || !ident.startsWith("Player")) {
                 throw new MalformedException(
                         "(%s) is no Player server; it begins with (%s).".formatted(server, printable(introduction)));
             }
-            socket.setSoTimeout(0);
             var connection = new Connection(socket, delivery.pulls(socket.getInetAddress()), ident, onData);
-            connection.start(in, socket.getOutputStream());
+            var in = new Attentive(socket, silence, connection::settled);
+            connection.start(new BufferedInputStream(in), socket.getOutputStream());
             return connection;
         } catch (IOException | RuntimeException e) {
             socket.close();
@@ -155,18 +167,25 @@ public final class Connection implements AutoCloseable {
 
     /// Asks something of a device, or of the server.
     ///
-    /// @return the answer, on the thread that reads; a [RefusedException] when the server refuses, an [IOException]
-    /// when the connection is lost before. There is none when the server has no such device.
+    /// @return the answer, on the thread that reads; a [RefusedException] when the server refuses, an
+    /// [IOException] when the connection is lost before, or when sixteen more of its kind are asked before.
+    /// There is none when the server has no such device.
     public CompletionStage<Packet> ask(Packet request) {
         var answer = new CompletableFuture<Packet>();
         Signature signature = Signature.of(request.header());
+        CompletableFuture<Packet> given = null; // up
         synchronized (asked) {
             if (outbox.request(request)) {
-                asked.computeIfAbsent(signature, _ -> new ArrayDeque<>()).add(answer);
+                Queue<CompletableFuture<Packet>> waiting = asked.computeIfAbsent(signature, _ -> new ArrayDeque<>());
+                waiting.add(answer);
+                given = waiting.size() > MOST_ASKED ? waiting.poll() : null;
             } else {
                 answer.completeExceptionally(
                         new IOException(lost.isDone() ? lost.join() : "It is closed, or too much is asked."));
             }
+        }
+        if (given != null) {
+            given.completeExceptionally(new IOException("The server does not answer."));
         }
         return answer.minimalCompletionStage();
     }
@@ -198,7 +217,8 @@ public final class Connection implements AutoCloseable {
         outbox.command(command);
     }
 
-    /// Sends commands that make sense together only, in place of such for the same device that were not sent yet.
+    /// Sends commands that make sense together only, in place of such for the same device that were not sent
+    /// yet.
     public void commands(Address device, List<Packet> together) {
         outbox.commands(device, together);
     }
@@ -296,8 +316,8 @@ public final class Connection implements AutoCloseable {
         return message == null ? e.getClass().getSimpleName() : message;
     }
 
-    /// Ends the connection once all that was commanded and asked before is on its way, at once for those who wait for
-    /// an answer.
+    /// Ends the connection once all that was commanded and asked before is on its way, at once for those who
+    /// wait for an answer.
     @Override
     public void close() {
         closed = true;

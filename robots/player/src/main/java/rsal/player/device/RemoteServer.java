@@ -27,9 +27,9 @@ import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
 import rsal.time.Scheduler;
 
-/// A Player server as those here know it who stand for its devices: they are told what is new, and have what they want
-/// sent, as long as there is a connection. All on the scheduler's thread, where of each kind of data the newest counts
-/// that was not looked at yet: however slow that is, nothing grows and nothing is old.
+/// A Player server as those here know it who stand for its devices: they are told what is new, and have what
+/// they want sent, as long as there is a connection. All on the scheduler's thread, where of each kind of data
+/// the newest counts that was not looked at yet: however slow that is, nothing grows and nothing is old.
 public final class RemoteServer implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(RemoteServer.class.getName());
     private static final Duration SETUP = Duration.ofSeconds(10); // drivers may take seconds to begin
@@ -41,7 +41,7 @@ public final class RemoteServer implements AutoCloseable {
     private final String name;
     private final Scheduler scheduler;
     private final Link link;
-    private final ServerClock clock = new ServerClock(); // of the thread that reads
+    private volatile ServerClock clock = new ServerClock(); // of this connection: each server has a time of its own
     private final Map<Address, List<Member>> members = new ConcurrentHashMap<>(); // robots may share a device
     private final Map<Key, News> news = new LinkedHashMap<>(); // guarded by itself
     private final CompletableFuture<Offer> offer = new CompletableFuture<>();
@@ -82,8 +82,8 @@ public final class RemoteServer implements AutoCloseable {
         return offer.join();
     }
 
-    /// Completes when it is known what the server has, which is so from the first connection on; exceptionally when
-    /// there is none for too long.
+    /// Completes when it is known what the server has, which is so from the first connection on; exceptionally
+    /// when there is none for too long.
     public CompletionStage<Void> known(Duration patience) {
         return scheduler.within(patience, offer).handle((_, error) -> {
             if (error != null) {
@@ -110,7 +110,8 @@ public final class RemoteServer implements AutoCloseable {
 
     /// Has a device get its data from now on, and again each time when the connection is back.
     ///
-    /// @return when it does first; exceptionally when the server has no such device, or its driver does not start
+    /// @return when it does first; exceptionally when the server has no such device, or its driver does not
+    /// start
     CompletionStage<Void> add(Remote device) {
         var member = new Member(device);
         members.computeIfAbsent(device.address(), _ -> new CopyOnWriteArrayList<>())
@@ -174,8 +175,8 @@ public final class RemoteServer implements AutoCloseable {
     /// Asks something of a device.
     ///
     /// @param body in the words of the newest version of the protocol; empty when there is none
-    /// @return the answer's body, if it has any; exceptionally when the server refuses, has no connection or says
-    /// nothing
+    /// @return the answer's body, if it has any; exceptionally when the server refuses, has no connection or
+    /// says nothing
     CompletionStage<Optional<Record>> ask(Address device, int subtype, Optional<Record> body) {
         return ask(device, subtype, body, PATIENCE);
     }
@@ -237,8 +238,8 @@ public final class RemoteServer implements AutoCloseable {
         members().forEach(member -> member.device.look(now));
     }
 
-    /// Completes when the server has got all that was sent, and what it had sent is waiting for the scheduler's thread;
-    /// at once when there is no connection.
+    /// Completes when the server has got all that was sent, and what it had sent is waiting for the scheduler's
+    /// thread; at once when there is no connection.
     public CompletionStage<Void> settled() {
         Connection now = connection;
         return now == null ? CompletableFuture.completedStage(null) : now.settled();
@@ -294,6 +295,7 @@ public final class RemoteServer implements AutoCloseable {
     private final class Line implements Link.Listener {
         @Override
         public void connected(Connection now) throws IOException {
+            clock = new ServerClock();
             Offer found = Survey.of(now);
             scheduler.execute(() -> RemoteServer.this.connected(now, found));
         }

@@ -10,6 +10,7 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.BlockingQueue;
@@ -24,6 +25,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.player.client.Attentive.Silence;
 import rsal.player.message.Chars;
 import rsal.player.message.Graphics2d;
 import rsal.player.message.Gripper;
@@ -62,10 +64,14 @@ class ConnectionTest {
     }
 
     private CompletableFuture<Connection> opening(Delivery delivery) {
+        return opening(delivery, Silence.USUAL);
+    }
+
+    private CompletableFuture<Connection> opening(Delivery delivery, Silence silence) {
         var opening = new CompletableFuture<Connection>();
         Thread.ofVirtual().start(() -> {
             try {
-                opening.complete(Connection.open(server.address(), delivery, PATIENCE, data::add));
+                opening.complete(Connection.open(server.address(), delivery, PATIENCE, silence, data::add));
             } catch (IOException e) {
                 opening.completeExceptionally(e);
             }
@@ -230,6 +236,39 @@ class ConnectionTest {
         assertThat(result(connection.lost())).isEqualTo("The server has closed the connection.");
         assertThatThrownBy(() -> result(waiting)).hasRootCauseInstanceOf(IOException.class);
         assertThatThrownBy(() -> result(connection.devices())).rootCause().hasMessageContaining("closed");
+    }
+
+    @Test
+    void aServerThatSaysNothingIsAskedAndLostWhenItDoesNotAnswer() throws Exception {
+        connection.close();
+        client.close();
+        var opening = opening(Delivery.PUSH, new Silence(Duration.ofMillis(100), 10));
+        client = server.accept(IDENT);
+        connection = opening.join();
+        byte[] state = state(1).bytes();
+        client.send(Arrays.copyOf(state, 50)); // a message that takes its time
+        for (int answered = 0; answered < 3; answered++) {
+            client.next(PLAYER, Session.DEVICES);
+        }
+        assertThat(connection.lost().toCompletableFuture()).isNotDone();
+        client.send(Arrays.copyOfRange(state, 50, state.length));
+        assertThat(data.poll(10, TimeUnit.SECONDS)).isNotNull();
+        client.acknowledge(client.next(PLAYER, Session.DEVICES), new Session.Devices(List.of(BASE)));
+        assertThat(result(connection.lost())).isEqualTo("Nothing came for 1 s.");
+    }
+
+    @Test
+    void whatIsNeverAnsweredIsForgotten() throws IOException {
+        Packet geometry = Packet.of(BASE, Kind.REQUEST, Position2d.GEOMETRY, 0);
+        CompletionStage<Packet> first = connection.ask(geometry);
+        List<CompletionStage<Packet>> others = new ArrayList<>();
+        for (int i = 0; i < 16; i++) {
+            others.add(connection.ask(geometry));
+        }
+        assertThatThrownBy(() -> result(first)).rootCause().hasMessage("The server does not answer.");
+        client.acknowledge(client.next(BASE, Position2d.GEOMETRY));
+        assertThat(result(others.getFirst()).header().kind()).isEqualTo(Kind.ACK);
+        assertThat(others.getLast().toCompletableFuture()).isNotDone();
     }
 
     @ParameterizedTest
