@@ -10,6 +10,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
@@ -23,9 +24,11 @@ import rsal.player.wire.Header;
 import rsal.player.wire.Kind;
 import rsal.player.wire.MalformedException;
 import rsal.player.wire.Packet;
+import rsal.time.AllowedToReadWallClock;
 
-/// A client of one port. One thread reads what it wants, one writes what it gets. Whatever it does wrong is its own
-/// loss: what can't be understood is left out, and what is no message ends the connection.
+/// A client of one port. One thread reads what it wants, one writes what it gets. Whatever it does wrong is its
+/// own loss: what can't be understood is left out, and what is no message ends the connection.
+@AllowedToReadWallClock("Clients live in real time.")
 final class Peer {
     private static final int LARGEST = 1 << 20; // bytes of a body; no client has more to say
     private static final int CAPABILITY = 255; // a request to any device
@@ -35,10 +38,11 @@ final class Peer {
     private final Port port;
     private final OutQueue out;
     private final Set<Served> subscribed = new HashSet<>(); // guarded by itself
-    private final Set<Served> commanded = new HashSet<>(); // of the thread that reads
+    private final Set<Served> commanded = ConcurrentHashMap.newKeySet(); // changed by the thread that reads
     private final Semaphore asking = new Semaphore(MOST_ASKED);
     private final AtomicBoolean over = new AtomicBoolean();
     private volatile Protocol protocol; // as far as it has shown
+    private volatile long heardAt = System.nanoTime(); // last
 
     Peer(Socket socket, Port port) {
         this.socket = socket;
@@ -63,6 +67,15 @@ final class Peer {
         }
     }
 
+    /// How long it has said nothing [ns]; 0 while it uses a device.
+    long idle(long now) {
+        boolean uses;
+        synchronized (subscribed) {
+            uses = !subscribed.isEmpty();
+        }
+        return uses || !commanded.isEmpty() ? 0 : now - heardAt;
+    }
+
     boolean isBehind() {
         return out.isBehind();
     }
@@ -71,6 +84,7 @@ final class Peer {
         try (InputStream in = new BufferedInputStream(socket.getInputStream())) {
             Optional<Packet> packet = Packet.read(in, LARGEST);
             while (packet.isPresent()) {
+                heardAt = System.nanoTime();
                 out.awaitRoom();
                 take(packet.get());
                 packet = Packet.read(in, LARGEST);

@@ -9,8 +9,10 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,15 +20,21 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.DoubleSupplier;
 import rsal.player.message.Interface;
 import rsal.player.message.Protocol;
 import rsal.player.message.Session;
 import rsal.player.wire.Address;
+import rsal.time.AllowedToReadWallClock;
 
-/// A port of a Player server, with its devices and clients. May be used on any thread.
+/// A port of a Player server, with its devices and clients. When there are as many as it serves, a new one
+/// takes the place of who has said nothing for a while and uses no device. May be used on any thread.
+@AllowedToReadWallClock("It waits for clients, which live in real time.")
 public final class Port implements AutoCloseable {
     private static final int MOST_CLIENTS = 64;
+    private static final Duration IDLE = Duration.ofSeconds(1); // then others may have its place
+    private static final Duration BREATH = Duration.ofMillis(100); // before a new try, when none can be taken
 
     private final ServerSocket listening;
     private final Protocol protocol;
@@ -80,14 +88,15 @@ public final class Port implements AutoCloseable {
                 try {
                     accept(listening.accept());
                 } catch (IOException e) {
-                    // that client has gone, or the port is closed
+                    // the port is closed, that client has gone, or there are no more descriptors of files
+                    LockSupport.parkNanos(BREATH.toNanos());
                 }
             }
         });
     }
 
     private void accept(Socket socket) throws IOException {
-        if (peers.size() >= MOST_CLIENTS) {
+        if (peers.size() >= MOST_CLIENTS && !makeRoom()) {
             socket.close();
             return;
         }
@@ -95,6 +104,15 @@ public final class Port implements AutoCloseable {
         var peer = new Peer(socket, this);
         peers.add(peer);
         peer.start();
+    }
+
+    private boolean makeRoom() {
+        long now = System.nanoTime();
+        Optional<Peer> idle = peers.stream()
+                .filter(peer -> peer.idle(now) > IDLE.toNanos())
+                .max(Comparator.comparingLong(peer -> peer.idle(now)));
+        idle.ifPresent(Peer::end);
+        return idle.isPresent();
     }
 
     public int number() {
@@ -106,8 +124,8 @@ public final class Port implements AutoCloseable {
         return peers.size();
     }
 
-    /// Tells whoever wants it of new data of a device, together with all else that the same task publishes: clients
-    /// get in one round what was measured in one step.
+    /// Tells whoever wants it of new data of a device, together with all else that the same task publishes:
+    /// clients get in one round what was measured in one step.
     ///
     /// @param at when it was measured, of the server's clock [s]
     /// @param body in the words of the newest version

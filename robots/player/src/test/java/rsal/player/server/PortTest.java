@@ -548,6 +548,32 @@ class PortTest {
     }
 
     @Test
+    void whoOnlyHoldsAPlaceLosesItToSomebodyNewAndWhoUsesADeviceDoesNot() throws Exception {
+        Raw user = subscribed();
+        var first = new Raw();
+        while (port.clients() < 64) {
+            new Raw();
+        }
+        assertThat(isServed()).as("all have just come").isFalse();
+        TimeUnit.MILLISECONDS.sleep(1200);
+        assertThat(isServed()).isTrue();
+        assertThat(port.clients()).isEqualTo(64);
+        assertThat(first.in.read())
+                .as("the one that was silent longest goes first")
+                .isEqualTo(-1);
+        publish(1);
+        assertThat(x(user.next())).isEqualTo(1);
+    }
+
+    private boolean isServed() throws IOException {
+        var socket = new Socket();
+        open.add(socket);
+        socket.connect(address());
+        socket.setSoTimeout(10_000);
+        return socket.getInputStream().read() == 'P';
+    }
+
+    @Test
     void twoDevicesOfOneAddressAreRefused() {
         assertThatThrownBy(() -> new Port(
                         new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
