@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
+import rsal.data.Angles;
 import rsal.data.Covariance2d;
 import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
@@ -21,16 +22,20 @@ import rsal.data.PoseEstimate.Quality;
 import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
+import rsal.device.Health;
 import rsal.device.Localizer;
 import rsal.player.message.Localize;
 import rsal.player.message.Pose;
 import rsal.player.wire.Address;
 
 /// A robot's own localizer, behind `localize`. Player's amcl says something only when it has looked anew, after
-/// 0.2 m or 30°: in between, estimates go with the odometry.
+/// 0.2 m or 30°: in between, estimates go with the odometry, but not for ever: who says nothing on a long way
+/// is stale.
 final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Localizer {
     private static final int REMEMBERED = 50; // odometry, to know where the robot was when it was localized
     private static final double SURE = 0.5; // m, rad: with deviations of less a robot is localized
+    private static final double LONG_WAY = 3; // m, on which one that works says something
+    private static final double LONG_TURN = 2 * Math.PI; // rad; the same
     private static final Duration LOOK_AGAIN = Duration.ofMillis(500); // at particles
 
     private final RemoteServer server;
@@ -38,6 +43,8 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
     private final Deque<Stamped<Odometry>> driven = new ArrayDeque<>();
     private @Nullable PoseEstimate known;
     private Pose2d odomFromKnown = Pose2d.ORIGIN;
+    private double way; // driven since then [m]
+    private double turn; // to either side [rad]
     private Optional<Stamped<ParticleCloud>> particles = Optional.empty();
     private Instant asked = Instant.MIN; // for particles
 
@@ -49,14 +56,23 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
     }
 
     private void drove(Stamped<Odometry> odometry) {
+        Pose2d odomFromBase = odometry.value().odomFromBase();
+        Pose2d before =
+                driven.isEmpty() ? odomFromBase : driven.getLast().value().odomFromBase();
+        way += before.distanceTo(odomFromBase);
+        turn += Math.abs(Angles.difference(before.theta(), odomFromBase.theta()));
         driven.addLast(odometry);
         if (driven.size() > REMEMBERED) {
             driven.removeFirst();
         }
         PoseEstimate last = known;
-        if (last != null) {
-            Pose2d way = odomFromKnown.inverse().compose(odometry.value().odomFromBase());
-            tell(odometry.time(), last.moved(way));
+        if (last == null) {
+            return;
+        }
+        if (way > LONG_WAY || turn > LONG_TURN) {
+            health(new Health.Stale("It has not looked for %.0f m or a whole turn.".formatted(LONG_WAY)));
+        } else {
+            tell(odometry.time(), last.moved(odomFromKnown.inverse().compose(odomFromBase)));
         }
     }
 
@@ -129,6 +145,8 @@ final class PlayerLocalizer extends PlayerSensor<PoseEstimate> implements Locali
     private void believe(PoseEstimate estimate, Instant time) {
         known = estimate;
         odomFromKnown = odomFromBase(time);
+        way = 0;
+        turn = 0;
         if (driven.isEmpty() || driven.getLast().time().isBefore(time)) {
             tell(time, estimate);
         }

@@ -21,6 +21,7 @@ import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Quality;
 import rsal.data.Twist2d;
 import rsal.device.GoalHandle;
+import rsal.device.Health;
 import rsal.device.Navigator.Progress;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
@@ -329,5 +330,31 @@ class OwnPlannerTest extends ScriptedBench {
         assertThat(estimate.get().covariance().xx()).isCloseTo(0.01, within(1e-9));
         assertThat(estimate.get().covariance().thetaTheta()).isCloseTo(0.01, within(1e-9));
         assertThat(estimate.get().quality()).isEqualTo(Quality.LOCALIZED);
+    }
+
+    @Test
+    void aLocalizerThatTellsNothingOnALongWayIsBelievedNoMoreUntilItTellsSomething() throws Exception {
+        particles = List.of(new Localize.Particle(new Pose(1, 2, 0), 1));
+        begin(true);
+        while (on(localizer::latest).isEmpty()) {
+            LockSupport.parkNanos(1_000_000);
+        }
+        Instant begun = time.instant();
+        odometry(begun, 0);
+        odometry(begun.plusSeconds(1), 2);
+        assertThat(on(localizer::latest).orElseThrow().value().mapFromBase()).isEqualTo(new Pose2d(3, 2, 0));
+        odometry(begun.plusSeconds(2), 0); // and back
+        assertThat(on(localizer::health)).isInstanceOf(Health.Stale.class);
+        assertThat(on(localizer::latest).orElseThrow().value().mapFromBase()).isEqualTo(new Pose2d(3, 2, 0));
+        var hypothesis = new Localize.Hypothesis(new Pose(1.5, 2, 0), new double[6], 1);
+        run(() -> localizer.take(
+                begun.plusSeconds(3), new Localize.Hypotheses(0, begun.getEpochSecond(), List.of(hypothesis))));
+        assertThat(on(localizer::health)).isEqualTo(Health.ok());
+        assertThat(on(localizer::latest).orElseThrow().value().mapFromBase()).isEqualTo(new Pose2d(1.5, 2, 0));
+    }
+
+    private void odometry(Instant now, double x) {
+        var state = new Position2d.State(new Pose(x, 0, 0), new Pose(0, 0, 0), 0);
+        run(() -> base.take(now, state));
     }
 }
