@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import rsal.device.Listeners;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
@@ -20,6 +21,7 @@ import rsal.player.device.RemoteRobot;
 import rsal.player.device.RemoteServer;
 import rsal.player.device.RemoteTruth;
 import rsal.robot.Robot;
+import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
 import rsal.system.RobotSystem;
 import rsal.time.Scheduler;
@@ -115,7 +117,7 @@ final class PlayerSystem implements RobotSystem {
         return known.thenCompose(_ -> {
                     RemoteRobot robot;
                     try {
-                        robot = new RemoteRobot(spec, its, berth.index(), watchdog, armed, scheduler);
+                        robot = new RemoteRobot(spec, its, before(spec, berth), watchdog, armed, scheduler);
                     } catch (IOException e) {
                         return CompletableFuture.failedStage(e);
                     }
@@ -126,6 +128,18 @@ final class PlayerSystem implements RobotSystem {
                     its.forEach(server -> server.onChange(lost -> changed(robot, its, lost)));
                     return robot;
                 });
+    }
+
+    /// Models of the robots that its servers have before it; those that are not ours are believed to be like
+    /// it.
+    private List<RobotModel> before(RobotSpec spec, Berth berth) {
+        return IntStream.range(0, berth.index())
+                .mapToObj(index -> berths.entrySet().stream()
+                        .filter(other -> other.getValue().equals(new Berth(berth.servers(), index)))
+                        .map(other -> other.getKey().model())
+                        .findFirst()
+                        .orElse(spec.model()))
+                .toList();
     }
 
     /// It is there as long as all of its servers are.
@@ -153,7 +167,8 @@ final class PlayerSystem implements RobotSystem {
         return truth.map(SimulationControl.class::cast);
     }
 
-    /// Completes when the servers have got all that was sent, and what they had sent waits for the scheduler's thread.
+    /// Completes when the servers have got all that was sent, and what they had sent waits for the scheduler's
+    /// thread.
     CompletionStage<Void> settled() {
         return all(servers.values().stream().map(RemoteServer::settled).toList());
     }

@@ -60,7 +60,8 @@ final class Assembly {
     }
 
     SimRobot robot(RobotSpec spec, Body body) {
-        var site = new Site(spec, body, drive(spec), actuators(spec), new HashMap<>());
+        SimDrive drive = drive(spec);
+        var site = new Site(spec, body, drive, actuators(spec, drive), new HashMap<>());
         var devices = new ArrayList<SimSensor<?>>();
         spec.model().sensors().forEach((name, part) -> devices.add(device(site, name, part)));
         giveLimbs(site);
@@ -88,11 +89,11 @@ final class Assembly {
         moving.forEach(name -> site.actuator(name).carry(limbs, site.mount(name)));
     }
 
-    private Map<String, SimActuator> actuators(RobotSpec spec) {
+    private Map<String, SimActuator> actuators(RobotSpec spec, SimDrive drive) {
         var actuators = new HashMap<String, SimActuator>();
         spec.model().sensors().forEach((name, part) -> {
             if (part instanceof Part.Actuator actuator) {
-                actuators.put(name, new SimActuator(deviceOf(spec, name), actuator, scheduler, watchdog()));
+                actuators.put(name, new SimActuator(deviceOf(spec, name), actuator, drive, scheduler, watchdog()));
             }
         });
         return actuators;
@@ -135,7 +136,8 @@ final class Assembly {
                 new SimBlobFinder(
                         info, finder, views.computeIfAbsent(kind, _ -> SimBlobFinder.view(finder, height)), mount);
             case Part.FiducialFinder finder -> new SimFiducialFinder(info, finder, height, mount);
-            case Part.Gripper gripper -> new SimGripper(info, gripper, world, things, site.body, height, mount);
+            case Part.Gripper gripper ->
+                new SimGripper(info, gripper, world, things, site.body, site.drive, height, mount);
             case Part.Bumper bumper -> new SimBumper(info, bumper, world, site.body, height, mount);
             case Part.Actuator _ -> site.actuator(name);
             case Part.Battery battery -> new SimBattery(info, battery, site.body, site.drive);

@@ -18,10 +18,12 @@ import rsal.device.Health;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.Shift;
 
-/// A simulated joint, at its speed at once. (In Stage 4.3 joints don't move.) What stands on it moves with it. Only
-/// pieces of the robot's body can run into something: then it stops and is stuck.
+/// A simulated joint, at its speed at once. (In Stage 4.3 joints don't move.) What stands on it moves with it.
+/// Only pieces of the robot's body can run into something: then it stops and is stuck. It is one of the robot's
+/// motors, and off when these are.
 final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     private final Part.Actuator part;
+    private final SimDrive drive;
     private final InstantSource clock;
     private final Duration watchdog;
     private double position;
@@ -36,9 +38,10 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     private @Nullable GoalSource<ActuatorState, Result> goal;
     private @Nullable GoalSource<ActuatorState, Result> underWay; // in the last step
 
-    SimActuator(DeviceInfo info, Part.Actuator part, InstantSource clock, Duration watchdog) {
+    SimActuator(DeviceInfo info, Part.Actuator part, SimDrive drive, InstantSource clock, Duration watchdog) {
         super(info, info.id(), part.period());
         this.part = part;
+        this.drive = drive;
         this.clock = clock;
         this.watchdog = watchdog;
         this.position = part.home();
@@ -63,8 +66,10 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     public void command(double newSpeed) {
         requireFinite(newSpeed);
         stop(new Result.Cancelled());
-        wanted = Interval.around0(part.maxSpeed()).clamp(newSpeed);
-        commanded = clock.instant();
+        if (drive.enabled()) {
+            wanted = Interval.around0(part.maxSpeed()).clamp(newSpeed);
+            commanded = clock.instant();
+        }
     }
 
     /// Lets it carry pieces of the robot's body.
@@ -100,13 +105,13 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     @Override
     void work(Instant now, double dt) {
         double before = position;
-        double most = part.maxSpeed() * dt;
+        double most = drive.enabled() ? part.maxSpeed() * dt : 0;
         underWay = goal;
         if (goal != null) {
             moveTo(Math.clamp(target, before - most, before + most));
             arrived = position == target;
         } else {
-            wanted = now.isBefore(commanded.plus(watchdog)) ? wanted : 0;
+            wanted = drive.enabled() && now.isBefore(commanded.plus(watchdog)) ? wanted : 0;
             moveTo(part.limits().clamp(before + wanted * dt));
         }
         speed = (position - before) / dt;

@@ -17,14 +17,15 @@ import rsal.sim.world.Body;
 import rsal.sim.world.Jaws;
 import rsal.sim.world.World;
 
-/// A simulated gripper. Closing, its paddles take the first thing that can be gripped and that they are down to the
-/// width of, and slide it to their middle. It is in nobody's way then and goes where the gripper goes, up with the
-/// lift as well, until they open: then it stands where it is, or they stay closed where it has no room. The lift
-/// raises the paddles by their own height. The paddles themselves are in nobody's way.
+/// A simulated gripper. Closing, its paddles take the first thing that can be gripped and that they are down to
+/// the width of, and slide it to their middle. It is in nobody's way then and goes where the gripper goes, up
+/// with the lift as well, until they open: then it stands where it is, or they stay closed where it has no
+/// room. The lift raises the paddles by their own height. The paddles themselves are in nobody's way. Its
+/// motors are off when its robot's are.
 ///
-/// The beams cross from paddle to paddle at 1/4 (outer) and 3/4 (inner) of their length from the tips and, as contacts
-/// do, notice only what can be gripped, as in Stage. Stage takes things at the first touch of either paddle and puts
-/// them into the middle of the gripper's body.
+/// The beams cross from paddle to paddle at 1/4 (outer) and 3/4 (inner) of their length from the tips and, as
+/// contacts do, notice only what can be gripped, as in Stage. Stage takes things at the first touch of either
+/// paddle and puts them into the middle of the gripper's body.
 final class SimGripper extends SimPart<GripperState> implements Gripper {
     private static final double OUTER = 0.75; // of the paddles, from their root
     private static final double INNER = 0.25;
@@ -33,6 +34,7 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     private final World world;
     private final Things things;
     private final Body robot;
+    private final SimDrive drive;
     private final Mount mount;
     private final Jaws jaws;
     private final Stroke paddles;
@@ -46,12 +48,21 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
     private record Held(Body thing, Pose2d baseFromThing, double above) {}
 
     /// @param height of its underside above the base [m]
-    SimGripper(DeviceInfo info, Part.Gripper part, World world, Things things, Body robot, double height, Mount mount) {
+    SimGripper(
+            DeviceInfo info,
+            Part.Gripper part,
+            World world,
+            Things things,
+            Body robot,
+            SimDrive drive,
+            double height,
+            Mount mount) {
         super(info, info.id(), part.period());
         this.part = part;
         this.world = world;
         this.things = things;
         this.robot = robot;
+        this.drive = drive;
         this.mount = mount;
         this.jaws = new Jaws(
                 world,
@@ -137,12 +148,13 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
 
     @Override
     void work(Instant now, double dt) {
-        lift.moveTo(lift.next(dt));
+        double driven = drive.enabled() ? dt : 0;
+        lift.moveTo(lift.next(driven));
         jaws.follow(mount.now(), lifted());
         if (part.snatches()) {
             snatch();
         }
-        double next = paddles.next(dt);
+        double next = paddles.next(driven);
         Optional<Jaws.Grip> grip = held == null && paddles.direction() > 0
                 ? jaws.widest(gap(paddles.position()), things::contains).filter(g -> g.width() >= gap(next))
                 : Optional.empty();
@@ -218,15 +230,19 @@ final class SimGripper extends SimPart<GripperState> implements Gripper {
         Paddles standing = closed == 0 ? Paddles.OPEN : closed == 1 || held != null ? Paddles.CLOSED : Paddles.STOPPED;
         Lift level = raised == 0 ? Lift.DOWN : raised == 1 ? Lift.UP : Lift.STOPPED;
         return new GripperState(
-                paddles.moving(Paddles.CLOSING, Paddles.OPENING).orElse(standing),
+                moving(paddles, Paddles.CLOSING, Paddles.OPENING).orElse(standing),
                 closed,
-                lift.moving(Lift.RISING, Lift.SINKING).orElse(level),
+                moving(lift, Lift.RISING, Lift.SINKING).orElse(level),
                 raised,
                 jaws.isAcross(INNER, gap, thing),
                 jaws.isAcross(OUTER, gap, thing),
                 held != null || jaws.isAlong(gap / 2, thing),
                 held != null || jaws.isAlong(-gap / 2, thing),
                 held != null);
+    }
+
+    private <M> Optional<M> moving(Stroke stroke, M up, M down) {
+        return drive.enabled() ? stroke.moving(up, down) : Optional.empty();
     }
 
     @Override

@@ -18,13 +18,15 @@ import rsal.player.message.Actarray;
 import rsal.player.wire.Address;
 import rsal.robot.RobotModel.Part;
 
-/// A joint behind `actarray`, the first one of it. As with a base, a speed holds there until the next command, so that
-/// this one sees to it that commands dry up.
+/// A joint behind `actarray`, the first one of it. As with a base, a speed holds there until the next command,
+/// so that this one sees to it that commands dry up. While its robot's motors are off it stands still; then it
+/// goes on to where it was to go.
 final class PlayerActuator extends PlayerSensor<ActuatorState> implements Actuator {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
     private static final double NEAR = 0.005; // of its whole way
 
     private final RemoteServer server;
+    private final PlayerBase base;
     private final InstantSource clock;
     private final Duration watchdog;
     private final Part.Actuator part;
@@ -40,16 +42,33 @@ final class PlayerActuator extends PlayerSensor<ActuatorState> implements Actuat
             DeviceInfo info,
             Address address,
             RemoteServer server,
+            PlayerBase base,
             Part.Actuator part,
             Duration watchdog,
             InstantSource clock) {
         super(info, address, info.id());
         this.server = server;
+        this.base = base;
         this.part = part;
         this.watchdog = watchdog;
         this.clock = clock;
         this.limits = part.limits();
         this.position = part.home();
+        base.onMotors(this::motors);
+    }
+
+    private void motors(boolean enabled) {
+        if (!enabled) {
+            speed = OptionalDouble.empty();
+            send(0);
+        } else if (goal != null) {
+            begun = clock.instant();
+            sendThere();
+        }
+    }
+
+    private void sendThere() {
+        server.command(address(), Actarray.POSITION, new Actarray.Position(0, (float) target));
     }
 
     @Override
@@ -93,14 +112,15 @@ final class PlayerActuator extends PlayerSensor<ActuatorState> implements Actuat
         if (!Double.isFinite(wanted)) {
             throw new IllegalArgumentException("A position must be finite, not (%s).".formatted(wanted));
         }
-        double place = limits.clamp(wanted);
-        GoalHandle<ActuatorState, Result> handle = begin(place);
-        server.command(address(), Actarray.POSITION, new Actarray.Position(0, (float) place));
+        GoalHandle<ActuatorState, Result> handle = begin(limits.clamp(wanted));
+        if (base.enabled()) {
+            sendThere();
+        }
         return handle;
     }
 
-    /// To the place that its model has for it: Player's own HOME, which says not where that is, goes elsewhere with
-    /// some drivers.
+    /// To the place that its model has for it: Player's own HOME, which says not where that is, goes elsewhere
+    /// with some drivers.
     @Override
     public GoalHandle<ActuatorState, Result> home() {
         return goTo(part.home());
@@ -136,6 +156,9 @@ final class PlayerActuator extends PlayerSensor<ActuatorState> implements Actuat
             throw new IllegalArgumentException("A speed must be finite, not (%s).".formatted(wanted));
         }
         end(new Result.Cancelled());
+        if (!base.enabled()) {
+            return;
+        }
         double feasible = Interval.around0(part.maxSpeed()).clamp(wanted);
         speed = OptionalDouble.of(feasible);
         wantedAt = clock.instant();
@@ -153,7 +176,7 @@ final class PlayerActuator extends PlayerSensor<ActuatorState> implements Actuat
             speed = OptionalDouble.empty();
             send(0);
         }
-        if (goal != null && begun.isBefore(now.minus(PATIENCE))) {
+        if (goal != null && base.enabled() && begun.isBefore(now.minus(PATIENCE))) {
             end(new Result.Stuck(position, "It does not get there."));
         }
     }

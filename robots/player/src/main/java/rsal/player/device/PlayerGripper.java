@@ -16,11 +16,13 @@ import rsal.device.Gripper;
 import rsal.player.message.Gripper.State;
 import rsal.player.wire.Address;
 
-/// A gripper behind `gripper`; its lift and its beams are [behind devices][PlayerLift] [of their own][PlayerBeams],
-/// where a server has them. Without the latter its beams are what Stage's gripper has as bits 2 and 3.
+/// A gripper behind `gripper`; its lift and its beams are [behind devices][PlayerLift] [of their
+/// own][PlayerBeams], where a server has them. Without the latter its beams are what Stage's gripper has as
+/// bits 2 and 3.
 ///
-/// Paddles that move do not say which way, and those that stand half open say that they move: both follows from what
-/// they were told last.
+/// Paddles that move do not say which way, and those that stand half open say that they move: both follows from
+/// what they were told last. While its robot's motors are off it stands still, and goes on when they are on
+/// again.
 final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper {
     private static final Duration PATIENCE = Duration.ofSeconds(15);
     private static final int OPEN = 1;
@@ -29,6 +31,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     private static final int OUTER = 8;
 
     private final RemoteServer server;
+    private final PlayerBase base;
     private final InstantSource clock;
     private final Optional<PlayerLift> lift;
     private final Optional<PlayerBeams> beams;
@@ -42,16 +45,33 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
             DeviceInfo info,
             Address address,
             RemoteServer server,
+            PlayerBase base,
             Optional<PlayerLift> lift,
             Optional<PlayerBeams> beams,
             InstantSource clock) {
         super(info, address, info.id());
         this.server = server;
+        this.base = base;
         this.clock = clock;
         this.lift = lift;
         this.beams = beams;
+        base.onMotors(this::motors);
         lift.ifPresent(its -> its.onChange(this::changed));
         beams.ifPresent(its -> its.onChange(this::changed));
+    }
+
+    private void motors(boolean enabled) {
+        if (enabled) {
+            paddles.goOn(clock.instant());
+            lifting.goOn(clock.instant());
+        } else {
+            stopPaddles();
+            lift.ifPresent(PlayerLift::stop);
+        }
+    }
+
+    private void stopPaddles() {
+        server.command(address(), rsal.player.message.Gripper.STOP);
     }
 
     @Override
@@ -97,7 +117,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
         return new GripperState(
                 paddles(),
                 isAt(OPEN) ? 0 : isAt(CLOSED) ? 1 : Double.NaN,
-                lift.map(its -> its.state(lifting.goal == null ? 0 : lifting.target == 1 ? 1 : -1))
+                lift.map(its -> its.state(!isUnderway(lifting) ? 0 : lifting.target == 1 ? 1 : -1))
                         .orElse(Lift.DOWN),
                 lift.map(PlayerLift::raised).orElse(0.0),
                 beams.map(PlayerBeams::inner).orElse((beam & INNER) != 0),
@@ -107,12 +127,16 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
                 holds());
     }
 
+    private boolean isUnderway(Errand errand) {
+        return errand.goal != null && base.enabled();
+    }
+
     private boolean isAt(int code) {
         return told != null && told.state() == code;
     }
 
     private Paddles paddles() {
-        boolean moved = paddles.goal != null;
+        boolean moved = isUnderway(paddles);
         if (isAt(OPEN)) {
             return moved && paddles.target == 1 ? Paddles.CLOSING : Paddles.OPEN;
         }
@@ -138,14 +162,19 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     }
 
     private GoalHandle<GripperState, Result> move(int target, int command) {
-        GoalHandle<GripperState, Result> goal = paddles.begin(
-                target, clock.instant(), () -> server.command(address(), rsal.player.message.Gripper.STOP));
-        if (server.isConnected()) {
-            server.command(address(), command);
-        } else {
-            paddles.end(new Result.Stuck(state(), server.reason()));
-        }
+        GoalHandle<GripperState, Result> goal =
+                paddles.begin(target, clock.instant(), () -> server.command(address(), command), this::stopPaddles);
+        begin(paddles);
         return goal;
+    }
+
+    /// As soon as it may.
+    private void begin(Errand errand) {
+        if (!server.isConnected()) {
+            errand.end(new Result.Stuck(state(), server.reason()));
+        } else if (base.enabled()) {
+            errand.goOn(clock.instant());
+        }
     }
 
     @Override
@@ -159,14 +188,15 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     }
 
     private GoalHandle<GripperState, Result> raise(int target) {
-        GoalHandle<GripperState, Result> goal =
-                lifting.begin(target, clock.instant(), () -> lift.ifPresent(PlayerLift::stop));
+        GoalHandle<GripperState, Result> goal = lifting.begin(
+                target,
+                clock.instant(),
+                () -> lift.ifPresent(its -> its.goTo(target)),
+                () -> lift.ifPresent(PlayerLift::stop));
         if (lift.isEmpty()) {
             lifting.end(target == 0 ? new Result.Reached(state()) : new Result.Stuck(state(), "It has no lift."));
-        } else if (!server.isConnected()) {
-            lifting.end(new Result.Stuck(state(), server.reason()));
         } else {
-            lift.get().goTo(target);
+            begin(lifting);
         }
         return goal;
     }
@@ -182,7 +212,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     public void look(Instant now) {
         super.look(now);
         for (Errand errand : new Errand[] {paddles, lifting}) {
-            if (errand.goal != null && errand.begun.isBefore(now.minus(PATIENCE))) {
+            if (isUnderway(errand) && errand.begun.isBefore(now.minus(PATIENCE))) {
                 errand.end(new Result.Stuck(state(), "It does not get there."));
             }
         }
@@ -192,19 +222,29 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     private static final class Errand {
         private int target;
         private Instant begun = Instant.MIN;
+        private Runnable move = () -> {};
         private @Nullable GoalSource<GripperState, Result> goal;
 
         /// The one before is cancelled.
-        GoalHandle<GripperState, Result> begin(int place, Instant now, Runnable stop) {
+        GoalHandle<GripperState, Result> begin(int place, Instant now, Runnable itsMove, Runnable stop) {
             end(new Result.Cancelled());
             target = place;
             begun = now;
+            move = itsMove;
             GoalSource<GripperState, Result> next = new GoalSource<>(() -> {
                 stop.run();
                 end(new Result.Cancelled());
             });
             goal = next;
             return next;
+        }
+
+        /// Moves, or does so again.
+        void goOn(Instant now) {
+            if (goal != null) {
+                begun = now;
+                move.run();
+            }
         }
 
         void tell(Stamped<GripperState> reading) {

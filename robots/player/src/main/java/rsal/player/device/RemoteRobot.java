@@ -25,14 +25,14 @@ import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.time.Scheduler;
 
-/// A robot whose devices Player servers have: for each part of its model the one that fits. All on the scheduler's
-/// thread.
+/// A robot whose devices Player servers have: for each part of its model the one that fits. All on the
+/// scheduler's thread.
 public final class RemoteRobot {
     private static final String DRIVER = "player";
 
     private final RobotSpec spec;
     private final List<Seen> seen;
-    private final int index;
+    private final List<RobotModel> before;
     private final Duration watchdog;
     private final Scheduler scheduler;
     private final Map<Kind, Integer> taken = new EnumMap<>(Kind.class);
@@ -68,8 +68,9 @@ public final class RemoteRobot {
 
         /// How many of them a robot has.
         private int of(RobotModel model) {
-            return Math.max(1, (int)
-                    model.sensors().values().stream().filter(this::isOf).count());
+            return this == BASE
+                    ? 1
+                    : (int) model.sensors().values().stream().filter(this::isOf).count();
         }
 
         private boolean isOf(Part part) {
@@ -87,8 +88,8 @@ public final class RemoteRobot {
             };
         }
 
-        /// All of a server, in their order: what is told of a scanner or of sonars as `ranger` goes before what is told
-        /// of the same one otherwise.
+        /// All of a server, in their order: what is told of a scanner or of sonars as `ranger` goes before what
+        /// is told of the same one otherwise.
         private List<Address> of(Offer offer) {
             return switch (this) {
                 case BASE -> offer.of(Interface.POSITION2D);
@@ -115,20 +116,20 @@ public final class RemoteRobot {
     }
 
     /// @param servers that are [known][RemoteServer#known]
-    /// @param index which robot of these servers it is
+    /// @param before models of the robots that these servers have before it
     /// @param watchdog after which it stands when nothing more is commanded
     /// @param armed whether its motors are on from the beginning
     /// @throws IOException when these servers have no device for a part of its model
     public RemoteRobot(
             RobotSpec spec,
             List<RemoteServer> servers,
-            int index,
+            List<RobotModel> before,
             Duration watchdog,
             boolean armed,
             Scheduler scheduler)
             throws IOException {
         this.spec = spec;
-        this.index = index;
+        this.before = List.copyOf(before);
         this.watchdog = watchdog;
         this.scheduler = scheduler;
         this.seen =
@@ -164,7 +165,8 @@ public final class RemoteRobot {
                 add(
                         Kind.JOINT,
                         name,
-                        (info, at) -> new PlayerActuator(info, at.address, at.server, actuator, watchdog, scheduler));
+                        (info, at) ->
+                                new PlayerActuator(info, at.address, at.server, base, actuator, watchdog, scheduler));
             case Part.Own own
             when own.makes().equals(Localizer.class) ->
                 add(
@@ -192,7 +194,7 @@ public final class RemoteRobot {
                 ? next(Kind.JOINT).map(joint -> connect(joint, new PlayerLift(joint.address, joint.server)))
                 : Optional.empty();
         Optional<PlayerBeams> beams = next(Kind.INPUTS).map(inputs -> connect(inputs, new PlayerBeams(inputs.address)));
-        return new PlayerGripper(info, at.address, at.server, lift, beams, scheduler);
+        return new PlayerGripper(info, at.address, at.server, base, lift, beams, scheduler);
     }
 
     /// Makes a device for the next of a kind.
@@ -211,10 +213,10 @@ public final class RemoteRobot {
         return device;
     }
 
-    /// Robots that share their servers have their devices of a kind one after the other; where there are fewer of what
-    /// they may share, the last one.
+    /// Robots that share their servers have their devices of a kind one after the other; where there are fewer
+    /// of what they may share, the last one.
     private Optional<Found> next(Kind kind) {
-        int number = index * kind.of(spec.model()) + taken.merge(kind, 1, Integer::sum) - 1;
+        int number = before.stream().mapToInt(kind::of).sum() + taken.merge(kind, 1, Integer::sum) - 1;
         List<Found> all = seen.stream()
                 .flatMap(one -> kind.of(one.offer).stream().map(address -> new Found(one.server, address)))
                 .toList();

@@ -14,6 +14,7 @@ import rsal.data.ActuatorState;
 import rsal.data.ActuatorState.Motion;
 import rsal.device.Actuator;
 import rsal.device.Actuator.Result;
+import rsal.device.DriveBase;
 import rsal.device.GoalHandle;
 import rsal.robot.RobotModel.Part;
 
@@ -129,6 +130,33 @@ public abstract class ActuatorContract extends SensorContract<ActuatorState, Act
         assertThat(endings).containsExactly(new Result.Cancelled());
         assertThat(state().position()).isLessThan(1.5);
         assertThat(state().speed()).isZero();
+    }
+
+    @Test
+    void standsStillWhileItsRobotsMotorsAreOffAndGoesOnWhenTheyAreOn() {
+        List<Result> endings = endings(device().goTo(2));
+        advance(0.5);
+        robot().require(DriveBase.class).enable(false);
+        advance(0.3);
+        double stopped = state().position();
+        assertThat(state().motion()).isEqualTo(Motion.IDLE);
+        assertThat(stopped).isBetween(0.1, 1.5);
+        advance(3);
+        assertThat(state().position()).isEqualTo(stopped);
+        assertThat(endings).isEmpty();
+        robot().require(DriveBase.class).enable(true);
+        advance(4);
+        assertThat(endings).hasSize(1).first().isInstanceOf(Result.Reached.class);
+        assertThat(state().position()).isCloseTo(2, within(NEARLY));
+    }
+
+    @Test
+    void speedsThatAreWantedWhileMotorsAreOffCountForNothing() {
+        robot().require(DriveBase.class).enable(false);
+        device().command(0.5);
+        robot().require(DriveBase.class).enable(true);
+        advance(1);
+        assertThat(state().position()).isCloseTo(part().home(), within(NEARLY));
     }
 
     @Test

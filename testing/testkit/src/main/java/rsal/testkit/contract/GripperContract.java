@@ -17,6 +17,7 @@ import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.data.Twist2d;
+import rsal.device.DriveBase;
 import rsal.device.GoalHandle;
 import rsal.device.Gripper;
 import rsal.device.Gripper.Result;
@@ -176,6 +177,43 @@ public abstract class GripperContract extends SensorContract<GripperState, Gripp
         assertThat(await(second.result())).isEqualTo(new Result.Cancelled());
         advance(seconds(part().liftingTime()) + 1);
         assertThat(state().lift()).isEqualTo(Lift.STOPPED);
+    }
+
+    @Test
+    void standsStillWhileItsRobotsMotorsAreOffAndGoesOnWhenTheyAreOn() {
+        List<Result> close = endings(device().close());
+        List<Result> lift = endings(device().lift());
+        advance(Math.min(seconds(part().closingTime()), seconds(part().liftingTime())) / 2);
+        robot().require(DriveBase.class).enable(false);
+        advance(0.3);
+        GripperState stopped = state();
+        assertThat(stopped.paddles()).isEqualTo(Paddles.STOPPED);
+        assertThat(stopped.lift()).isEqualTo(Lift.STOPPED);
+        advance(seconds(part().closingTime()) + seconds(part().liftingTime()));
+        assertThat(state()).isEqualTo(stopped);
+        assertThat(close).isEmpty();
+        assertThat(lift).isEmpty();
+        robot().require(DriveBase.class).enable(true);
+        advance(seconds(part().closingTime()) + seconds(part().liftingTime()) + 1);
+        assertThat(close).hasSize(1).first().isInstanceOf(Result.Reached.class);
+        assertThat(lift).hasSize(1).first().isInstanceOf(Result.Reached.class);
+        assertThat(state().paddles()).isEqualTo(Paddles.CLOSED);
+        assertThat(state().lift()).isEqualTo(Lift.UP);
+    }
+
+    @Test
+    void whatItIsToDoWhileMotorsAreOffWaitsForThem() {
+        robot().require(DriveBase.class).enable(false);
+        List<Result> close = endings(device().close());
+        advance(seconds(part().closingTime()) + 1);
+        assertThat(close).isEmpty();
+        assertThat(state().paddles()).isEqualTo(Paddles.OPEN);
+        List<Result> open = endings(device().open());
+        assertThat(close).containsExactly(new Result.Cancelled());
+        robot().require(DriveBase.class).enable(true);
+        advance(seconds(part().closingTime()) + 1);
+        assertThat(open).hasSize(1).first().isInstanceOf(Result.Reached.class);
+        assertThat(state().paddles()).isEqualTo(Paddles.OPEN);
     }
 
     @Test

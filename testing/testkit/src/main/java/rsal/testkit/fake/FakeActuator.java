@@ -12,11 +12,12 @@ import rsal.device.GoalHandle;
 import rsal.device.GoalSource;
 import rsal.robot.RobotModel.Part;
 
-/// A joint without inertia.
+/// A joint without inertia, which is off when its robot's motors are.
 public final class FakeActuator extends FakeSensor<ActuatorState> implements Actuator {
     private static final int WATCHDOG_STEPS = 5;
 
     private final Part.Actuator part;
+    private final FakeDriveBase base;
     private final InstantSource clock;
     private double position;
     private double target;
@@ -24,9 +25,10 @@ public final class FakeActuator extends FakeSensor<ActuatorState> implements Act
     private int stepsSinceCommand = WATCHDOG_STEPS;
     private @Nullable GoalSource<ActuatorState, Result> goal;
 
-    FakeActuator(DeviceInfo info, Part.Actuator part, InstantSource clock) {
+    FakeActuator(DeviceInfo info, Part.Actuator part, FakeDriveBase base, InstantSource clock) {
         super(info);
         this.part = part;
+        this.base = base;
         this.clock = clock;
         this.position = part.home();
         this.target = position;
@@ -51,8 +53,10 @@ public final class FakeActuator extends FakeSensor<ActuatorState> implements Act
     public void command(double speed) {
         requireFinite(speed);
         stop(new Result.Cancelled());
-        wanted = Interval.around0(part.maxSpeed()).clamp(speed);
-        stepsSinceCommand = 0;
+        if (base.enabled()) {
+            wanted = Interval.around0(part.maxSpeed()).clamp(speed);
+            stepsSinceCommand = 0;
+        }
     }
 
     private static void requireFinite(double value) {
@@ -74,10 +78,10 @@ public final class FakeActuator extends FakeSensor<ActuatorState> implements Act
     @Override
     void sense() {
         double before = position;
-        double most = part.maxSpeed() * FakeSystem.STEP_SECONDS;
+        double most = base.enabled() ? part.maxSpeed() * FakeSystem.STEP_SECONDS : 0;
         if (goal != null) {
             position = Math.clamp(target, position - most, position + most);
-        } else if (stepsSinceCommand++ < WATCHDOG_STEPS) {
+        } else if (base.enabled() && stepsSinceCommand++ < WATCHDOG_STEPS) {
             position = part.limits().clamp(position + wanted * FakeSystem.STEP_SECONDS);
         }
         double speed = (position - before) / FakeSystem.STEP_SECONDS;

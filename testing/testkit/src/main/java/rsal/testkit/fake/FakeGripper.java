@@ -16,7 +16,8 @@ import rsal.device.Gripper;
 import rsal.device.SimulationControl.Thing;
 import rsal.robot.RobotModel.Part;
 
-/// A gripper that holds whatever grippable thing has its middle between the paddles.
+/// A gripper that holds whatever grippable thing has its middle between the paddles. It is off when its robot's
+/// motors are.
 public final class FakeGripper extends FakeSensor<GripperState> implements Gripper {
     private final Part.Gripper part;
     private final FakeDriveBase base;
@@ -64,8 +65,10 @@ public final class FakeGripper extends FakeSensor<GripperState> implements Gripp
     @Override
     void sense() {
         boolean closing = paddles.motor.direction() > 0;
-        paddles.motor.step();
-        lift.motor.step();
+        if (base.enabled()) {
+            paddles.motor.step();
+            lift.motor.step();
+        }
         if (held == null && closing) {
             between()
                     .filter(thing -> thing.grippable() && gap() <= 2 * FakeWorld.radius(thing))
@@ -91,19 +94,23 @@ public final class FakeGripper extends FakeSensor<GripperState> implements Gripp
         lift.end(new Result.Stuck(state(), "The system was closed."));
     }
 
+    private <M> Optional<M> moving(Axis axis, M up, M down) {
+        return base.enabled() ? axis.moving(up, down) : Optional.empty();
+    }
+
     private GripperState state() {
         double closed = paddles.motor.position();
         double raised = lift.motor.position();
         boolean contact =
                 between().filter(t -> gap() <= 2 * FakeWorld.radius(t)).isPresent();
         return new GripperState(
-                paddles.moving(Paddles.CLOSING, Paddles.OPENING)
+                moving(paddles, Paddles.CLOSING, Paddles.OPENING)
                         .orElse(
                                 closed == 0
                                         ? Paddles.OPEN
                                         : closed == 1 || held != null ? Paddles.CLOSED : Paddles.STOPPED),
                 closed,
-                lift.moving(Lift.RISING, Lift.SINKING)
+                moving(lift, Lift.RISING, Lift.SINKING)
                         .orElse(raised == 0 ? Lift.DOWN : raised == 1 ? Lift.UP : Lift.STOPPED),
                 raised,
                 isBroken(0.75),

@@ -150,7 +150,7 @@ public final class FakeSystem implements RobotSystem {
             case Part.FiducialFinder finder -> new FakeFiducialFinder(info, finder, base, world, scheduler);
             case Part.Gripper gripper -> new FakeGripper(info, gripper, base, world, scheduler);
             case Part.Bumper bumper -> new FakeBumper(info, bumper, base, world, scheduler);
-            case Part.Actuator actuator -> new FakeActuator(info, actuator, scheduler);
+            case Part.Actuator actuator -> new FakeActuator(info, actuator, base, scheduler);
             case Part.Battery battery -> new FakeBattery(info, battery, base, world, scheduler);
             case Part.Light light -> new FakeLight(info, light, scheduler);
             case Part.Own own -> throw new IllegalArgumentException("(%s) is not faked.".formatted(own.name()));
