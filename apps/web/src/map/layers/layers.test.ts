@@ -50,7 +50,7 @@ describe('a robot', () => {
 describe('the name of a robot', () => {
   it('says whether it is real, and for how long it has been silent', () => {
     expect(nameOf('ann', undefined)).toBe('ann');
-    expect(nameOf('ann', { proxy: true, silence: null })).toBe('ann ◆');
+    expect(nameOf('ann', { proxy: true, silence: null })).toBe('ann ◈');
     expect(nameOf('ann', { proxy: false, silence: 12 })).toBe('ann ◆ 12 s');
   });
 });

@@ -10,7 +10,7 @@ const font = (bold: boolean) => `${bold ? 650 : 500} 12px system-ui, sans-serif`
 
 /** A robot's name; of one that is real with a mark, and for how long it has been silent. */
 export function nameOf(id: string, real: RealDetails | undefined): string {
-  return [id, real && texts.robots.realMark, real?.silence && texts.robots.seconds(real.silence)]
+  return [id, real && texts.robots.realMark(real.proxy), real?.silence && texts.robots.seconds(real.silence)]
     .filter(Boolean)
     .join(' ');
 }

@@ -1,6 +1,7 @@
 package rsal.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.parallel.ExecutionMode.CONCURRENT;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -12,6 +13,7 @@ import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
@@ -19,8 +21,10 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
@@ -29,7 +33,8 @@ import rsal.scenario.run.RunResult;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/// Agents in one process, robots in another, as with real ones: nothing is shared but sockets.
+/// Agents in one process, robots in another, as with real ones: nothing is shared but sockets. They follow real time
+/// and mostly wait, so that some go on at once.
 @Timeout(value = 5, unit = TimeUnit.MINUTES)
 class PlayerRunIT {
     private static final int COLLECT_SEED = 1;
@@ -87,6 +92,7 @@ class PlayerRunIT {
 
     /// Of the prey and two hunters all are real, or the prey and a hunter, or a hunter alone.
     @ParameterizedTest
+    @Execution(CONCURRENT)
     @CsvSource({"real, 0 1 2", "mixed, 0 1", "virtual-prey, 1"})
     void huntersCatchTheirPrey(String configuration, String real) throws Exception {
         int[] robots =
@@ -97,6 +103,7 @@ class PlayerRunIT {
 
     /// What it grips is a can of the other process; what counts is a simulated one.
     @Test
+    @Execution(CONCURRENT)
     void aRealCollectorBringsWhatASimulatedExplorerFinds() throws Exception {
         JsonNode measures = run(
                 "find-and-collect",
@@ -109,6 +116,7 @@ class PlayerRunIT {
 
     /// The robots' simulation is gone with their server; a new one has them where they began.
     @Test
+    @Execution(CONCURRENT)
     void aHuntGoesOnWhenItsServersWereKilledAndAreBack() throws Exception {
         var served = List.of("hunt-and-prey", "--seed", "7");
         int port = threeFree();
@@ -133,6 +141,52 @@ class PlayerRunIT {
             assertThat(result.outcome()).isEqualTo("success");
         } finally {
             robots.destroy();
+        }
+    }
+
+    /// Who is nearer goes there, whichever world it is in.
+    @Test
+    @Execution(CONCURRENT)
+    void robotsOfBothWorldsSpread() throws Exception {
+        JsonNode measures = run("distribution", "mixed", 3, new int[] {0, 1, 2}, List.of());
+        assertThat(measures.get("arrived").asDouble()).isEqualTo(6);
+        assertThat(measures.get("collisions").asDouble()).isZero();
+    }
+
+    @Test
+    @Execution(CONCURRENT)
+    void standInsShowWhereRealRobotsAre() throws Exception {
+        Process robots = serve(List.of("teleop", "--seed", "5"), 0);
+        String servers;
+        try (BufferedReader told = robots.inputReader()) {
+            servers = servers(told, 0, 1);
+        }
+        var options =
+                RunOptions.NONE.withConfiguration("display").withSeed(5).withArguments(Map.of("servers", servers));
+        try (LiveRun run = LiveRun.start(Scenario.load("teleop").plan(options))) {
+            run.rearm().toCompletableFuture().join();
+            Pose2d begin = standIn(run, _ -> true);
+            var goal = new Pose2d(begin.x() + (begin.x() < 0 ? 3 : -3), begin.y(), 0); // along the corridor
+            run.goTo("robot-1", goal).toCompletableFuture().join();
+            standIn(run, mapFromBase -> mapFromBase.distanceTo(goal) < 0.5);
+        } finally {
+            robots.destroy();
+        }
+    }
+
+    /// Where that of the first robot is once it is as it should be.
+    private static Pose2d standIn(LiveRun run, Predicate<Pose2d> isSo) throws InterruptedException {
+        while (true) {
+            Optional<Pose2d> mapFromBase = run.snapshot().robots().stream()
+                    .filter(robot -> robot.id().equals("robot-1"))
+                    .flatMap(robot -> robot.real().stream())
+                    .flatMap(real -> real.standIn().stream())
+                    .findFirst();
+            if (mapFromBase.filter(isSo).isPresent()) {
+                return mapFromBase.get();
+            }
+            assertThat(run.result().toCompletableFuture()).isNotDone();
+            Thread.sleep(10);
         }
     }
 
