@@ -1,11 +1,11 @@
 import { expect, it } from 'vitest';
-import type { EventInfo } from '../api/messages';
+import type { EventInfo, SaidInfo } from '../api/messages';
 import { filterEvents, foldEvents, words } from './events';
 
 const events: EventInfo[] = [
-  { sequence: 1, time: 0, kind: 'agent', subject: 'follow-1', text: 'hunting prey-1' },
-  { sequence: 2, time: 1, kind: 'message', subject: 'escape-1', text: 'Prey is at (1, 2)' },
-  { sequence: 3, time: 2, kind: 'caught', subject: 'prey-1', text: 'hunter-1 caught prey-1' },
+  { sequence: 1, time: 0, kind: 'agent', subject: 'follow-1', text: 'hunting prey-1', said: null },
+  { sequence: 2, time: 1, kind: 'message', subject: 'escape-1', text: 'Prey is at (1, 2)', said: null },
+  { sequence: 3, time: 2, kind: 'caught', subject: 'prey-1', text: 'hunter-1 caught prey-1', said: null },
 ];
 
 const sequences = (kind: string | null, words: string) =>
@@ -20,9 +20,19 @@ it('all words must be there, in any case and place', () => {
   expect(sequences('agent', 'caught')).toEqual([]);
 });
 
+/** What a conversation's text tells: `follow-1, cfp: hunt prey-1`. */
+function saidIn(text: string): SaidInfo | null {
+  const [, to, act] = /^(\S+), (cfp|propose|accept-proposal)\b/.exec(text) ?? [];
+  return to && act
+    ? { to, topic: `agent/${to}`, conversation: 'hunt#1', protocol: 'fipa-contract-net', act }
+    : null;
+}
+
 /** Folded, as they are read: newest first. */
 function folded(told: [time: number, kind: string, subject: string, text: string][], most = 100): string[] {
-  const all = told.map(([time, kind, subject, text], i) => ({ sequence: i + 1, time, kind, subject, text }));
+  const all = told.map(([time, kind, subject, text], i) => {
+    return { sequence: i + 1, time, kind, subject, text, said: saidIn(text) };
+  });
   return foldEvents(all, most).map((line) => `${line.event.subject} ×${line.times} ${words(line)}`);
 }
 

@@ -29,19 +29,16 @@ export interface EventLine {
 
 const SPAN = 30; // s; so long one line may go on, then there is another
 
-const ACT =
-  /^(\S+), ((?:request|agree|refuse|inform|failure|cfp|propose|accept-proposal|reject-proposal|subscribe|cancel|not-understood)\b.*)$/s;
-
 /** One event by itself. */
 export function lineOf(event: EventInfo): EventLine {
-  const act = event.kind === 'message' ? ACT.exec(event.text) : null;
+  const { said, text } = event;
   return {
     event,
     since: event.time,
     first: event.sequence,
     times: 1,
-    partners: act ? [act[1] as string] : [],
-    gist: act ? (act[2] as string) : event.text,
+    partners: said?.act ? [said.to] : [],
+    gist: said?.act ? text.slice(`${said.to}, `.length) : text,
   };
 }
 
@@ -50,17 +47,13 @@ export function words({ event, times, partners, gist }: EventLine): string {
   if (times === 1 || partners.length === 0) {
     return event.text;
   }
-  const act = actOf(gist);
+  const { act } = event.said!;
   return texts.events.said(act, partners) + gist.slice(act.length);
-}
-
-function actOf(gist: string): string {
-  return /^[a-z-]+/.exec(gist)?.[0] ?? gist;
 }
 
 /** What messages have in common that are one line: in conversations the act, else the words but for the numbers. */
 function topic({ event, partners, gist }: EventLine): string {
-  const about = partners.length > 0 ? actOf(gist) : gist.replace(/-?\d+(\.\d+)?/g, '#');
+  const about = partners.length > 0 ? event.said!.act : gist.replace(/-?\d+(\.\d+)?/g, '#');
   return `${Math.floor(event.time / SPAN)} ${event.subject} ${about}`;
 }
 

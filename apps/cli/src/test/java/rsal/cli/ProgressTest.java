@@ -3,6 +3,7 @@ package rsal.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.scenario.run.RunEvent;
 
@@ -10,9 +11,9 @@ class ProgressTest {
     @Test
     void tellsWhenWhatHappenedToWhom() {
         var time = Duration.ofMillis(12_340);
-        assertThat(Progress.line(new RunEvent(1, time, "collision", "hunter-1", "ran into wall")))
+        assertThat(Progress.line(new RunEvent(1, time, "collision", "hunter-1", "ran into wall", Optional.empty())))
                 .isEqualTo("    12.3 s  hunter-1: ran into wall");
-        assertThat(Progress.line(new RunEvent(2, time, "operator", "", "emergency stop")))
+        assertThat(Progress.line(new RunEvent(2, time, "operator", "", "emergency stop", Optional.empty())))
                 .isEqualTo("    12.3 s  emergency stop");
     }
 }

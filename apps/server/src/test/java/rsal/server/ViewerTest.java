@@ -223,7 +223,7 @@ class ViewerTest {
             @Override
             public List<RunEvent> events(long sequence) {
                 return LongStream.rangeClosed(sequence + 1, events)
-                        .mapToObj(i -> new RunEvent(i, Duration.ZERO, "agent", "", ""))
+                        .mapToObj(i -> new RunEvent(i, Duration.ZERO, "agent", "", "", Optional.empty()))
                         .toList();
             }
         };

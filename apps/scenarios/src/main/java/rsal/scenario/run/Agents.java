@@ -172,28 +172,28 @@ final class Agents implements AutoCloseable {
             case PoseReport _, PoseRequest _, ChargerTaken _, Alarm _, MapEnds _ ->
                 journal.hash(message.sender(), message.topic().name(), words);
             case NewGoal order -> {
-                journal.event("goal", message.sender(), words);
+                journal.event("goal", message, words);
                 observer.heard(order);
             }
             case GoalReached end -> {
-                journal.event("goal", message.sender(), words);
+                journal.event("goal", message, words);
                 observer.heard(end);
                 ended(end);
             }
             case Caught caught -> {
-                journal.event("caught", message.sender(), words);
+                journal.event("caught", message, words);
                 observer.heard(caught, where);
             }
             case Watch watch -> {
-                journal.event("message", message.sender(), words);
+                journal.event("message", message, words);
                 observer.heard(watch);
             }
             case Visited visited -> {
-                journal.event("message", message.sender(), words);
+                journal.event("message", message, words);
                 observer.heard(visited, where);
             }
             case VictimFound found -> {
-                journal.event("message", message.sender(), words);
+                journal.event("message", message, words);
                 observer.heard(found);
             }
             case Act act
@@ -201,10 +201,10 @@ final class Agents implements AutoCloseable {
                 journal.hash(message.sender(), message.topic().name(), words);
             case Act act
             when act.content() instanceof NewGoal order -> {
-                journal.event("goal", message.sender(), words);
+                journal.event("goal", message, words);
                 observer.heard(order);
             }
-            default -> journal.event("message", message.sender(), words);
+            default -> journal.event("message", message, words);
         }
     }
 

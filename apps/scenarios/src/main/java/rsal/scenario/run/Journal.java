@@ -56,12 +56,21 @@ final class Journal {
 
     /// Something that people may want to know.
     void event(String kind, String subject, String text) {
+        event(kind, subject, text, Optional.empty());
+    }
+
+    /// The same of something that somebody says to others.
+    void event(String kind, Message<?> message, String text) {
+        event(kind, message.sender(), text, Optional.of(of(message, text)));
+    }
+
+    private void event(String kind, String subject, String text, Optional<Said> said) {
         hash(kind, subject, text);
         if (sequence == MOST_EVENTS - 1) {
-            keep("run", "", "Too many events: of some kinds no more are kept.");
+            keep("run", "", "Too many events: of some kinds no more are kept.", Optional.empty());
         }
         if (sequence < MOST_EVENTS + (COUNT_MOST.contains(kind) ? RESERVE : 0)) {
-            keep(kind, subject, text);
+            keep(kind, subject, text, said);
         }
         happened++;
         witness.ifPresent(seen -> seen.happened(new RunEvent(happened, time.get(), kind, subject, text), hashSoFar()));
@@ -69,18 +78,16 @@ final class Journal {
 
     /// Something was said, in words for people.
     void said(Message<?> message, String words) {
-        witness.ifPresent(seen -> seen.heard(
-                message.content() instanceof Act act
-                        ? said(
-                                message,
-                                act.conversation(),
-                                act.protocol(),
-                                act.performative().toString(),
-                                words)
-                        : said(message, "", "", "", words)));
+        witness.ifPresent(seen -> seen.heard(of(message, words)));
     }
 
-    private Said said(Message<?> message, String conversation, String protocol, String act, String words) {
+    private Said of(Message<?> message, String words) {
+        return message.content() instanceof Act act
+                ? of(message, act.conversation(), act.protocol(), act.performative().toString(), words)
+                : of(message, "", "", "", words);
+    }
+
+    private Said of(Message<?> message, String conversation, String protocol, String act, String words) {
         return new Said(
                 time.get(), message.sender(), message.to(), message.topic().name(), conversation, protocol, act, words);
     }
@@ -95,9 +102,9 @@ final class Journal {
         }
     }
 
-    private void keep(String kind, String subject, String text) {
+    private void keep(String kind, String subject, String text, Optional<Said> said) {
         sequence++;
-        events.put(sequence, new RunEvent(sequence, time.get(), kind, subject, text));
+        events.put(sequence, new RunEvent(sequence, time.get(), kind, subject, text, said));
         onEvent.run();
     }
 

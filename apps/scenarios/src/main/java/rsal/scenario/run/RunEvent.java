@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import java.time.Duration;
+import java.util.Optional;
 
 /// Something that happened in a run, in words for people.
 ///
@@ -9,4 +10,10 @@ import java.time.Duration;
 /// @param kind `run`, `agent`, `message`, `goal`, `caught`, `collision`, `operator`, `hand`, `health`
 /// or `fault`
 /// @param subject name of the robot, agent or device it is about; empty for the run itself
-public record RunEvent(long sequence, Duration time, String kind, String subject, String text) {}
+/// @param said when it is a message of its subject's: to whom, and what about. A [Witness] hears messages by themselves
+public record RunEvent(long sequence, Duration time, String kind, String subject, String text, Optional<Said> said) {
+    /// Something that is no message.
+    public RunEvent(long sequence, Duration time, String kind, String subject, String text) {
+        this(sequence, time, kind, subject, text, Optional.empty());
+    }
+}

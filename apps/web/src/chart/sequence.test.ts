@@ -1,0 +1,63 @@
+import { expect, it } from 'vitest';
+import type { EventInfo, SaidInfo } from '../api/messages';
+import { ANY, choiceOf, CONVERSATIONS, sequenceOf } from './sequence';
+
+let sequence = 0;
+
+function event(subject: string, said: SaidInfo | null, text = ''): EventInfo {
+  sequence++;
+  return { sequence, time: sequence, kind: 'message', subject, text, said };
+}
+
+function act(to: string, name: string, conversation = 'hunt#1'): SaidInfo {
+  return { to, topic: `agent/${to}`, conversation, protocol: 'fipa-contract-net', act: name };
+}
+
+const toAll: SaidInfo = { to: '', topic: 'prey', conversation: '', protocol: '', act: '' };
+
+const events = [
+  event('escape-1', toAll, 'prey-1 is at (1, 2)'),
+  event('hunt', null, 'hunting prey-1'),
+  event('hunt', act('follow-1', 'cfp')),
+  event('hunt', act('follow-2', 'cfp')),
+  event('follow-2', act('hunt', 'refuse')),
+  event('follow-1', act('hunt', 'inform', 'other#1')),
+];
+
+const words = (wanted = ANY, most = 100) => {
+  const { agents, arrows } = sequenceOf(events, wanted, most);
+  return arrows.map(
+    ({ from, to, label, refuses }) =>
+      `${agents[from]} → ${to === null ? 'all' : agents[to]}: ${label}${refuses ? '!' : ''}`,
+  );
+};
+
+it('each that was said is an arrow, oldest first', () =>
+  expect(words()).toEqual([
+    'escape-1 → all: prey',
+    'hunt → follow-1: cfp',
+    'hunt → follow-2: cfp',
+    'follow-2 → hunt: refuse!',
+    'follow-1 → hunt: inform',
+  ]));
+
+it('columns are those who speak or are spoken to in it, in the order of the run', () => {
+  expect(sequenceOf(events, ANY, 100).agents).toEqual(['escape-1', 'hunt', 'follow-1', 'follow-2']);
+  expect(sequenceOf(events, ANY, 2).agents).toEqual(['hunt', 'follow-1', 'follow-2']);
+  expect(sequenceOf(events, ANY, 2).left).toBe(3);
+});
+
+it('an agent, a protocol or topic, and a conversation leave the others out', () => {
+  expect(words({ ...ANY, agent: 'follow-1' })).toEqual(['hunt → follow-1: cfp', 'follow-1 → hunt: inform']);
+  expect(words({ ...ANY, about: 'prey' })).toEqual(['escape-1 → all: prey']);
+  expect(words({ ...ANY, about: CONVERSATIONS })).toHaveLength(4);
+  expect(words({ ...ANY, about: 'fipa-contract-net', conversation: 'other#1' })).toEqual([
+    'follow-1 → hunt: inform',
+  ]);
+});
+
+it('there is to choose what was said', () =>
+  expect(choiceOf(events)).toEqual({
+    agents: ['escape-1', 'follow-1', 'follow-2', 'hunt'],
+    about: ['fipa-contract-net', 'prey'],
+  }));

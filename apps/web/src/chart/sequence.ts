@@ -1,0 +1,97 @@
+import type { EventInfo } from '../api/messages';
+
+/** What to show of all that was said; each empty for any. */
+export interface Wanted {
+  /** Who says it, or hears it by name. */
+  agent: string;
+  /** A topic, a protocol, or all [CONVERSATIONS]. */
+  about: string;
+  /** Id of a conversation. */
+  conversation: string;
+}
+
+/** Whatever is part of one: no topic or protocol is called so. */
+export const CONVERSATIONS = '*';
+
+export const ANY: Wanted = { agent: '', about: '', conversation: '' };
+
+/** Something that was said, as a line from one column to another. */
+export interface Arrow {
+  sequence: number;
+  time: number;
+  from: number;
+  /** Null when it is for whoever listens. */
+  to: number | null;
+  /** The act of a conversation, else the topic. */
+  label: string;
+  /** What it says. */
+  words: string;
+  conversation: string;
+  /** Whether it turns something down, or says that it failed. */
+  refuses: boolean;
+}
+
+export interface Sequence {
+  /** Names of the columns: agents, in the order in which they spoke or were spoken to first in the run. */
+  agents: string[];
+  /** Oldest first. */
+  arrows: Arrow[];
+  /** How many older ones are not among them. */
+  left: number;
+}
+
+/** What there is to choose from. */
+export interface Choice {
+  agents: string[];
+  /** Protocols and topics. */
+  about: string[];
+}
+
+const REFUSALS = new Set(['refuse', 'reject-proposal', 'failure', 'not-understood', 'cancel']);
+
+/** The newest arrows of those that are wanted, at most so many. */
+export function sequenceOf(events: readonly EventInfo[], wanted: Wanted, most: number): Sequence {
+  const all = events.filter((event) => isWanted(event, wanted));
+  const shown = all.slice(-most);
+  const there = new Set(shown.flatMap(partners));
+  const agents = [...new Set(events.flatMap(partners))].filter((name) => there.has(name));
+  const column = new Map(agents.map((name, i) => [name, i]));
+  return {
+    agents,
+    arrows: shown.map((event) => arrowOf(event, column)),
+    left: all.length - shown.length,
+  };
+}
+
+export function choiceOf(events: readonly EventInfo[]): Choice {
+  const about = events.flatMap(({ said }) => (said ? [said.protocol || said.topic] : []));
+  return { agents: [...new Set(events.flatMap(partners))].sort(), about: [...new Set(about)].sort() };
+}
+
+function isWanted({ subject, said }: EventInfo, { agent, about, conversation }: Wanted): boolean {
+  return (
+    said !== null &&
+    (agent === '' || agent === subject || agent === said.to) &&
+    (about === '' ||
+      (about === CONVERSATIONS ? said.conversation !== '' : about === (said.protocol || said.topic))) &&
+    (conversation === '' || conversation === said.conversation)
+  );
+}
+
+function partners({ subject, said }: EventInfo): string[] {
+  return said === null ? [] : said.to === '' ? [subject] : [subject, said.to];
+}
+
+function arrowOf(event: EventInfo, column: ReadonlyMap<string, number>): Arrow {
+  const said = event.said!;
+  return {
+    sequence: event.sequence,
+    time: event.time,
+    from: column.get(event.subject)!,
+    to: said.to === '' ? null : column.get(said.to)!,
+    label: said.act || said.topic,
+    words: event.text,
+    conversation: said.conversation,
+    refuses: REFUSALS.has(said.act),
+  };
+}
