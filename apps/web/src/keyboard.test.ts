@@ -9,6 +9,7 @@ function press(key: string, more: object = {}) {
 describe('a key', () => {
   it.each([
     ['F8', { kind: 'emergencyStop' }],
+    [' ', { kind: 'emergencyStop' }],
     ['p', { kind: 'pause' }],
     ['P', { kind: 'pause' }],
     ['.', { kind: 'step' }],
@@ -29,7 +30,6 @@ describe('a key', () => {
     expect(press('q')).toBeNull();
     expect(press('F5')).toBeNull();
     expect(press('Tab')).toBeNull();
-    expect(press(' ')).toBeNull();
   });
 
   it('belongs to the browser together with Ctrl, Alt or Cmd', () => {
@@ -49,6 +49,21 @@ describe('a key', () => {
   it('stops in an emergency wherever the focus is', () => {
     for (const tagName of ['INPUT', 'TEXTAREA', 'SELECT', 'BUTTON']) {
       expect(press('F8', { target: { tagName, type: 'text' } })).toEqual({ kind: 'emergencyStop' });
+    }
+  });
+
+  it('stops by the space key unless that belongs to what has the focus', () => {
+    for (const target of [null, { tagName: 'DIV' }, { tagName: 'INPUT', type: 'range' }]) {
+      expect(press(' ', { target })).toEqual({ kind: 'emergencyStop' });
+    }
+    for (const target of [
+      { tagName: 'BUTTON' },
+      { tagName: 'SUMMARY' },
+      { tagName: 'SELECT' },
+      { tagName: 'INPUT', type: 'text' },
+      { tagName: 'INPUT', type: 'checkbox' },
+    ]) {
+      expect(press(' ', { target })).toBeNull();
     }
   });
 

@@ -9,6 +9,7 @@ export type Action =
         | 'slower'
         | 'goal'
         | 'follow'
+        | 'measure'
         | 'drive'
         | 'fit'
         | 'menu'
@@ -26,12 +27,14 @@ const PAN = 60;
 /** Shown in the help. */
 export const keys: [string, string][] = [
   ['F8', 'emergency stop, wherever the focus is; re-arm with the button that then appears'],
+  ['Space', 'emergency stop, unless a button or a field has the focus'],
   ['P', 'pause, resume'],
   ['.', 'one step, while paused'],
   ['+  −', 'faster, slower'],
   ['1 … 9', 'select a robot'],
   ['G', 'send the selected robot: click on the map, drag for its heading'],
   ['F', 'follow the selected robot'],
+  ['T', 'measure distances: drag on the map'],
   ['K', 'drive the selected robot by keys, or let go of it'],
   [
     'W A S D',
@@ -51,6 +54,7 @@ const EMERGENCY_STOP = 'F8';
 
 const actions: Record<string, Action> = {
   [EMERGENCY_STOP]: { kind: 'emergencyStop' },
+  ' ': { kind: 'emergencyStop' },
   p: { kind: 'pause' },
   '.': { kind: 'step' },
   '+': { kind: 'faster' },
@@ -58,6 +62,7 @@ const actions: Record<string, Action> = {
   '-': { kind: 'slower' },
   g: { kind: 'goal' },
   f: { kind: 'follow' },
+  t: { kind: 'measure' },
   k: { kind: 'drive' },
   '0': { kind: 'fit' },
   i: { kind: 'zoom', factor: ZOOM },
@@ -104,8 +109,16 @@ function takesKeys(target: EventTarget | null, key: string): boolean {
     case 'TEXTAREA':
     case 'SELECT':
       return true;
+    case 'BUTTON':
+    case 'SUMMARY':
+    case 'A':
+      return key === ' ';
     case 'INPUT':
-      return element.type === 'range' ? key.startsWith('Arrow') : element.type !== 'checkbox';
+      return element.type === 'range'
+        ? key.startsWith('Arrow')
+        : element.type === 'checkbox'
+          ? key === ' '
+          : true;
     default:
       return false;
   }

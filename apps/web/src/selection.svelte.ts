@@ -11,6 +11,8 @@ class Selection {
   following = $state(false);
   /** The next click on the map sends the selected robot there. */
   aiming = $state(false);
+  /** Dragging on the map measures distances. */
+  measuring = $state(false);
 
   select(robot: number | null) {
     this.robot = robot;
@@ -30,7 +32,9 @@ class Selection {
   }
 
   letGo() {
-    if (this.aiming) {
+    if (this.measuring) {
+      this.measuring = false;
+    } else if (this.aiming) {
       this.aiming = false;
     } else if (this.following) {
       this.following = false;

@@ -26,6 +26,11 @@ export const texts = {
     emergencyStopHint: 'Switch off all motors at once',
     rearm: 'Arm',
     stopped: 'Motors are off: no robot moves until they are armed.',
+    someStopped: (robots: readonly string[]) =>
+      robots.length <= 3
+        ? `Motors of ${robots.join(', ')} are off.`
+        : `Motors of ${robots.length} robots are off.`,
+    rearmAll: 'Arm all',
     help: 'Keys',
   },
   access: {
@@ -60,6 +65,9 @@ export const texts = {
     label: (robots: number, things: number) =>
       `Map with ${robots} robots and ${things} things. Arrow keys move it, I and O zoom, number keys select robots, G sends the selected one, M opens a menu to add and remove.`,
     add: 'Add…',
+    measure: 'Measure',
+    measureHint: 'Drag from one place to another to measure how far it is. T or Esc ends it.',
+    measureButton: 'Measure distances on the map (T)',
     addHint: 'Add or remove something in the simulated world (M, or a right click on the map)',
     layers: 'Layers',
     zoomIn: 'Zoom in',
@@ -110,14 +118,18 @@ export const texts = {
     devices: 'Devices',
     stalled: 'stalled',
     gone: 'gone',
-    realMark: '◆',
+    realMark: (proxy: boolean) => (proxy ? '◈' : '◆'),
     real: (proxy: boolean) =>
-      proxy ? 'real; simulated robots see a stand-in of it' : 'real: no simulation knows where it is',
+      proxy ? 'real; simulated robots see a stand-in of it' : 'real; simulated robots see nothing of it',
     seconds: (time: number) => `${time.toFixed(0)} s`,
     silent: (time: number) => `silent for ${time.toFixed(0)} s`,
     silentHint: 'Nobody tells where it is: maybe it is out of reach, or off',
     goneHint: 'A fault has taken it away: it senses nothing, hears nobody and can be told nothing',
     unknown: '–',
+    stop: 'Motors off',
+    stopHint: 'Switch off its motors until somebody arms it',
+    arm: 'Motors on',
+    armHint: 'Switch on its motors, and no other robot’s',
     send: 'Send on the map',
     saveMap: 'Save its map',
     saveMapHint:
@@ -168,6 +180,14 @@ export const texts = {
     nothing: 'nothing',
     more: (count: number) => `and ${count} more`,
   },
+  plots: {
+    title: 'Plots',
+    add: 'Plot a number…',
+    remove: (name: string) => `Plot ${name} no more`,
+    nothing: 'nothing to plot',
+    label: (name: string, least: string, greatest: string, span: number) =>
+      `${name} over the last ${span} s: from ${least} to ${greatest}`,
+  },
   agents: {
     title: 'Agents',
     sent: (count: number) => `${count} messages`,
@@ -199,6 +219,23 @@ export const texts = {
     heardBy: (name: string) => `is heard by ${name}`,
     heard: (heard: number, lost: number) => `${heard} heard, ${lost} lost`,
   },
+  chart: {
+    show: 'Chart',
+    hint: 'Who said what to whom, one after the other',
+    title: 'What was said, one after the other',
+    agent: 'Of one agent',
+    anyAgent: 'all agents',
+    about: 'Of one topic or protocol',
+    conversations: 'conversations',
+    anyAbout: 'all topics and protocols',
+    allConversations: 'Show all conversations again',
+    everybody: 'all',
+    sentence: (from: string, to: string, words: string) => `${from} to ${to}: ${words}`,
+    none: 'Nothing was said yet.',
+    noneMatch: 'Nothing of this was said yet; choose something else above.',
+    left: (count: number) => `${count} earlier ones are not shown.`,
+  },
+  panel: { enlarge: 'Enlarge', reduce: 'Make small again' },
   topics: {
     show: 'By topic',
     hint: 'How much was said by topic, and what became of it',

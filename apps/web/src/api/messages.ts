@@ -86,6 +86,11 @@ export interface DeviceDetails {
   reason: string;
 }
 
+export interface DeviceNumbers {
+  device: string;
+  numbers: NumberInfo[];
+}
+
 export interface DrawnMap {
   time: number;
   resolution: number;
@@ -115,6 +120,7 @@ export interface EventInfo {
   kind: string;
   subject: string;
   text: string;
+  said: SaidInfo | null;
 }
 
 export interface Events {
@@ -190,9 +196,19 @@ export interface Mistake {
   remedy: string;
 }
 
+export interface Motors {
+  robot: string;
+  on: boolean;
+}
+
 export interface Newcomers {
   run: number;
   robots: RobotInfo[];
+}
+
+export interface NumberInfo {
+  name: string;
+  value: number | null;
 }
 
 export interface Order {
@@ -211,6 +227,10 @@ export interface PieceInfo {
 export interface Plan {
   seed: string;
   arguments: ArgumentInfo[];
+}
+
+export interface PlottedNumbers {
+  devices: DeviceNumbers[];
 }
 
 export type PropKind = 'BOX' | 'BALL';
@@ -262,6 +282,7 @@ export interface RobotDetails {
   inCharge: string;
   behavior: string;
   driver: string;
+  stopped: boolean;
   quality: string;
   real: RealDetails | null;
   devices: DeviceDetails[];
@@ -299,6 +320,14 @@ export interface RunInfo {
   map: MapInfo;
   robots: RobotInfo[];
   measures: MeasureInfo[];
+}
+
+export interface SaidInfo {
+  to: string;
+  topic: string;
+  conversation: string;
+  protocol: string;
+  act: string;
 }
 
 export interface ServerMessage {

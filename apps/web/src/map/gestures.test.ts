@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { Draft, Target } from './draft';
 import { Gestures, type Stage } from './gestures';
+import type { Tape } from './scene';
 import { View, type Pixel } from './view';
 
 const robot = { x: 1, y: 1, heading: 0.5 };
@@ -26,6 +27,10 @@ class FakeStage implements Stage {
   poseOf = (target: Target) => (target.thing === undefined ? robot : thing);
   aiming = () => this.aimed;
   mayAct = () => this.allowed;
+  isMeasuring = false;
+  tapes: Tape[] = [];
+  measuring = () => this.isMeasuring;
+  tape = (tape: Tape) => void this.tapes.push(tape);
   select = (target: Target | null) => void this.selected.push(target);
   draft = (draft: Draft | null) => void this.drafts.push(draft);
   ask = (draft: Draft) => void this.asked.push(draft);
@@ -45,6 +50,15 @@ describe('a pointer', () => {
     gestures.move(1, to);
     gestures.up(1);
   }
+
+  it('measures, even over robots, and moves nothing meanwhile', () => {
+    stage.isMeasuring = true;
+    drag(onRobot, { px: 80, py: -100 });
+    expect(stage.tapes.at(-1)).toEqual({ from: { x: 1, y: 1 }, to: { x: 4, y: 5 } });
+    expect(stage.selected).toEqual([]);
+    expect(stage.asked).toEqual([]);
+    expect(stage.shown.originX).toBe(0);
+  });
 
   it('clicks a robot to select it, and the floor to let go', () => {
     drag(onRobot, { px: 22, py: -21 });

@@ -1,6 +1,7 @@
 import type { Pose } from '../live/frame';
 import type { Draft, Target } from './draft';
-import type { Pixel, View } from './view';
+import type { Tape } from './scene';
+import type { Pixel, Point, View } from './view';
 
 /** What gestures see and do; the map, or a test. */
 export interface Stage {
@@ -13,6 +14,9 @@ export interface Stage {
   /** The robot that the next click sends somewhere. */
   aiming(): number | null;
   mayAct(): boolean;
+  /** Whether distances are measured now. */
+  measuring(): boolean;
+  tape(tape: Tape): void;
   select(target: Target | null): void;
   draft(draft: Draft | null): void;
   /** The person let go of a draft: ask the server for it. */
@@ -21,6 +25,7 @@ export interface Stage {
 
 type Gesture =
   | { kind: 'pan'; from: Pixel; moved: boolean }
+  | { kind: 'measure'; from: Point }
   | { kind: 'body'; from: Pixel; target: Target; start: Pose; draft: Draft | null }
   | { kind: 'turn'; draft: Draft; moved: boolean }
   | { kind: 'aim'; from: Pixel; draft: Draft };
@@ -47,6 +52,11 @@ export class Gestures {
 
   private begin(at: Pixel): Gesture {
     const { stage } = this;
+    if (stage.measuring()) {
+      const from = stage.view().toMap(at);
+      stage.tape({ from, to: from });
+      return { kind: 'measure', from };
+    }
     const sent = stage.aiming();
     if (sent !== null && stage.mayAct()) {
       const target: Target = { robot: sent };
@@ -90,6 +100,9 @@ export class Gestures {
         if (gesture.moved) {
           stage.show(stage.view().panned(at.px - before.px, at.py - before.py));
         }
+        break;
+      case 'measure':
+        stage.tape({ from: gesture.from, to: stage.view().toMap(at) });
         break;
       case 'body':
         if (stage.mayAct() && (gesture.draft !== null || distance(gesture.from, at) > DRAG)) {

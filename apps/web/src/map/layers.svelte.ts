@@ -8,6 +8,7 @@ import { drawPaths } from './layers/paths';
 import { drawRobots } from './layers/robots';
 import { drawScans } from './layers/scans';
 import { drawMovedThings, drawThingsOverhead } from './layers/things';
+import { drawTape } from './layers/tape';
 import { drawTrails } from './layers/trails';
 import type { Layer } from './scene';
 
@@ -28,6 +29,7 @@ const order: [Switchable | null, Layer][] = [
   ['estimates', drawEstimates],
   ['names', drawNames],
   [null, drawDraft],
+  [null, drawTape],
 ];
 
 class Layers {

@@ -4,7 +4,13 @@ import type { Things } from '../live/things';
 import type { Trails } from '../live/trails';
 import type { Draft } from './draft';
 import type { Palette } from './palette';
-import type { View } from './view';
+import type { Point, View } from './view';
+
+/** From one place of the map to another. */
+export interface Tape {
+  from: Point;
+  to: Point;
+}
 
 /** All that is drawn at one moment. */
 export interface Scene {
@@ -25,6 +31,7 @@ export interface Scene {
   selected: number | null;
   selectedThing: number | null;
   draft: Draft | null;
+  tape: Tape | null;
 }
 
 /** Draws one kind of thing. The context is in map coordinates (metres, y up), so a pixel is `1 / view.scale`. */

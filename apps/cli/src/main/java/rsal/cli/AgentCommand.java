@@ -1,21 +1,10 @@
 package rsal.cli;
 
-import java.io.IOException;
-import java.net.URI;
-import java.net.URLEncoder;
-import java.net.http.HttpClient;
-import java.net.http.HttpRequest;
-import java.net.http.HttpResponse;
-import java.nio.charset.StandardCharsets;
-import java.time.Duration;
 import java.util.Locale;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /// `rsal agent`
 @Command(
@@ -33,22 +22,13 @@ final class AgentCommand extends Subcommand {
     @Command(
             name = "mind",
             description = "Show what an agent believes, wants and talks about now. Looking changes nothing in the run.")
-    static final class Mind extends Subcommand {
-        private static final Duration PATIENCE = Duration.ofSeconds(5);
-
+    static final class Mind extends PageCommand {
         @Parameters(paramLabel = "NAME", description = "The agent's, as the page lists it.")
         private String name = "";
 
-        @Option(
-                names = "--port",
-                paramLabel = "P",
-                converter = RunCommand.Port.class,
-                description = "Of the run's page on this machine; ${DEFAULT-VALUE} when left out.")
-        private int port = RunCommand.DEFAULT_PORT;
-
         @Override
         int run() throws InterruptedException {
-            JsonNode agent = ask();
+            JsonNode agent = ask("/api/agent?name=" + quoted(name));
             if (json) {
                 printJson(agent);
             } else {
@@ -56,29 +36,6 @@ final class AgentCommand extends Subcommand {
                 out().flush();
             }
             return Exit.SUCCESS;
-        }
-
-        /// @throws Unreachable when nobody is there
-        /// @throws ParameterException when there is no such agent
-        private JsonNode ask() throws InterruptedException {
-            String at = "http://127.0.0.1:" + port;
-            String query = "/api/agent?name=" + URLEncoder.encode(name, StandardCharsets.UTF_8);
-            var request = HttpRequest.newBuilder(URI.create(at + query))
-                    .timeout(PATIENCE)
-                    .build();
-            try (var client = HttpClient.newBuilder().connectTimeout(PATIENCE).build()) {
-                HttpResponse<String> answer = client.send(request, HttpResponse.BodyHandlers.ofString());
-                JsonNode said = JsonMapper.shared().readTree(answer.body());
-                if (answer.statusCode() != 200) {
-                    throw new ParameterException(
-                            spec.commandLine(), said.path("message").asString("(%s) refuses to tell.".formatted(at)));
-                }
-                return said;
-            } catch (IOException | JacksonException e) {
-                throw new Unreachable(
-                        "There is no run with a page at (%s). Maybe it is at another port (--port P): 'rsal run' prints where."
-                                .formatted(at));
-            }
         }
 
         private String text(JsonNode agent) {

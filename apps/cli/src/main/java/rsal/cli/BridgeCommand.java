@@ -67,6 +67,11 @@ final class BridgeCommand extends Subcommand {
     private @Nullable String listen;
 
     @Option(
+            names = "--page",
+            description = "Show it in a page, too; whoever starts another run there has its robots offered instead.")
+    private boolean page;
+
+    @Option(
             names = "--no-agents",
             description = "Leave out the scenario's agents and its end: nobody but the programs drives the robots.")
     private boolean noAgents;
@@ -80,16 +85,42 @@ final class BridgeCommand extends Subcommand {
         RunPlan plan = noAgents ? asked.unmanned() : asked;
         checkServices(plan);
         tellNotes(plan);
+        return RunCommand.exit(page ? runWithPage(plan, provider, at) : run(plan, provider, at));
+    }
+
+    private RunResult run(RunPlan plan, BridgeProvider provider, InetSocketAddress at) throws Exception {
         try (LiveRun run = LiveRun.start(plan)) {
             var ending = new ClosedAtExit(run);
-            tell(at, run.bridge(provider, at).toCompletableFuture().get());
+            offer(run, provider, at);
             RunResult result = new Progress(err()).await(run);
             ending.checkNoSignal();
-            if (!json) {
-                out().print(new ResultText(plan, result));
-                out().flush();
+            print(plan, result);
+            return result;
+        }
+    }
+
+    private RunResult runWithPage(RunPlan plan, BridgeProvider provider, InetSocketAddress at) throws Exception {
+        return PageRuns.show(plan, null, false, err(), new PageRuns.Eye() {
+            @Override
+            public void began(LiveRun run) throws Exception {
+                offer(run, provider, at);
             }
-            return RunCommand.exit(result);
+
+            @Override
+            public void ended(LiveRun run, RunResult result) {
+                print(run.plan(), result);
+            }
+        });
+    }
+
+    private void offer(LiveRun run, BridgeProvider provider, InetSocketAddress at) throws Exception {
+        tell(at, run.bridge(provider, at).toCompletableFuture().get());
+    }
+
+    private void print(RunPlan plan, RunResult result) {
+        if (!json) {
+            out().print(new ResultText(plan, result));
+            out().flush();
         }
     }
 

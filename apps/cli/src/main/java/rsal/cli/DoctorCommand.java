@@ -88,7 +88,7 @@ final class DoctorCommand extends Subcommand {
     }
 
     private static Finding port() {
-        int port = RunCommand.DEFAULT_PORT;
+        int port = PageRuns.DEFAULT_PORT;
         try (var socket = new ServerSocket()) {
             socket.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
             return new Finding("port", true, port + " is free", "");
@@ -99,7 +99,7 @@ final class DoctorCommand extends Subcommand {
     }
 
     private static Finding page() {
-        Optional<Path> page = RunCommand.page();
+        Optional<Path> page = PageRuns.page();
         return new Finding(
                 "page",
                 page.isPresent(),

@@ -1,13 +1,8 @@
 package rsal.cli;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
@@ -20,8 +15,6 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunResult;
-import rsal.server.PortInUse;
-import rsal.server.RunServer;
 
 /// `rsal run`
 @Command(
@@ -31,8 +24,6 @@ import rsal.server.RunServer;
             "The page's address is printed first; the page stays until Ctrl-C, or until the run ends with --once."
         })
 final class RunCommand extends Subcommand {
-    static final int DEFAULT_PORT = 8735;
-
     private static final Map<String, Integer> EXIT_BY_OUTCOME =
             Map.of("success", Exit.SUCCESS, "failure", Exit.NO_SUCCESS, "timeout", Exit.NO_SUCCESS);
 
@@ -85,7 +76,7 @@ final class RunCommand extends Subcommand {
             names = "--port",
             paramLabel = "P",
             converter = Port.class,
-            description = "Of the page, on this machine only; 0: any that is free. Left out: " + DEFAULT_PORT
+            description = "Of the page, on this machine only; 0: any that is free. Left out: " + PageRuns.DEFAULT_PORT
                     + ", or any when that is in use.")
     private @Nullable Integer port;
 
@@ -163,52 +154,36 @@ final class RunCommand extends Subcommand {
         }
     }
 
-    /// Without `--once` it returns only by exception: the page may start further runs until a signal ends it all. The
-    /// maps of a later run take the place of those of an earlier one.
+    /// The maps of a later run take the place of those of an earlier one.
     private RunResult runWithPage(RunPlan plan, Optional<SavedMaps> maps, RunRecorder recorder) throws Exception {
-        var runs = new LinkedBlockingQueue<LiveRun>();
-        try (recorder;
-                RunServer server = serve(plan, runs::add, recorder)) {
-            var ending = new ClosedAtExit(() -> close(server, recorder));
-            err().println("Watch it at " + server.url());
-            while (true) {
-                LiveRun run = runs.take();
+        return PageRuns.show(plan, port, once, err(), new PageRuns.Eye() {
+            @Override
+            public LiveRun start(RunPlan next) {
+                return recorder.start(next);
+            }
+
+            @Override
+            public void began(LiveRun run) {
                 armIfWanted(run);
-                RunResult result = new Progress(err()).await(run);
-                ending.checkNoSignal();
+            }
+
+            @Override
+            public void ended(LiveRun run, RunResult result) {
                 recorder.end(err());
                 maps.ifPresent(saved -> saved.write(run, err()));
                 print(run.plan(), result);
-                if (once) {
-                    return result;
-                }
-                err().println("The page is still there, for another run, too; Ctrl-C ends it.");
             }
-        }
+
+            @Override
+            public void close() {
+                recorder.close();
+            }
+        });
     }
 
     private static void close(AutoCloseable run, RunRecorder recorder) throws Exception {
         run.close(); // first, for its end to be recorded
         recorder.close();
-    }
-
-    private RunServer serve(RunPlan plan, Consumer<LiveRun> onStart, RunRecorder recorder) throws IOException {
-        Path page = page().orElseThrow(() ->
-                new Unreachable("The page is not built. Start with ./rsal, which builds it; or run --headless."));
-        String token = RunServer.newToken();
-        try {
-            if (port != null) {
-                return RunServer.start(plan, new RunServer.Options(port, token, page, onStart, recorder::start));
-            }
-            try {
-                return RunServer.start(
-                        plan, new RunServer.Options(DEFAULT_PORT, token, page, onStart, recorder::start));
-            } catch (PortInUse _) {
-                return RunServer.start(plan, new RunServer.Options(0, token, page, onStart, recorder::start));
-            }
-        } catch (PortInUse taken) {
-            throw new Unreachable(String.valueOf(taken.getMessage()));
-        }
     }
 
     private void print(RunPlan plan, RunResult result) {
@@ -233,13 +208,6 @@ final class RunCommand extends Subcommand {
                 choices.speed());
     }
 
-    /// Where the launcher says the built page is.
-    static Optional<Path> page() {
-        return Optional.ofNullable(System.getProperty("rsal.page"))
-                .map(Path::of)
-                .filter(Files::isDirectory);
-    }
-
     static final class Seconds implements ITypeConverter<Duration> {
         private static final double MOST = 1e9; // 31 years
 
@@ -261,7 +229,7 @@ final class RunCommand extends Subcommand {
             double port = Words.orNaN(typed);
             if (!(port >= 0 && port <= MOST && port == Math.rint(port))) {
                 throw new TypeConversionException(
-                        "(%s) is not a port from 0 to %d, like %d.".formatted(typed, MOST, DEFAULT_PORT));
+                        "(%s) is not a port from 0 to %d, like %d.".formatted(typed, MOST, PageRuns.DEFAULT_PORT));
             }
             return (int) port;
         }

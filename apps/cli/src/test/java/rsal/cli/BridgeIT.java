@@ -74,6 +74,25 @@ class BridgeIT {
     }
 
     @Test
+    void withAPageItIsServedAndSeen() throws Exception {
+        Process process = new Rsal(folder)
+                .withPage()
+                .start("bridge", "player", "teleop", "--page", "--port", "0", "--json", "--no-agents");
+        try (BufferedReader out = process.inputReader();
+                BufferedReader err = process.errorReader()) {
+            assertThat(err.readLine()).startsWith("Watch it at http://127.0.0.1:");
+            JsonNode told = JsonMapper.shared().readTree(out.readLine());
+            int port = told.get("offers").get(0).get("port").asInt();
+            try (var socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+                assertThat(new String(socket.getInputStream().readNBytes(6), US_ASCII))
+                        .isEqualTo("Player");
+            }
+            Ended.signal("INT", process);
+            assertThat(process.waitFor()).isEqualTo(130);
+        }
+    }
+
+    @Test
     void aPlayerClientFindsEachRobotAtAPortAndDrivesIt() throws Exception {
         Process process = new Rsal(folder).start("bridge", "player", "teleop", "--port", "0", "--json", "--speed", "4");
         try (BufferedReader out = process.inputReader()) {

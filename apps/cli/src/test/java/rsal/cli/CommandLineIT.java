@@ -11,6 +11,7 @@ import java.net.Socket;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -479,6 +480,45 @@ class CommandLineIT {
         Ended gone = rsal.run("agent", "mind", "escape-1", "--port", port);
         assertThat(gone.code()).isEqualTo(Exit.UNREACHABLE);
         assertThat(gone.err()).contains("There is no run with a page at (http://127.0.0.1:" + port + ").");
+    }
+
+    @Test
+    void anOperatorSeesSendsAndStopsRobotsFromOutside() throws Exception {
+        Rsal ours = rsal.inEnvironment(Map.of("XDG_RUNTIME_DIR", folder.toString()));
+        Process process = ours.withPage().start("run", "teleop", "--port", "0", "--seed", "5");
+        String url = process.errorReader().readLine().substring("Watch it at ".length());
+        String port = Integer.toString(URI.create(url).getPort());
+        JsonNode status = JsonMapper.shared().readTree(ours.run("status", "--json").out()); // finds the only page
+        while (status.path("robots").isEmpty()) { // it may not have begun yet
+            status = JsonMapper.shared().readTree(ours.run("status", "--json").out());
+        }
+        JsonNode first = status.path("robots").path(0);
+        assertThat(first.path("id").asString()).isEqualTo("robot-1");
+        double x = first.path("x").asDouble();
+        String goal = Double.toString(x < 0 ? x + 3 : x - 3);
+        String y = Double.toString(first.path("y").asDouble());
+        assertThat(ours.run("goal", "robot-1", goal, y).code()).isZero();
+        assertThat(ours.run("estop", "robot-2", "--port", port).code()).isZero();
+        assertThat(ours.run("status").out()).startsWith("teleop:virtual, seed 5: runs").contains("motors off");
+        assertThat(ours.run("estop").code()).isZero();
+        assertThat(ours.run("status").out()).contains("motors are off");
+        assertThat(ours.run("arm").code()).isZero();
+        assertThat(ours.run("status").out()).doesNotContain("off");
+        Ended wall = ours.run("goal", "robot-1", "900", "900", "90");
+        assertThat(wall.code()).isEqualTo(Exit.USAGE);
+        assertThat(wall.err()).contains("is outside the map");
+        Ended stranger = rsal.inEnvironment(Map.of("XDG_RUNTIME_DIR", folder.resolve("other").toString()))
+                .run("estop", "--port", port);
+        assertThat(stranger.code()).isEqualTo(Exit.UNREACHABLE);
+        assertThat(stranger.err()).contains("There is no page of yours");
+        Path key = folder.resolve("rsal/page-%s.token".formatted(port));
+        assertThat(Files.getPosixFilePermissions(key))
+                .isEqualTo(PosixFilePermissions.fromString("rw-------"));
+        assertThat(ours.run("stop").code()).isZero();
+        assertThat(ours.run("status").out()).contains("over: stopped");
+        Ended.signal("INT", process);
+        Ended.of(process);
+        assertThat(key).doesNotExist();
     }
 
     private static boolean isOpen(int port) {

@@ -10,9 +10,11 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import java.util.zip.GZIPOutputStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -27,10 +29,12 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Prop;
+import rsal.scenario.run.Reading;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Added;
 import rsal.server.Messages.Addition;
 import rsal.server.Messages.Drive;
+import rsal.server.Messages.Motors;
 import rsal.server.Messages.Order;
 import rsal.server.Messages.Plan;
 import rsal.server.Messages.Refused;
@@ -79,6 +83,10 @@ final class Api {
         });
 
         routes.get("/api/run", request -> answer(request, info()));
+        routes.get("/api/status", request -> {
+            Numbered now = current.now();
+            answer(request, Descriptions.status(now.number(), now.run().plan(), now.run().snapshot()));
+        });
         routes.get("/api/map/{run}", this::map);
         routes.get("/api/drawn/{run}", this::drawn);
         routes.get("/api/drawn/{run}/files", this::drawnFiles);
@@ -89,6 +97,10 @@ final class Api {
         routes.get("/api/readings", request -> {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running().readings(robot == null ? "" : robot));
+        });
+        routes.get("/api/numbers", request -> {
+            String robot = request.queryParam("robot");
+            answerWhenDone(request, running().readings(robot == null ? "" : robot), Numbers::of);
         });
         routes.get(
                 "/api/communication",
@@ -146,6 +158,10 @@ final class Api {
         });
         command(routes, "estop", request -> answerWhenDone(request, running().estop()));
         command(routes, "rearm", request -> answerWhenDone(request, running().rearm()));
+        command(routes, "motors", request -> {
+            Motors wish = read(request, Motors.class);
+            answerWhenDone(request, wish.on() ? running().rearm(wish.robot()) : running().stop(wish.robot()));
+        });
         command(routes, "check", request -> {
             RunPlan plan = plan(read(request, Restart.class));
             answer(request, new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan)));
@@ -287,12 +303,18 @@ final class Api {
     }
 
     private static void answerWhenDone(Context request, CompletionStage<Answer> stage) {
+        answerWhenDone(request, stage, ReadingWords::of);
+    }
+
+    /// @param told what is told of readings
+    private static void answerWhenDone(
+            Context request, CompletionStage<Answer> stage, Function<List<Reading>, Record> told) {
         request.future(() -> stage.thenAccept(answer -> {
                     switch (answer) {
                         case Answer.Done _ -> answer(request, Map.of());
                         case Answer.Added(String name) -> answer(request, new Added(name));
                         case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
-                        case Answer.Read(var readings) -> answer(request, ReadingWords.of(readings));
+                        case Answer.Read(var readings) -> answer(request, told.apply(readings));
                         case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));
                         case Answer.Counted(var topics) -> answer(request, Descriptions.topics(topics));
                         case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");

@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.agent.Society;
 import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.device.Health;
@@ -27,6 +28,7 @@ import rsal.scenario.run.Loss;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
+import rsal.scenario.run.Said;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
 import rsal.scenario.run.TopicTraffic;
@@ -49,8 +51,11 @@ import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.MindInfo;
 import rsal.server.Messages.RealDetails;
 import rsal.server.Messages.RobotDetails;
+import rsal.server.Messages.RobotStatus;
 import rsal.server.Messages.RunInfo;
+import rsal.server.Messages.SaidInfo;
 import rsal.server.Messages.SettingInfo;
+import rsal.server.Messages.StatusInfo;
 import rsal.server.Messages.TalkInfo;
 import rsal.server.Messages.TopicInfo;
 import rsal.server.Messages.Topics;
@@ -266,6 +271,7 @@ final class Descriptions {
                 robot.inCharge(),
                 robot.behavior(),
                 robot.driver(),
+                robot.stopped(),
                 robot.estimate()
                         .map(estimate -> estimate.value().quality().name().toLowerCase(Locale.ROOT))
                         .orElse(""),
@@ -312,8 +318,44 @@ final class Descriptions {
                 agent.lastMessages());
     }
 
+    static StatusInfo status(int number, RunPlan plan, Snapshot snapshot) {
+        return new StatusInfo(
+                number,
+                plan.scenario().name(),
+                plan.configuration(),
+                Long.toString(plan.seed()),
+                snapshot.time().toNanos() / 1e9,
+                snapshot.paused(),
+                snapshot.stopped(),
+                snapshot.outcome().orElse(""),
+                snapshot.robots().stream().map(Descriptions::status).toList());
+    }
+
+    private static RobotStatus status(RobotView robot) {
+        Optional<Pose2d> mapFromBase = robot.truth()
+                .or(() -> robot.estimate().map(estimate -> estimate.value().mapFromBase()));
+        return new RobotStatus(
+                robot.id(),
+                robot.role(),
+                mapFromBase.map(Pose2d::x),
+                mapFromBase.map(Pose2d::y),
+                mapFromBase.map(Pose2d::theta),
+                robot.gone(),
+                robot.stopped(),
+                robot.driver().isEmpty() ? robot.inCharge() : "driven by keys");
+    }
+
     static EventInfo event(RunEvent event) {
         return new EventInfo(
-                event.sequence(), event.time().toNanos() / 1e9, event.kind(), event.subject(), event.text());
+                event.sequence(),
+                event.time().toNanos() / 1e9,
+                event.kind(),
+                event.subject(),
+                event.text(),
+                event.said().map(Descriptions::said));
+    }
+
+    private static SaidInfo said(Said said) {
+        return new SaidInfo(said.to(), said.topic(), said.conversation(), said.protocol(), said.act());
     }
 }

@@ -202,6 +202,7 @@ final class Messages {
             String inCharge,
             String behavior,
             String driver,
+            boolean stopped,
             String quality,
             Optional<RealDetails> real,
             List<DeviceDetails> devices,
@@ -251,7 +252,51 @@ final class Messages {
 
     /// @param sequence counts a run's events, from 1
     /// @param time simulated [s]
-    record EventInfo(long sequence, double time, String kind, String subject, String text) {}
+    /// @param said when it is a message of its subject's
+    record EventInfo(long sequence, double time, String kind, String subject, String text, Optional<SaidInfo> said) {}
+
+    /// @param to name of an agent; empty for all who listen
+    /// @param conversation its id; empty, as protocol and act then, when it belongs to none
+    record SaidInfo(String to, String topic, String conversation, String protocol, String act) {}
+
+    /// How a run gets on.
+    ///
+    /// @param time simulated [s]
+    /// @param stopped whether all motors are off
+    /// @param outcome how it ended; empty while it goes on
+    record StatusInfo(
+            int run,
+            String scenario,
+            String configuration,
+            String seed,
+            double time,
+            boolean paused,
+            boolean stopped,
+            String outcome,
+            List<RobotStatus> robots) {}
+
+    /// @param x where it is, or believes to be, in the map frame [m]; empty when nobody knows
+    /// @param heading [rad]
+    record RobotStatus(
+            String id,
+            String role,
+            Optional<Double> x,
+            Optional<Double> y,
+            Optional<Double> heading,
+            boolean gone,
+            boolean stopped,
+            String inCharge) {}
+
+    /// What of a robot's devices can be plotted.
+    record PlottedNumbers(List<DeviceNumbers> devices) {}
+
+    record DeviceNumbers(String device, List<NumberInfo> numbers) {}
+
+    /// @param value empty when it is not finite now; angles in degrees
+    record NumberInfo(String name, Optional<Double> value) {}
+
+    /// Switches the motors of one robot.
+    record Motors(String robot, boolean on) {}
 
     /// Asks for another run; what is left out stays as it is.
     ///

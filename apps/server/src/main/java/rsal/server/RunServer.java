@@ -38,6 +38,7 @@ public final class RunServer implements AutoCloseable {
     private final CurrentRun current;
     private final Live live;
     private final URI url;
+    private final String token;
 
     /// @param port 0 for any that is free
     /// @param token what a browser must know to change anything, as from [#newToken]
@@ -69,7 +70,8 @@ public final class RunServer implements AutoCloseable {
 
     private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door) throws IOException {
         int port = ((InetSocketAddress) door.getLocalAddress()).getPort();
-        url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port, options.token()));
+        token = options.token();
+        url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port, token));
         current = new CurrentRun(plan, options.onStart(), options.starter());
         var gate = new Gate(port, options.token());
         live = new Live(current, gate);
@@ -133,6 +135,11 @@ public final class RunServer implements AutoCloseable {
         byte[] bits = new byte[16];
         new SecureRandom().nextBytes(bits);
         return Base64.getUrlEncoder().withoutPadding().encodeToString(bits);
+    }
+
+    /// What whoever wants to change something must know.
+    public String token() {
+        return token;
     }
 
     /// The page's address, with the token in the part that browsers keep to themselves.

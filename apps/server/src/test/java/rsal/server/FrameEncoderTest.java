@@ -170,6 +170,7 @@ class FrameEncoderTest {
                 "",
                 Optional.of(stamped(new GripperState(
                         GripperState.Paddles.CLOSED, 0.25, GripperState.Lift.DOWN, 0, false, false, true, true, true))),
+                false,
                 true,
                 Optional.empty(),
                 List.of());
@@ -220,6 +221,7 @@ class FrameEncoderTest {
                 behavior,
                 "",
                 Optional.empty(),
+                false,
                 false,
                 Optional.empty(),
                 List.of());

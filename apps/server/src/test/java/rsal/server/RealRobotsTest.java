@@ -40,6 +40,7 @@ class RealRobotsTest {
                 "",
                 Optional.empty(),
                 false,
+                false,
                 real,
                 List.of());
         return new Snapshot(

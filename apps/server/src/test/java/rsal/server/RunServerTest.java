@@ -243,6 +243,7 @@ class RunServerTest {
                     "remove",
                     "estop",
                     "rearm",
+                    "motors",
                     "check",
                     "restart"
                 })
@@ -394,6 +395,8 @@ class RunServerTest {
                 add-robot | {"robot":"courier-1","x":900,"y":-1,"heading":0}    | 409 | outside
                 remove    | {"name":"nobody"}                                   | 409 | There is no (nobody)
                 remove    | {}                                                  | 400 | name
+                motors    | {"robot":"nobody","on":true}                        | 409 | There is no (nobody)
+                motors    | {"robot":"courier-1"}                               | 400 | on
                 """)
         void sayWhatCantBeAddedOrRemoved(String command, String body, int status, String why) throws Exception {
             await(server.run(), snapshot -> !snapshot.robots().isEmpty());
@@ -408,6 +411,17 @@ class RunServerTest {
             await(server.run(), Snapshot::stopped);
             assertThat(post("rearm", "").status()).isEqualTo(200);
             await(server.run(), s -> !s.stopped());
+        }
+
+        @Test
+        void switchTheMotorsOfOneRobot() throws Exception {
+            await(server.run(), snapshot -> !snapshot.robots().isEmpty());
+            assertThat(post("motors", "{\"robot\":\"courier-1\",\"on\":false}").status())
+                    .isEqualTo(200);
+            await(server.run(), snapshot -> snapshot.robots().getFirst().stopped());
+            assertThat(post("motors", "{\"robot\":\"courier-1\",\"on\":true}").status())
+                    .isEqualTo(200);
+            await(server.run(), snapshot -> !snapshot.robots().getFirst().stopped());
         }
 
         @Test

@@ -112,9 +112,9 @@ final class Controls {
     /// Drives by hand from now on, as long as this is said again and again.
     ///
     /// @param now when it was said [ns]
-    /// @param motors whether they are switched on
-    Answer drive(String driver, Twist2d velocity, long now, boolean motors) {
+    Answer drive(String driver, Twist2d velocity, long now) {
         takeBack(now);
+        boolean motors = !isStopped();
         if (grip != null && !grip.driver().equals(driver)) {
             return new Answer.Refused("Somebody else drives robot (%s) by keys.".formatted(robot.id()));
         }
@@ -167,6 +167,11 @@ final class Controls {
         if (grip != null && grip.isOverAt(then)) {
             end("no longer driven by keys: its driver is gone");
         }
+    }
+
+    /// Whether its motors are off until people switch them on.
+    boolean isStopped() {
+        return helm.isStopped();
     }
 
     /// Switches the motors off in an emergency.

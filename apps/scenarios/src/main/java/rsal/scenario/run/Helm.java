@@ -59,6 +59,11 @@ final class Helm {
         apply();
     }
 
+    /// Whether they are off, whoever may want them on.
+    boolean isStopped() {
+        return stopped;
+    }
+
     private void enable(boolean wanted) {
         on = wanted;
         apply();

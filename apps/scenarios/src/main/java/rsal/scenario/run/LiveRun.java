@@ -295,6 +295,16 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.orders().stop(false));
     }
 
+    /// Switches the motors of one robot off, until [#rearm(String)] or [#rearm()].
+    public CompletionStage<Answer> stop(String robot) {
+        return ask(stage -> stage.orders().stop(robot, true));
+    }
+
+    /// Switches them on, also while those of the others stay off after an emergency stop.
+    public CompletionStage<Answer> rearm(String robot) {
+        return ask(stage -> stage.orders().stop(robot, false));
+    }
+
     /// The newest there is. Asking for it asks for a newer one, too.
     public Snapshot snapshot() {
         snapshots.want();

@@ -69,7 +69,7 @@ final class Orders {
     /// @param heard when its driver said so [ns]
     Answer drive(String id, String driver, Twist2d velocity, long heard) {
         return velocity.isFinite()
-                ? tell(id, told -> told.drive(driver, velocity, heard, !stopped))
+                ? tell(id, told -> told.drive(driver, velocity, heard))
                 : new Answer.Refused("A velocity must be finite, not (%s).".formatted(velocity));
     }
 
@@ -108,9 +108,22 @@ final class Orders {
         return new Answer.Done();
     }
 
-    /// Motors are off from the beginning, as after an emergency stop, where robots are not armed by themselves: real
-    /// ones
-    /// move only when somebody wants them to.
+    /// Switches those of one robot: it alone stands, or it alone may move while the others stand.
+    Answer stop(String id, boolean stop) {
+        return tell(id, told -> {
+            if (stop) {
+                told.stop();
+            } else {
+                told.rearm();
+            }
+            stopped &= team.controls().stream().anyMatch(Controls::isStopped);
+            journal.event("operator", id, stop ? "motors off" : "motors on");
+            return new Answer.Done();
+        });
+    }
+
+    /// Motors are off from the beginning, as after an emergency stop, where robots are not armed by themselves:
+    /// real ones move only when somebody wants them to.
     void begin() {
         stopped = team.robots().values().stream()
                 .flatMap(robot -> robot.find(DriveBase.class).stream())
@@ -121,9 +134,9 @@ final class Orders {
         }
     }
 
-    /// Whether the emergency stop holds.
+    /// Whether the emergency stop holds for all robots.
     boolean stopped() {
-        return stopped;
+        return stopped && team.controls().stream().allMatch(Controls::isStopped);
     }
 
     /// A robot has come, and stands still, too, while the emergency stop holds.

@@ -27,6 +27,7 @@ import rsal.data.Stamped;
 /// person, or nobody, as when it is gone
 /// @param behavior what a person told it to do, as [LiveRun#behave] has it; empty when nobody did
 /// @param driver who drives it by keys, as [LiveRun#drive] has it; empty when nobody does
+/// @param stopped whether its motors are off until people switch them on
 /// @param lit whether its light shines
 /// @param real what there is to say of one that is not simulated; else empty
 public record RobotView(
@@ -48,6 +49,7 @@ public record RobotView(
         String behavior,
         String driver,
         Optional<Stamped<GripperState>> gripper,
+        boolean stopped,
         boolean lit,
         Optional<Real> real,
         List<DeviceView> devices) {

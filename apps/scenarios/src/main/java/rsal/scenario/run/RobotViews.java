@@ -100,6 +100,7 @@ final class RobotViews {
                 told.map(Controls::behavior).orElse(""),
                 told.map(Controls::driver).orElse(""),
                 robot.find(Gripper.class).filter(_ -> there).flatMap(Gripper::latest),
+                told.map(Controls::isStopped).orElse(false),
                 robot.find(Light.class)
                         .filter(_ -> there)
                         .flatMap(Light::latest)

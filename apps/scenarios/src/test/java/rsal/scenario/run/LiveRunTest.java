@@ -232,6 +232,40 @@ class LiveRunTest {
     }
 
     @Test
+    void oneRobotIsStoppedOrArmedWhileTheOthersGoOn() throws InterruptedException {
+        try (var run = LiveRun.start(plan(RunOptions.NONE.withSpeed(5)))) {
+            var snapshots = snapshots(run);
+            awaitRobots(snapshots);
+            assertThat(answer(run.stop("hunter-1"))).isEqualTo(new Answer.Done());
+            assertMoves(snapshots, true, false);
+            assertThat(answer(run.estop())).isEqualTo(new Answer.Done());
+            assertMoves(snapshots, false, false);
+            assertThat(answer(run.rearm("hunter-1"))).isEqualTo(new Answer.Done());
+            assertMoves(snapshots, false, true);
+            assertThat(answer(run.rearm("prey"))).isEqualTo(new Answer.Done());
+            assertMoves(snapshots, true, true);
+            assertThat(answer(run.stop("nobody"))).isInstanceOf(Answer.Refused.class);
+        }
+    }
+
+    private static void assertMoves(BlockingQueue<Snapshot> snapshots, boolean prey, boolean hunter)
+            throws InterruptedException {
+        snapshots.clear(); // they may be of long ago
+        Snapshot now = next(snapshots, Duration.ZERO);
+        Snapshot first = next(snapshots, now.time().plusMillis(1500));
+        Snapshot second = next(snapshots, first.time().plusMillis(1000));
+        assertThat(second.stopped()).isEqualTo(!prey && !hunter);
+        assertThat(second.robots()).extracting(RobotView::stopped).containsExactly(!prey, !hunter);
+        for (int robot = 0; robot < 2; robot++) {
+            boolean moved = !second.robots()
+                    .get(robot)
+                    .truth()
+                    .equals(first.robots().get(robot).truth());
+            assertThat(moved).isEqualTo(robot == 0 ? prey : hunter);
+        }
+    }
+
+    @Test
     void noAgentLiftsTheEmergencyStop() throws InterruptedException {
         String text = Runs.TWO_WANDERERS.replace("type: wanderer, robot: hunter", "type: stubborn, robot: hunter");
         try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE.withSpeed(5)))) {

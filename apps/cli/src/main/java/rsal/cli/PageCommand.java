@@ -1,0 +1,87 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.URLEncoder;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/// What asks or tells a run that has a page on this machine.
+abstract class PageCommand extends Subcommand {
+    private static final Duration PATIENCE = Duration.ofSeconds(5);
+
+    @Option(
+            names = "--port",
+            paramLabel = "P",
+            converter = RunCommand.Port.class,
+            description = "Of the run's page on this machine. Left out: " + PageRuns.DEFAULT_PORT
+                    + ", or where your only page is.")
+    private @Nullable Integer port;
+
+    final int port() {
+        if (port != null) {
+            return port;
+        }
+        List<Integer> ours = PageKey.ports();
+        return ours.size() == 1 ? ours.getFirst() : PageRuns.DEFAULT_PORT;
+    }
+
+    /// A word as part of a query.
+    static String quoted(String word) {
+        return URLEncoder.encode(word, StandardCharsets.UTF_8);
+    }
+
+    /// Asks for something to look at.
+    ///
+    /// @throws Unreachable when nobody is there
+    /// @throws ParameterException when it is refused, with the reason
+    final JsonNode ask(String path) throws InterruptedException {
+        return send(HttpRequest.newBuilder(at(path)));
+    }
+
+    /// Has something done, and waits until the server says that it is.
+    ///
+    /// @throws Unreachable when nobody is there, or not the same person's run
+    /// @throws ParameterException when it is refused, with the reason
+    final void tell(String command, Object message) throws InterruptedException {
+        PageKey key = PageKey.of(port())
+                .orElseThrow(() -> new Unreachable(
+                        "There is no page of yours at (%s). 'rsal run' prints where; say --port P.".formatted(at(""))));
+        send(HttpRequest.newBuilder(at("/api/run/" + command))
+                .header("Authorization", "Bearer " + key.token())
+                .header("Content-Type", "application/json")
+                .POST(HttpRequest.BodyPublishers.ofString(JsonMapper.shared().writeValueAsString(message))));
+    }
+
+    private URI at(String path) {
+        return URI.create("http://127.0.0.1:" + port() + path);
+    }
+
+    private JsonNode send(HttpRequest.Builder asked) throws InterruptedException {
+        HttpRequest request = asked.timeout(PATIENCE).build();
+        try (var client = HttpClient.newBuilder().connectTimeout(PATIENCE).build()) {
+            HttpResponse<String> answer = client.send(request, HttpResponse.BodyHandlers.ofString());
+            JsonNode said = JsonMapper.shared().readTree(answer.body());
+            if (answer.statusCode() != 200) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        said.path("message").asString("(%s) refuses.".formatted(request.uri())));
+            }
+            return said;
+        } catch (IOException | JacksonException e) {
+            throw new Unreachable(
+                    "There is no run with a page at (%s). Maybe it is at another port (--port P): 'rsal run' prints where."
+                            .formatted(at("")));
+        }
+    }
+}

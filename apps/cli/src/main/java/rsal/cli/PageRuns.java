@@ -1,0 +1,105 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunResult;
+import rsal.server.PortInUse;
+import rsal.server.RunServer;
+
+/// Runs that a page shows: a first one, and those that somebody starts there in its place.
+final class PageRuns {
+    static final int DEFAULT_PORT = 8735;
+
+    private PageRuns() {}
+
+    /// Who has something to do with each of them; called on the thread that shows them, one run after the other.
+    interface Eye extends AutoCloseable {
+        /// Starts a run; on a thread of the page, too.
+        default LiveRun start(RunPlan plan) {
+            return LiveRun.start(plan);
+        }
+
+        /// A run has begun.
+        void began(LiveRun run) throws Exception;
+
+        void ended(LiveRun run, RunResult result) throws Exception;
+
+        /// There are no more runs. Closing twice does nothing.
+        @Override
+        default void close() {}
+    }
+
+    /// Prints the page's address and shows runs until a signal ends it all, by an exception, or the first has ended.
+    ///
+    /// @param port of the page; null for the usual one, or any when that is in use
+    /// @param once whether the end of the first run ends it all
+    static RunResult show(RunPlan plan, @Nullable Integer port, boolean once, PrintWriter err, Eye eye)
+            throws Exception {
+        var runs = new LinkedBlockingQueue<LiveRun>();
+        try (eye;
+                RunServer server = serve(plan, port, runs::add, eye)) {
+            var ending = new ClosedAtExit(() -> close(server, eye));
+            keepKey(server, err);
+            err.println("Watch it at " + server.url());
+            while (true) {
+                LiveRun run = runs.take();
+                eye.began(run);
+                RunResult result = new Progress(err).await(run);
+                ending.checkNoSignal();
+                eye.ended(run, result);
+                if (once) {
+                    return result;
+                }
+                err.println("The page is still there, for another run, too; Ctrl-C ends it.");
+            }
+        }
+    }
+
+    private static void close(RunServer server, Eye eye) {
+        server.close(); // first, for the end of its run to be seen
+        eye.close();
+    }
+
+    /// For 'rsal estop' and its like; the page does without.
+    private static void keepKey(RunServer server, PrintWriter err) {
+        try {
+            new PageKey(server.url().getPort(), server.token()).keep();
+        } catch (IOException e) {
+            err.println("Commands like 'rsal estop' can't reach this run: " + e);
+        }
+    }
+
+    private static RunServer serve(RunPlan plan, @Nullable Integer port, Consumer<LiveRun> onStart, Eye eye)
+            throws IOException {
+        Path page = page().orElseThrow(() ->
+                new Unreachable("The page is not built. Start with ./rsal, which builds it; or do without: run --headless, bridge without --page."));
+        String token = RunServer.newToken();
+        try {
+            if (port != null) {
+                return RunServer.start(plan, new RunServer.Options(port, token, page, onStart, eye::start));
+            }
+            try {
+                return RunServer.start(plan, new RunServer.Options(DEFAULT_PORT, token, page, onStart, eye::start));
+            } catch (PortInUse _) {
+                return RunServer.start(plan, new RunServer.Options(0, token, page, onStart, eye::start));
+            }
+        } catch (PortInUse taken) {
+            throw new Unreachable(String.valueOf(taken.getMessage()));
+        }
+    }
+
+    /// Where the launcher says the built page is.
+    static Optional<Path> page() {
+        return Optional.ofNullable(System.getProperty("rsal.page"))
+                .map(Path::of)
+                .filter(Files::isDirectory);
+    }
+}

@@ -1,0 +1,82 @@
+package rsal.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import rsal.data.LaserScan;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.scenario.run.Reading;
+import rsal.server.Messages.DeviceNumbers;
+import rsal.server.Messages.NumberInfo;
+
+class NumbersTest {
+    /// Of a device that nobody here knows.
+    record Weather(Wind wind, double pressure, String words, List<String> clouds) {}
+
+    record Wind(double speed, int gusts, double angle) {}
+
+    record Nested(Object inner) {}
+
+    private static List<String> words(Object value) {
+        return Numbers.of(value).stream()
+                .map(number -> number.name() + " "
+                        + number.value().map(String::valueOf).orElse("none"))
+                .toList();
+    }
+
+    @Test
+    void recordsAreLookedThroughInTheirOrderAndAnglesAreInDegrees() {
+        assertThat(words(new Odometry(new Pose2d(1, 2, Math.PI / 2), new Twist2d(0.5, 0, -Math.PI), true)))
+                .containsExactly(
+                        "odomFromBase.x 1.0",
+                        "odomFromBase.y 2.0",
+                        "odomFromBase.theta 90.0",
+                        "velocity.vx 0.5",
+                        "velocity.vy 0.0",
+                        "velocity.omega -180.0",
+                        "stalled 1.0");
+    }
+
+    @Test
+    void whatNobodyKnowsIsToldAsWell() {
+        var weather = new Weather(new Wind(3.5, 7, Math.PI), Double.NaN, "fair", List.of("cirrus", "cumulus"));
+        assertThat(words(weather))
+                .containsExactly("wind.speed 3.5", "wind.gusts 7.0", "wind.angle 180.0", "pressure none", "clouds.count 2.0");
+    }
+
+    @Test
+    void ofManyTheLeastTheMeanAndTheGreatestOfThoseThatAreFinite() {
+        float[] ranges = {1, Float.POSITIVE_INFINITY, 3, Float.NaN};
+        assertThat(words(new LaserScan(Pose2d.ORIGIN, -1, 0.5, 0.02, 5, ranges)))
+                .contains("rangeMax 5.0", "ranges.least 1.0", "ranges.mean 2.0", "ranges.greatest 3.0");
+        assertThat(words(new LaserScan(Pose2d.ORIGIN, -1, 0.5, 0.02, 5, new float[] {Float.NaN})))
+                .contains("ranges.least none", "ranges.mean none");
+    }
+
+    @Test
+    void whatIsDeepOrMuchIsBounded() {
+        Object deep = 1.0;
+        for (int i = 0; i < 100; i++) {
+            deep = new Nested(deep);
+        }
+        assertThat(Numbers.of(deep)).isEmpty();
+        assertThat(Numbers.of("words")).isEmpty();
+    }
+
+    @Test
+    void devicesWithoutANumberAreLeftOut() {
+        assertThat(Numbers.of(List.of(reading("speech", "hello"), reading("scale", 3)))
+                        .devices())
+                .containsExactly(new DeviceNumbers("scale", List.of(new NumberInfo("", Optional.of(3.0)))));
+    }
+
+    private static Reading reading(String device, Object value) {
+        return new Reading(device, new Stamped<>(Instant.EPOCH, "r1/" + device, value));
+    }
+}

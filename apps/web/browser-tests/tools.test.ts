@@ -1,0 +1,129 @@
+import { fileURLToPath } from 'node:url';
+import { AxeBuilder } from '@axe-core/playwright';
+import { chromium as driver, type Browser, type Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
+import { Rsal } from './rsal';
+
+const TEAM = fileURLToPath(new URL('talk.yaml', import.meta.url));
+const PICTURES = process.env.PICTURES;
+
+describe.skipIf(!chromium)('what people work with', () => {
+  let browser: Browser | undefined;
+  let page: Page;
+
+  beforeAll(async () => {
+    const [rsal, started] = await Promise.all([
+      Rsal.run(TEAM, '--port', '0'),
+      driver.launch({ executablePath: chromium!, args: flags }),
+    ]);
+    browser = started;
+    const context = await browser.newContext({
+      viewport: { width: 1400, height: 900 },
+      colorScheme: 'light',
+    });
+    page = await context.newPage();
+    await page.goto(rsal.url);
+    await page.locator('tr[data-robot][data-x]').first().waitFor();
+  });
+
+  afterAll(async () => {
+    await browser?.close();
+    await Rsal.endAll();
+  });
+
+  async function picture(name: string) {
+    if (PICTURES) {
+      await page.screenshot({ path: `${PICTURES}/${name}.png` });
+    }
+  }
+
+  async function isAccessible() {
+    const found = await new AxeBuilder({ page }).analyze();
+    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+  }
+
+  const told = (text: string) =>
+    eventually(
+      async () => (await page.locator('.banner').innerText()).includes(text),
+      `the banner says ${text}`,
+    );
+
+  it('a chart shows who said what to whom, one after the other, and one conversation alone', async () => {
+    const panel = page.locator('.panel', { hasText: 'Events' });
+    await panel.getByRole('button', { name: 'Chart' }).click();
+    const arrows = panel.locator('.arrow');
+    await arrows.nth(3).waitFor();
+    await panel.getByRole('button', { name: 'Enlarge' }).click();
+    const box = (await panel.boundingBox())!;
+    expect(box.width).toBeGreaterThan(1200);
+    expect(await page.getByRole('button', { name: 'Emergency stop' }).isVisible()).toBe(true);
+    expect(await arrows.first().innerText()).toMatch(/^(cfp|request|inform|agree|query)/);
+    await picture('chart');
+    await isAccessible();
+    const before = await arrows.count();
+    await arrows.first().click();
+    await eventually(async () => (await arrows.count()) < before, 'other conversations are left out');
+    await panel.getByRole('button', { name: '✕' }).click();
+    await eventually(async () => (await arrows.count()) >= before, 'they are back');
+    await panel.getByLabel('Of one topic or protocol').selectOption({ label: 'all topics and protocols' });
+    await eventually(
+      async () => (await panel.locator('.arrow.all').count()) > 0,
+      'what is for all is there, too',
+    );
+    await panel.locator('[role=region] [tabindex="0"]').press('Escape');
+    await eventually(async () => (await panel.boundingBox())!.width < 700, 'it is small again');
+    await panel.getByRole('button', { name: 'Chart' }).click();
+  });
+
+  it('numbers of any device are plotted', async () => {
+    await page.locator('tr[data-robot="courier-1"]').click();
+    await page.getByText('Plots', { exact: true }).click();
+    const numbers = page.getByLabel('Plot a number…');
+    await eventually(
+      async () => (await numbers.locator('option', { hasText: 'ranges.least' }).count()) > 0,
+      'there are numbers of the laser',
+    );
+    await numbers.selectOption('laser ranges.least');
+    const plot = page.locator('[data-plot="laser ranges.least"]');
+    await eventually(
+      async () => ((await plot.locator('.box path').getAttribute('d')) ?? '').includes('L'),
+      'a line is drawn',
+    );
+    await plot.scrollIntoViewIfNeeded();
+    await picture('plots');
+    await isAccessible();
+    await plot.getByRole('button').click();
+    expect(await plot.count()).toBe(0);
+  });
+
+  it('distances are measured on the map', async () => {
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('t');
+    await page.getByText('Drag from one place to another').waitFor();
+    const map = (await page.locator('#map').boundingBox())!;
+    await page.mouse.move(map.x + 200, map.y + 100);
+    await page.mouse.down();
+    await page.mouse.move(map.x + 500, map.y + 60, { steps: 3 });
+    await page.mouse.up();
+    await page.getByText('Drag from one place to another').waitFor({ state: 'detached' });
+    await picture('measure');
+    await page.keyboard.press('t');
+  });
+
+  it('motors of one robot are switched off and on, and the space key stops all of them', async () => {
+    await page.locator('tr[data-robot="courier-1"]').click();
+    await page.getByRole('button', { name: 'Motors off' }).click();
+    await told('Motors of courier-1 are off.');
+    await page.getByRole('button', { name: 'Motors on' }).click(); // which leaves it without the focus
+    await eventually(async () => !(await page.locator('.banner').innerText()).includes('off'), 'all are on');
+    await page.keyboard.press(' ');
+    await told('no robot moves until they are armed');
+    await page.getByRole('button', { name: 'Motors on' }).click();
+    await told('Motors of courier-2, prey are off.');
+    await picture('motors');
+    await page.getByRole('button', { name: 'Arm all' }).click();
+    await eventually(async () => !(await page.locator('.banner').innerText()).includes('off'), 'all are on');
+  });
+});
