@@ -287,7 +287,24 @@ public record RunPlan(
     /// @param min the least value that is still right; −∞ when there is none
     /// @param max the greatest value that is still right; +∞ when there is none
     public record Measured(
-            String name, String unit, Measure from, boolean perRobot, Better better, double min, double max) {}
+            String name, String unit, Measure from, boolean perRobot, Better better, double min, double max) {
+        /// What the value of one robot is called.
+        public String nameOf(String robot) {
+            return name + "." + robot;
+        }
+
+        /// What its values are called in a run with these robots: one for all, or one for each robot that it is of.
+        public List<String> names(List<PlannedRobot> robots) {
+            return perRobot
+                    ? robots.stream()
+                            .map(PlannedRobot::spec)
+                            .filter(robot ->
+                                    from.role().map(robot.role()::equals).orElse(true))
+                            .map(robot -> nameOf(robot.id()))
+                            .toList()
+                    : List.of(name);
+        }
+    }
 
     /// Which values of a measure are the better ones.
     public enum Better {

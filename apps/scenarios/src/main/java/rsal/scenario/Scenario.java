@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rsal.scene.Scene;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -29,15 +30,17 @@ public final class Scenario {
 
     private final Value.Mapping settings;
     private final FileSource files;
+    private final Optional<String> text; // of a world it is read when somebody asks
     private final String name;
     private final String title;
     private final String description;
     private final List<Parameter> arguments;
     private final List<Configuration> configurations;
 
-    private Scenario(Value.Mapping settings, FileSource files, Problems problems) {
+    private Scenario(Value.Mapping settings, FileSource files, Optional<String> text, Problems problems) {
         this.settings = settings;
         this.files = files;
+        this.text = text;
         var section = new Section("", settings, problems);
         int version = (int) section.number("rsal");
         if (section.has("rsal") && version != Format.VERSION) {
@@ -115,7 +118,7 @@ public final class Scenario {
     static Scenario beside(Scenario host, String path, Location at) {
         var problems = new Problems();
         String text = host.files.text(path, Yaml.MAX_CHARACTERS, at);
-        var scenario = new Scenario(Yaml.read(path, text), host.files, problems);
+        var scenario = new Scenario(Yaml.read(path, text), host.files, Optional.of(text), problems);
         problems.throwIfAny();
         return scenario;
     }
@@ -146,7 +149,7 @@ public final class Scenario {
         settings.put("rsal", new Value.Scalar(at, (long) Format.VERSION));
         settings.put("scenario", new Value.Scalar(at, file));
         settings.put("world", new Value.Mapping(at, world, Map.of()));
-        return new Scenario(new Value.Mapping(at, settings, Map.of()), files, new Problems());
+        return new Scenario(new Value.Mapping(at, settings, Map.of()), files, Optional.empty(), new Problems());
     }
 
     private static boolean looksLikeFile(String name) {
@@ -178,7 +181,7 @@ public final class Scenario {
     static Scenario read(String file, String text, FileSource files) {
         Value.Mapping settings = Yaml.read(file, text);
         var problems = new Problems();
-        var scenario = new Scenario(settings, files, problems);
+        var scenario = new Scenario(settings, files, Optional.of(text), problems);
         if (!problems.isEmpty()) {
             throw new InvalidSettings(distinct(problems.all(), scenario.mistakes(RunOptions.NONE)));
         }
@@ -201,6 +204,13 @@ public final class Scenario {
     /// Some sentences for people; empty when there are none.
     public String description() {
         return description;
+    }
+
+    /// As its author wrote it; of a world, the text of that.
+    ///
+    /// @throws InvalidSettings when a world can't be read
+    public String text() {
+        return text.orElseGet(() -> files.text(location().file(), Yaml.MAX_CHARACTERS, location()));
     }
 
     /// Where it was read from.

@@ -4,6 +4,11 @@ import java.util.Optional;
 
 /// What to measure over a whole run: `p95(poseError)`. As text it is as people write it.
 public sealed interface Measure {
+    /// Of which robots it is; empty for all, or when it is of none.
+    default Optional<String> role() {
+        return Optional.empty();
+    }
+
     /// Whether each robot can have a value of its own.
     default boolean canBePerRobot() {
         return false;

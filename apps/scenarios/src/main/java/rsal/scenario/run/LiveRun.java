@@ -120,8 +120,10 @@ public final class LiveRun implements AutoCloseable {
         return Math.max(1, Runtime.getRuntime().availableProcessors() - 1);
     }
 
+    /// The same beside other runs, which share the cores.
+    ///
     /// @param helpers how many threads help the run's own with heavy work
-    static LiveRun start(RunPlan plan, int helpers) {
+    public static LiveRun start(RunPlan plan, int helpers) {
         return start(plan, helpers, System::nanoTime);
     }
 

@@ -421,13 +421,13 @@ final class Observer implements Facts {
         for (Measured measured : plan.measures()) {
             if (measured.perRobot()) {
                 records.forEach((id, own) -> {
-                    if (of(role(measured.from())).test(own)) {
-                        findings.add(finding(measured, measured.name() + "." + id, List.of(own)));
+                    if (of(measured.from().role()).test(own)) {
+                        findings.add(finding(measured, measured.nameOf(id), List.of(own)));
                     }
                 });
             } else {
                 var all = records.values().stream()
-                        .filter(of(role(measured.from())))
+                        .filter(of(measured.from().role()))
                         .toList();
                 findings.add(finding(measured, measured.name(), all));
             }
@@ -460,14 +460,6 @@ final class Observer implements Facts {
 
     private static OptionalDouble known(double value) {
         return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
-    }
-
-    private static Optional<String> role(Measure measure) {
-        return switch (measure) {
-            case Measure.Distance distance -> distance.role();
-            case Measure.Statistic statistic -> statistic.role();
-            case Measure.FirstTime _, Measure.Count _ -> Optional.empty();
-        };
     }
 
     private static Predicate<RobotRecord> of(Optional<String> role) {
