@@ -62,6 +62,7 @@ public abstract class ArchitectureRules {
     private static final String NAVIGATION = "rsal.navigation..";
     private static final String SCENARIOS = "rsal.scenario..";
     private static final String RECORDING = "rsal.recording..";
+    private static final String EXPERIMENTS = "rsal.experiment..";
     private static final String SERVER = "rsal.server..";
     private static final String CLI = "rsal.cli..";
     private static final String[] ROBOT_SYSTEMS = {"rsal.sim..", "rsal.player..", "rsal.ros2.."};
@@ -77,7 +78,7 @@ public abstract class ArchitectureRules {
         "rsal.scene..",
         "rsal.system.."
     };
-    private static final String[] APPS = {SCENARIOS, RECORDING, SERVER, CLI};
+    private static final String[] APPS = {SCENARIOS, RECORDING, EXPERIMENTS, SERVER, CLI};
 
     private static final SliceAssignment PACKAGES = new SliceAssignment() {
         @Override
@@ -221,7 +222,7 @@ public abstract class ArchitectureRules {
                 .that()
                 .resideInAPackage(SCENARIOS)
                 .should()
-                .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION, RECORDING, SERVER, CLI))));
+                .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION, RECORDING, EXPERIMENTS, SERVER, CLI))));
     }
 
     @Test
@@ -230,7 +231,16 @@ public abstract class ArchitectureRules {
                 .that()
                 .resideInAPackage(RECORDING)
                 .should()
-                .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION, SERVER, CLI))));
+                .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION, EXPERIMENTS, SERVER, CLI))));
+    }
+
+    @Test
+    void experimentsKnowOnlyScenarios() {
+        check(noClasses()
+                .that()
+                .resideInAPackage(EXPERIMENTS)
+                .should()
+                .dependOnClassesThat(within(with(ROBOT_SYSTEMS, NAVIGATION, RECORDING, SERVER, CLI))));
     }
 
     @Test

@@ -1,0 +1,15 @@
+/// Experiments: many runs of a scenario with other arguments, configurations and seeds, what came of each,
+/// and what that says. Knows nothing of robots and agents beyond what a run's result tells.
+module rsal.experiments {
+    requires transitive rsal.scenarios;
+    requires java.desktop; // draws figures
+    requires tools.jackson.databind;
+    requires static org.jspecify;
+
+    exports rsal.experiment;
+    exports rsal.experiment.report;
+    exports rsal.experiment.statistics;
+
+    opens rsal.experiment to
+            tools.jackson.databind;
+}

@@ -1,0 +1,173 @@
+package rsal.experiment;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HashSet;
+import java.util.HexFormat;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.Clock;
+import rsal.scenario.RunPlan.Measured;
+import rsal.scenario.Scenario;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Problem;
+
+/// An experiment with everything decided and nothing started: the same scenario again and again, with all
+/// that its design combines. Immutable.
+public final class Sweep {
+    private static final int MOST_RUNS = 1_000_000;
+
+    private final Scenario scenario;
+    private final Design design;
+    private final List<Trial> trials;
+    private final List<Problem> notes;
+    private final Map<Integer, Map<String, Object>> arguments = new LinkedHashMap<>(); // by combination
+    private final Map<String, Measured> measures = new LinkedHashMap<>(); // by name
+    private final Set<String> values = new LinkedHashSet<>(); // what those of measures are called
+
+    private Sweep(Scenario scenario, Design design) {
+        this.scenario = scenario;
+        this.design = design;
+        var mistakes = new LinkedHashSet<Problem>();
+        var found = new LinkedHashSet<Problem>();
+        for (Combination combination : design.combinations()) {
+            try {
+                RunPlan plan = plan(combination, design.seeds().getFirst());
+                check(plan, mistakes);
+                found.addAll(plan.scene().warnings());
+                found.addAll(plan.notes());
+                arguments.put(combination.number(), plan.arguments());
+                plan.measures().forEach(measured -> {
+                    measures.putIfAbsent(measured.name(), measured);
+                    values.addAll(measured.names(plan.robots()));
+                });
+            } catch (InvalidSettings e) {
+                mistakes.addAll(e.problems());
+            }
+        }
+        if (!mistakes.isEmpty()) {
+            throw new InvalidSettings(List.copyOf(mistakes));
+        }
+        this.trials = design.trials();
+        this.notes = List.copyOf(found);
+    }
+
+    /// Plans a run of every combination, with the first seed.
+    ///
+    /// @throws InvalidSettings with every mistake of the scenario and the design
+    public static Sweep of(Scenario scenario, Design design) {
+        checkSize(scenario, design);
+        return new Sweep(scenario, design);
+    }
+
+    private static void checkSize(Scenario scenario, Design design) {
+        if (design.runs() > MOST_RUNS) {
+            throw new InvalidSettings(
+                    scenario.location(),
+                    "That would be more than %d runs.".formatted(MOST_RUNS),
+                    "Vary less, or in several sweeps.");
+        }
+        checkOnce("--configuration", design.configurations());
+        checkOnce("--vary", design.factors().stream().map(Factor::argument).toList());
+        for (Factor factor : design.factors()) {
+            if (design.settings().containsKey(factor.argument())) {
+                throw new InvalidSettings(
+                        Location.of("--set %s=%s"
+                                .formatted(factor.argument(), design.settings().get(factor.argument()))),
+                        "Argument (%s) is varied, too.".formatted(factor.argument()),
+                        "Say either --set or --vary of it.");
+            }
+        }
+    }
+
+    private static void checkOnce(String option, List<String> names) {
+        var seen = new HashSet<String>();
+        for (String name : names) {
+            if (!seen.add(name)) {
+                throw new InvalidSettings(Location.of(option), "(%s) is there twice.".formatted(name), "");
+            }
+        }
+    }
+
+    private void check(RunPlan plan, Set<Problem> mistakes) {
+        String name = "Configuration (%s)".formatted(plan.configuration());
+        if (plan.clock() == Clock.WALL) {
+            mistakes.add(new Problem(
+                    scenario.location(),
+                    name + " runs in real time.",
+                    "Only runs in simulated time can be compared: they don't disturb each other, and the same seed"
+                            + " gives the same run. Name others by --configuration."));
+        } else if (plan.stops().isEmpty() && design.limit().isEmpty()) {
+            mistakes.add(new Problem(
+                    scenario.location(), name + " has no end of its own.", "Say how long by --for SECONDS."));
+        }
+    }
+
+    public Scenario scenario() {
+        return scenario;
+    }
+
+    public Design design() {
+        return design;
+    }
+
+    /// In the order in which they begin.
+    public List<Trial> trials() {
+        return trials;
+    }
+
+    /// What is right, but may not be what people think, each only once.
+    public List<Problem> notes() {
+        return notes;
+    }
+
+    /// What is measured in any of its runs, in the scenario's order.
+    public List<Measured> measures() {
+        return List.copyOf(measures.values());
+    }
+
+    /// What the values of measures are called in any of its runs.
+    List<String> valueNames() {
+        return List.copyOf(values);
+    }
+
+    /// All of the scenario's, as they are in the runs of a combination: Double, Long, String or Boolean.
+    Map<String, Object> arguments(Combination combination) {
+        return arguments.getOrDefault(combination.number(), Map.of());
+    }
+
+    /// Decides all of a run.
+    ///
+    /// @throws InvalidSettings when it can't be with its seed: perhaps no place was found for a robot
+    RunPlan plan(Trial trial) {
+        return plan(trial.combination(), trial.seed());
+    }
+
+    private RunPlan plan(Combination combination, long seed) {
+        var typed = new LinkedHashMap<>(design.settings());
+        typed.putAll(combination.levels());
+        RunOptions options = RunOptions.NONE
+                .withConfiguration(combination.configuration())
+                .withArguments(typed)
+                .withSeed(seed)
+                .withSpeed(Double.POSITIVE_INFINITY);
+        return scenario.plan(design.limit().map(options::withLimit).orElse(options));
+    }
+
+    /// SHA-256 of the scenario's text, in hexadecimal.
+    String hash() {
+        try {
+            byte[] text = scenario.text().getBytes(StandardCharsets.UTF_8);
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(text));
+        } catch (NoSuchAlgorithmException e) {
+            throw new AssertionError("Every Java has SHA-256.", e);
+        }
+    }
+}

@@ -1,0 +1,266 @@
+package rsal.experiment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.LiveRun;
+import rsal.settings.InvalidSettings;
+
+class SweepRunTest {
+    @TempDir
+    Path folder;
+
+    private Path out;
+    private Scenario scenario;
+    private Sweep sweep;
+
+    @BeforeEach
+    void plan() {
+        out = folder.resolve("out");
+        scenario = Guards.in(folder);
+        sweep = Sweep.of(scenario, Guards.design(2));
+    }
+
+    @Test
+    void eachRunIsWhatItWouldBeAlone() throws Exception {
+        List<Row> rows = run(sweep, create(sweep), 4);
+        assertThat(rows).hasSize(8);
+        for (Row row : rows) {
+            try (LiveRun alone = LiveRun.start(sweep.plan(sweep.trials().get(row.run() - 1)))) {
+                assertThat(row.eventHash())
+                        .isEqualTo(alone.result().toCompletableFuture().get().eventHash());
+            }
+        }
+        assertThat(rows)
+                .extracting(Row::outcome)
+                .containsExactly(
+                        "success", "success", "timeout", "timeout", "success", "success", "timeout", "timeout");
+    }
+
+    @Test
+    void theTableHasARowPerRunAndColumnsForAllThatIsMeasured() throws Exception {
+        run(sweep, create(sweep), 2);
+        List<String> lines = Files.readAllLines(out.resolve(SweepFolder.TABLE));
+        assertThat(lines.getFirst())
+                .isEqualTo("run,combination,configuration,argument.guards,argument.places,seed,outcome,reason,"
+                        + "simulatedSeconds,wallSeconds,eventHash,measure.guards,measure.way.guard-1,"
+                        + "measure.firstCollision,measure.way.guard-2,outOfBounds,failedAgents");
+        assertThat(lines).hasSize(9);
+        assertThat(lines.get(2)).startsWith("2,2,long,2,anywhere,1,success,,3.1,");
+        Row row = SweepFolder.rows(out).get(1);
+        assertThat(row.measures().get("guards").orElseThrow()).isPositive();
+        assertThat(row.measures()).containsEntry("firstCollision", OptionalDouble.empty());
+        assertThat(row.arguments()).containsEntry("guards", 2);
+    }
+
+    /// Wherever the file ends: after a row, or anywhere in one.
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 17, 100_000})
+    void goesOnAfterAKillWithoutLosingOrDoublingARow(int left) throws Exception {
+        run(sweep, create(sweep), 2);
+        List<Row> whole = SweepFolder.rows(out);
+        Path rows = out.resolve(SweepFolder.ROWS);
+        byte[] all = Files.readAllBytes(rows);
+        int third = lineEnd(all, lineEnd(all, lineEnd(all, 0)));
+        int fourth = lineEnd(all, third);
+        Files.write(rows, Arrays.copyOf(all, Math.min(third + left, fourth - 1)));
+        Files.writeString(out.resolve(SweepFolder.TABLE), "half a ta");
+
+        var opened = SweepFolder.resume(out, sweep, Guards.session());
+        assertThat(opened.rows()).hasSize(3);
+        run(sweep, opened, 2);
+
+        assertThat(withoutWallTime(SweepFolder.rows(out))).isEqualTo(withoutWallTime(whole));
+        assertThat(Files.readAllLines(rows)).hasSize(8);
+        assertThat(Files.readAllLines(out.resolve(SweepFolder.TABLE))).hasSize(9);
+        assertThat(SweepFolder.manifest(out).sessions()).hasSize(2);
+    }
+
+    @Test
+    void aLastLineThatIsNoRowIsCutOff() throws Exception {
+        run(sweep, create(sweep), 2);
+        Path rows = out.resolve(SweepFolder.ROWS);
+        Files.write(rows, new byte[] {0, 0, 0, '\n'}, StandardOpenOption.APPEND); // after a loss of power
+        try (var opened = SweepFolder.resume(out, sweep, Guards.session())) {
+            assertThat(opened.rows()).hasSize(8);
+        }
+    }
+
+    @Test
+    void aFolderOfAnotherSweepIsRefused() throws Exception {
+        create(sweep).close();
+        Sweep other = Sweep.of(scenario, Guards.design(3));
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> SweepFolder.resume(out, other, Guards.session()))
+                .withMessageContainingAll("another one", "seeds (there [1, 2], here [1, 2, 3])");
+        Sweep changed = Sweep.of(Guards.in(folder, Guards.TEXT + "# a word more\n"), Guards.design(2));
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> SweepFolder.resume(out, changed, Guards.session()))
+                .withMessageContaining("scenario's text");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> create(sweep))
+                .withMessageContainingAll("a sweep in it already", "--resume");
+    }
+
+    @Test
+    void aFolderWithOtherThingsIsRefused() throws IOException {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> SweepFolder.resume(out, sweep, Guards.session()))
+                .withMessageContaining("no sweep to go on with");
+        Files.createDirectories(out);
+        Files.writeString(out.resolve("thesis.tex"), "");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> create(sweep))
+                .withMessageContaining("not empty");
+    }
+
+    @Test
+    void onlyOneWritesToAFolder() {
+        try (var _ = create(sweep)) {
+            assertThatExceptionOfType(InvalidSettings.class)
+                    .isThrownBy(() -> SweepFolder.resume(out, sweep, Guards.session()))
+                    .withMessageContaining("Another process");
+        }
+    }
+
+    @Test
+    void seesThatARunComesOutOtherwiseNow() throws Exception {
+        run(sweep, create(sweep), 2);
+        try (var same = SweepFolder.resume(out, sweep, Guards.session());
+                var runs = new SweepRun(sweep, same, 1, _ -> {})) {
+            runs.checkRepeatable();
+        }
+        Path rows = out.resolve(SweepFolder.ROWS);
+        Files.writeString(rows, Files.readString(rows).replaceAll("\"eventHash\":\"....", "\"eventHash\":\"beef"));
+        try (var other = SweepFolder.resume(out, sweep, Guards.session());
+                var runs = new SweepRun(sweep, other, 1, _ -> {})) {
+            assertThatExceptionOfType(InvalidSettings.class)
+                    .isThrownBy(runs::checkRepeatable)
+                    .withMessageContainingAll("was beef", "has changed since");
+        }
+    }
+
+    /// With the second seed nothing is free for so many large robots; with the first there is.
+    @Test
+    void whatCantBeginBecomesARowWithItsReason() throws Exception {
+        String crowded = Guards.TEXT.replace(
+                "pose: {free: true}", "pose: {free: true, clearance: 0.4, within: [-1.2, -1.6, 0.6, -0.4]}");
+        Scenario tight = Guards.in(folder, crowded);
+        var design = new Design(
+                List.of("short"),
+                List.of(),
+                Map.of("guards", "2"),
+                LongStream.rangeClosed(1, 30).boxed().toList(),
+                Optional.empty());
+        Sweep planned = planned(tight, design);
+        List<Row> rows = run(planned, create(planned), 2);
+        assertThat(rows).hasSize(30);
+        assertThat(rows).filteredOn(Row::isBroken).isNotEmpty().allSatisfy(row -> {
+            assertThat(row.reason()).contains("guard");
+            assertThat(row.simulatedSeconds()).isEmpty();
+        });
+        assertThat(rows).filteredOn(row -> !row.isBroken()).isNotEmpty();
+    }
+
+    private static Sweep planned(Scenario scenario, Design design) {
+        for (int first = 0; ; first++) {
+            try {
+                List<Long> seeds = new ArrayList<>(design.seeds());
+                Collections.rotate(seeds, -first);
+                return Sweep.of(
+                        scenario,
+                        new Design(
+                                design.configurations(), design.factors(), design.settings(), seeds, design.limit()));
+            } catch (InvalidSettings e) {
+                if (first == design.seeds().size()) {
+                    throw e;
+                }
+            }
+        }
+    }
+
+    @Test
+    void whatIsClosedEndsWithoutRowsForRunsUnderWay() throws Exception {
+        try (var opened = create(sweep)) {
+            var runs = new SweepRun(sweep, opened, 2, _ -> {});
+            runs.close();
+            runs.run();
+            assertThat(opened.rows()).isEmpty();
+        }
+    }
+
+    @Test
+    void isClosedByWhoeverIsToldOfARow() throws Exception {
+        var told = new ArrayList<Row>();
+        try (var opened = create(sweep)) {
+            var self = new SweepRun[1];
+            self[0] = new SweepRun(sweep, opened, 1, row -> {
+                told.add(row);
+                self[0].close();
+            });
+            self[0].run();
+        }
+        assertThat(told).hasSize(1);
+        assertThat(SweepFolder.rows(out))
+                .extracting(Row::run)
+                .containsExactly(told.getFirst().run());
+    }
+
+    private SweepFolder create(Sweep planned) {
+        return SweepFolder.create(out, planned, Guards.session("rsal", "sweep"));
+    }
+
+    /// @return all rows, in order
+    private List<Row> run(Sweep planned, SweepFolder opened, int jobs) throws InterruptedException {
+        try (opened;
+                var runs = new SweepRun(planned, opened, jobs, _ -> {})) {
+            runs.run();
+            return opened.rows();
+        }
+    }
+
+    private static int lineEnd(byte[] all, int from) {
+        int end = from;
+        while (all[end] != '\n') {
+            end++;
+        }
+        return end + 1;
+    }
+
+    private static List<Row> withoutWallTime(List<Row> rows) {
+        return rows.stream()
+                .map(row -> new Row(
+                        row.run(),
+                        row.combination(),
+                        row.configuration(),
+                        row.arguments(),
+                        row.seed(),
+                        row.outcome(),
+                        row.reason(),
+                        row.simulatedSeconds(),
+                        OptionalDouble.empty(),
+                        row.eventHash(),
+                        row.measures(),
+                        row.outOfBounds(),
+                        row.failedAgents()))
+                .toList();
+    }
+}
