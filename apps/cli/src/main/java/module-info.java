@@ -9,6 +9,7 @@ module rsal.cli {
     requires jdk.management; // memory of the machine
     requires org.slf4j;
     requires rsal.bench;
+    requires rsal.experiments;
     requires rsal.navigation;
     requires rsal.recordings;
     requires rsal.scenarios;

@@ -41,6 +41,8 @@ import rsal.settings.Suggestion;
             RunCommand.class,
             ReplayCommand.class,
             ExportCommand.class,
+            SweepCommand.class,
+            ReportCommand.class,
             BridgeCommand.class,
             AgentCommand.class,
             OperatorCommands.Status.class,

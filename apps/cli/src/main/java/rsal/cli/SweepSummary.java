@@ -1,0 +1,105 @@
+package rsal.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rsal.experiment.Combination;
+import rsal.experiment.Findings;
+import rsal.experiment.Manifest.Measure;
+import rsal.experiment.Row;
+import rsal.experiment.SweepFolder;
+import rsal.experiment.report.Numbers;
+import rsal.experiment.statistics.Interval;
+import rsal.experiment.statistics.Mean;
+import rsal.experiment.statistics.Share;
+
+/// What came of a sweep, in short: for each combination how its runs ended, and the means of what was
+/// measured.
+record SweepSummary(Findings findings, Path folder) {
+    static SweepSummary of(Findings findings, Path folder) {
+        return new SweepSummary(findings, folder);
+    }
+
+    /// For programs. Part of what users build on: names and order stay.
+    record Json(
+            String scenario, int runs, int ended, long broken, String folder, String rows, List<Each> combinations) {}
+
+    /// @param arguments that are varied, as typed
+    /// @param outcomes how many runs ended so
+    /// @param measures that had something to measure
+    record Each(
+            String configuration,
+            Map<String, String> arguments,
+            int runs,
+            Map<String, Long> outcomes,
+            Map<String, Estimate> measures) {}
+
+    /// @param low end of the 95 % confidence interval of the mean; empty for one value
+    record Estimate(int count, double mean, Optional<Double> low, Optional<Double> high) {
+        static Estimate of(Mean mean) {
+            return new Estimate(
+                    mean.count(),
+                    mean.value(),
+                    mean.interval().map(Interval::low),
+                    mean.interval().map(Interval::high));
+        }
+    }
+
+    Json json() {
+        return new Json(
+                findings.manifest().subject().scenario(),
+                findings.design().trials().size(),
+                findings.rows().size(),
+                findings.rows().stream().filter(Row::isBroken).count(),
+                folder.toString(),
+                folder.resolve(SweepFolder.TABLE).toString(),
+                findings.design().combinations().stream().map(this::each).toList());
+    }
+
+    private Each each(Combination combination) {
+        List<Row> rows = findings.of(combination);
+        var outcomes = new LinkedHashMap<String, Long>();
+        rows.forEach(row -> outcomes.merge(row.outcome(), 1L, Long::sum));
+        var measures = new LinkedHashMap<String, Estimate>();
+        for (Measure measure : findings.manifest().measures()) {
+            findings.mean(combination, measure).ifPresent(mean -> measures.put(measure.name(), Estimate.of(mean)));
+        }
+        return new Each(combination.configuration(), combination.levels(), rows.size(), outcomes, measures);
+    }
+
+    /// For people.
+    String text() {
+        List<Measure> measures = findings.manifest().measures();
+        var table = new Table("");
+        var head = new ArrayList<>(List.of("combination", "runs", "success"));
+        measures.forEach(m -> head.add(m.unit().isEmpty() ? m.name() : "%s [%s]".formatted(m.name(), m.unit())));
+        table.row(head.toArray(String[]::new));
+        for (Combination combination : findings.design().combinations()) {
+            List<Row> rows = findings.of(combination);
+            var cells = new ArrayList<>(List.of(findings.label(combination), Integer.toString(rows.size())));
+            cells.add(rows.isEmpty() ? "–" : successes(rows));
+            measures.forEach(measure -> cells.add(
+                    findings.mean(combination, measure).map(SweepSummary::words).orElse("–")));
+            table.row(cells.toArray(String[]::new));
+        }
+        return table
+                + "Means ± half of their 95 %% confidence intervals. Rows: %s; a page of them: rsal report %s%n"
+                        .formatted(folder.resolve(SweepFolder.TABLE), folder);
+    }
+
+    private static String successes(List<Row> rows) {
+        long count =
+                rows.stream().filter(row -> row.outcome().equals("success")).count();
+        return "%.0f %%".formatted(100 * new Share((int) count, rows.size()).value());
+    }
+
+    private static String words(Mean mean) {
+        String value = Numbers.of(mean.value());
+        return mean.interval()
+                .map(interval -> value + " ± " + Numbers.of(interval.high() - mean.value()))
+                .orElse(value);
+    }
+}
