@@ -307,6 +307,17 @@ export interface RobotPose {
   heading: number;
 }
 
+export interface RobotStatus {
+  id: string;
+  role: string;
+  x: number | null;
+  y: number | null;
+  heading: number | null;
+  gone: boolean;
+  stopped: boolean;
+  inCharge: string;
+}
+
 export interface RunInfo {
   number: number;
   scenario: string;
@@ -351,6 +362,18 @@ export interface Speed {
 }
 
 export type Status = 'RUNNING' | 'ENDED' | 'FAILED';
+
+export interface StatusInfo {
+  run: number;
+  scenario: string;
+  configuration: string;
+  seed: string;
+  time: number;
+  paused: boolean;
+  stopped: boolean;
+  outcome: string;
+  robots: RobotStatus[];
+}
 
 export interface TalkInfo {
   time: number;

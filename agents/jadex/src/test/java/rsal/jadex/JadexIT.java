@@ -22,7 +22,10 @@ class JadexIT {
         try (var hunt = start("hunt-and-prey", 3, Map.of("catchDistance", "3.0", "hunters", "3"));
                 var distribution = start("distribution", 5, Map.of("robots", "3"));
                 var collection = LiveRun.start(Scenario.load("find-and-collect")
-                        .plan(RunOptions.NONE.inRealTimeOn("jadex").withConfiguration("near").withSeed(1)))) {
+                        .plan(RunOptions.NONE
+                                .inRealTimeOn("jadex")
+                                .withConfiguration("near")
+                                .withSeed(1)))) {
             assertSuccess(hunt);
             assertSuccess(distribution);
             assertSuccess(collection);

@@ -66,7 +66,9 @@ final class BareJava implements BareSystem {
 
     private static final class Teller {
         private final Life life;
-        private Pose2d other = POSE; // that it heard of last
+
+        @SuppressWarnings("UnusedVariable") // to keep it is what each has to do with a message
+        private Pose2d other = POSE;
 
         Teller(Life life) {
             this.life = life;

@@ -152,7 +152,8 @@ final class OperatorCommands {
     /// `rsal pose`
     @Command(
             name = "pose",
-            description = "Say where a robot of a run with a page is: a simulated one is put there, and localizers are told.")
+            description =
+                    "Say where a robot of a run with a page is: a simulated one is put there, and localizers are told.")
     static final class Pose extends OfPose {
         @Override
         int run() throws InterruptedException {

@@ -74,8 +74,7 @@ abstract class PageCommand extends Subcommand {
             JsonNode said = JsonMapper.shared().readTree(answer.body());
             if (answer.statusCode() != 200) {
                 throw new ParameterException(
-                        spec.commandLine(),
-                        said.path("message").asString("(%s) refuses.".formatted(request.uri())));
+                        spec.commandLine(), said.path("message").asString("(%s) refuses.".formatted(request.uri())));
             }
             return said;
         } catch (IOException | JacksonException e) {

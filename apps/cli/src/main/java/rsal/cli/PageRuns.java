@@ -79,8 +79,9 @@ final class PageRuns {
 
     private static RunServer serve(RunPlan plan, @Nullable Integer port, Consumer<LiveRun> onStart, Eye eye)
             throws IOException {
-        Path page = page().orElseThrow(() ->
-                new Unreachable("The page is not built. Start with ./rsal, which builds it; or do without: run --headless, bridge without --page."));
+        Path page = page().orElseThrow(
+                        () -> new Unreachable(
+                                "The page is not built. Start with ./rsal, which builds it; or do without: run --headless, bridge without --page."));
         String token = RunServer.newToken();
         try {
             if (port != null) {

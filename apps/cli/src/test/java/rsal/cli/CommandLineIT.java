@@ -488,7 +488,8 @@ class CommandLineIT {
         Process process = ours.withPage().start("run", "teleop", "--port", "0", "--seed", "5");
         String url = process.errorReader().readLine().substring("Watch it at ".length());
         String port = Integer.toString(URI.create(url).getPort());
-        JsonNode status = JsonMapper.shared().readTree(ours.run("status", "--json").out()); // finds the only page
+        JsonNode status =
+                JsonMapper.shared().readTree(ours.run("status", "--json").out()); // finds the only page
         while (status.path("robots").isEmpty()) { // it may not have begun yet
             status = JsonMapper.shared().readTree(ours.run("status", "--json").out());
         }
@@ -499,7 +500,9 @@ class CommandLineIT {
         String y = Double.toString(first.path("y").asDouble());
         assertThat(ours.run("goal", "robot-1", goal, y).code()).isZero();
         assertThat(ours.run("estop", "robot-2", "--port", port).code()).isZero();
-        assertThat(ours.run("status").out()).startsWith("teleop:virtual, seed 5: runs").contains("motors off");
+        assertThat(ours.run("status").out())
+                .startsWith("teleop:virtual, seed 5: runs")
+                .contains("motors off");
         assertThat(ours.run("estop").code()).isZero();
         assertThat(ours.run("status").out()).contains("motors are off");
         assertThat(ours.run("arm").code()).isZero();
@@ -507,13 +510,13 @@ class CommandLineIT {
         Ended wall = ours.run("goal", "robot-1", "900", "900", "90");
         assertThat(wall.code()).isEqualTo(Exit.USAGE);
         assertThat(wall.err()).contains("is outside the map");
-        Ended stranger = rsal.inEnvironment(Map.of("XDG_RUNTIME_DIR", folder.resolve("other").toString()))
+        Ended stranger = rsal.inEnvironment(
+                        Map.of("XDG_RUNTIME_DIR", folder.resolve("other").toString()))
                 .run("estop", "--port", port);
         assertThat(stranger.code()).isEqualTo(Exit.UNREACHABLE);
         assertThat(stranger.err()).contains("There is no page of yours");
         Path key = folder.resolve("rsal/page-%s.token".formatted(port));
-        assertThat(Files.getPosixFilePermissions(key))
-                .isEqualTo(PosixFilePermissions.fromString("rw-------"));
+        assertThat(Files.getPosixFilePermissions(key)).isEqualTo(PosixFilePermissions.fromString("rw-------"));
         assertThat(ours.run("stop").code()).isZero();
         assertThat(ours.run("status").out()).contains("over: stopped");
         Ended.signal("INT", process);

@@ -85,7 +85,10 @@ final class Api {
         routes.get("/api/run", request -> answer(request, info()));
         routes.get("/api/status", request -> {
             Numbered now = current.now();
-            answer(request, Descriptions.status(now.number(), now.run().plan(), now.run().snapshot()));
+            answer(
+                    request,
+                    Descriptions.status(
+                            now.number(), now.run().plan(), now.run().snapshot()));
         });
         routes.get("/api/map/{run}", this::map);
         routes.get("/api/drawn/{run}", this::drawn);
@@ -160,7 +163,9 @@ final class Api {
         command(routes, "rearm", request -> answerWhenDone(request, running().rearm()));
         command(routes, "motors", request -> {
             Motors wish = read(request, Motors.class);
-            answerWhenDone(request, wish.on() ? running().rearm(wish.robot()) : running().stop(wish.robot()));
+            answerWhenDone(
+                    request,
+                    wish.on() ? running().rearm(wish.robot()) : running().stop(wish.robot()));
         });
         command(routes, "check", request -> {
             RunPlan plan = plan(read(request, Restart.class));

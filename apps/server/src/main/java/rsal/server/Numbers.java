@@ -43,7 +43,8 @@ final class Numbers {
             case Number number -> found.add(number(name, number.doubleValue()));
             case float[] all when all.length > 0 -> found.addAll(summary(name, all));
             case List<?> all -> found.add(number(name + ".count", all.size()));
-            case Record record when depth < DEEPEST -> {
+            case Record record
+            when depth < DEEPEST -> {
                 for (RecordComponent component : record.getClass().getRecordComponents()) {
                     String inner = name.isEmpty() ? component.getName() : name + "." + component.getName();
                     look(inner, read(record, component), depth + 1, found);
@@ -57,13 +58,14 @@ final class Numbers {
         try {
             return component.getAccessor().invoke(record);
         } catch (IllegalAccessException | InvocationTargetException e) {
-            throw new AssertionError("Values of devices are public, and their parts can always be read.", e);
+            throw new LinkageError("Values of devices are public, and their parts can always be read.", e);
         }
     }
 
     private static NumberInfo number(String name, double value) {
         String last = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        boolean angle = last.equals("theta") || last.equals("omega") || last.contains("angle") || last.equals("bearing");
+        boolean angle =
+                last.equals("theta") || last.equals("omega") || last.contains("angle") || last.equals("bearing");
         DoubleUnaryOperator shown = angle ? Math::toDegrees : DoubleUnaryOperator.identity();
         return new NumberInfo(
                 name, Double.isFinite(value) ? Optional.of(shown.applyAsDouble(value)) : Optional.empty());

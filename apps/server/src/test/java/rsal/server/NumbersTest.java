@@ -47,7 +47,8 @@ class NumbersTest {
     void whatNobodyKnowsIsToldAsWell() {
         var weather = new Weather(new Wind(3.5, 7, Math.PI), Double.NaN, "fair", List.of("cirrus", "cumulus"));
         assertThat(words(weather))
-                .containsExactly("wind.speed 3.5", "wind.gusts 7.0", "wind.angle 180.0", "pressure none", "clouds.count 2.0");
+                .containsExactly(
+                        "wind.speed 3.5", "wind.gusts 7.0", "wind.angle 180.0", "pressure none", "clouds.count 2.0");
     }
 
     @Test

@@ -83,7 +83,12 @@ final class Journal {
 
     private Said of(Message<?> message, String words) {
         return message.content() instanceof Act act
-                ? of(message, act.conversation(), act.protocol(), act.performative().toString(), words)
+                ? of(
+                        message,
+                        act.conversation(),
+                        act.protocol(),
+                        act.performative().toString(),
+                        words)
                 : of(message, "", "", "", words);
     }
 

@@ -233,7 +233,8 @@ class LiveRunTest {
 
     @Test
     void oneRobotIsStoppedOrArmedWhileTheOthersGoOn() throws InterruptedException {
-        try (var run = LiveRun.start(plan(RunOptions.NONE.withSpeed(5)))) {
+        String text = Runs.TWO_WANDERERS.replace("pose: {free: true}", "pose: [-8.0, -1.0, 0]"); // with room
+        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE.withSpeed(5)))) {
             var snapshots = snapshots(run);
             awaitRobots(snapshots);
             assertThat(answer(run.stop("hunter-1"))).isEqualTo(new Answer.Done());
