@@ -25,7 +25,6 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import rsal.player.client.Attentive.Silence;
 import rsal.player.message.Chars;
 import rsal.player.message.Interface;
 import rsal.player.message.Protocol;
@@ -38,7 +37,7 @@ import rsal.time.AllowedToReadWallClock;
 
 /// A connection to a Player server, which keeps the newest data of each kind only for us: so a slow reader is
 /// never behind. One thread reads and one writes; nobody else waits for the network. It ends, too, when
-/// [nothing comes any more][Attentive]. May be used on any thread.
+/// [nothing comes any more][Silence]. May be used on any thread.
 @AllowedToReadWallClock("It waits for a network.")
 public final class Connection implements AutoCloseable {
     private static final String CLOSED = "The connection was closed.";
@@ -99,8 +98,8 @@ public final class Connection implements AutoCloseable {
                         "(%s) is no Player server; it begins with (%s).".formatted(server, printable(introduction)));
             }
             var connection = new Connection(socket, delivery.pulls(socket.getInetAddress()), ident, onData);
-            var in = new Attentive(socket, silence, connection::settled);
-            connection.start(new BufferedInputStream(in), socket.getOutputStream());
+            socket.setSoTimeout(0);
+            connection.start(new Overheard(socket.getInputStream()), socket.getOutputStream(), silence);
             return connection;
         } catch (IOException | RuntimeException e) {
             socket.close();
@@ -112,7 +111,7 @@ public final class Connection implements AutoCloseable {
         return new String(bytes, UTF_8).replaceAll("[^\\x20-\\x7e]", "?");
     }
 
-    private void start(InputStream in, OutputStream out) {
+    private void start(Overheard in, OutputStream out, Silence silence) {
         ask(Session.MODE, new Session.Mode(pulls ? Session.PULL : Session.PUSH));
         ask(
                 Session.REPLACE_RULE,
@@ -120,8 +119,49 @@ public final class Connection implements AutoCloseable {
         if (pulls) {
             nextRound();
         }
-        Thread.ofVirtual().name("player read").start(() -> read(in));
+        Thread.ofVirtual().name("player read").start(() -> read(new BufferedInputStream(in)));
         Thread.ofVirtual().name("player write").start(() -> write(out));
+        Thread.ofVirtual().name("player watch").start(() -> watch(in, silence));
+    }
+
+    /// A network that breaks says nothing. So who is silent is asked for something, and is gone when nothing comes even
+    /// then. Who takes long over one thing may still be there: nobody is given up soon.
+    private void watch(Overheard in, Silence silence) {
+        int heard = in.times();
+        int silent = 0;
+        while (!isLostWithin(silence.asked())) {
+            silent = in.times() == heard ? silent + 1 : 0;
+            heard = in.times();
+            if (silent >= silence.times()) {
+                end("Nothing came for %s.".formatted(silence.words()));
+            } else if (silent > 0) {
+                settled();
+            }
+        }
+    }
+
+    private boolean isLostWithin(Duration time) {
+        try {
+            lost.get(time.toMillis(), TimeUnit.MILLISECONDS);
+            return true;
+        } catch (TimeoutException e) {
+            return false;
+        } catch (InterruptedException | ExecutionException e) {
+            throw new AssertionError("Nobody interrupts it, and it never fails.", e);
+        }
+    }
+
+    /// How long nothing may come.
+    ///
+    /// @param asked then the server is asked something, again and again
+    /// @param times how often in vain until it is gone
+    record Silence(Duration asked, int times) {
+        static final Silence USUAL = new Silence(Duration.ofSeconds(2), 5);
+
+        String words() {
+            Duration all = asked.multipliedBy(times);
+            return all.toMillis() < 1000 ? all.toMillis() + " ms" : all.toSeconds() + " s";
+        }
     }
 
     /// How the server introduced itself.
@@ -324,12 +364,8 @@ public final class Connection implements AutoCloseable {
         outbox.close();
         unanswered(CLOSED);
         Thread.ofVirtual().name("player close").start(() -> {
-            try {
-                lost.get(PARTING.toMillis(), TimeUnit.MILLISECONDS);
-            } catch (TimeoutException e) {
+            if (!isLostWithin(PARTING)) {
                 end(CLOSED); // the server takes nothing more
-            } catch (InterruptedException | ExecutionException e) {
-                throw new AssertionError("Nobody interrupts it, and it never fails.", e);
             }
         });
     }

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.player.client.Attentive.Silence;
+import rsal.player.client.Connection.Silence;
 import rsal.player.message.Chars;
 import rsal.player.message.Graphics2d;
 import rsal.player.message.Gripper;
