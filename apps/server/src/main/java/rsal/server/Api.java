@@ -12,6 +12,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
@@ -24,12 +25,14 @@ import org.slf4j.LoggerFactory;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
+import rsal.device.Subscription;
 import rsal.map.RosMap;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Prop;
 import rsal.scenario.run.Reading;
+import rsal.scenario.run.Snapshot;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Added;
 import rsal.server.Messages.Addition;
@@ -83,13 +86,7 @@ final class Api {
         });
 
         routes.get("/api/run", request -> answer(request, info()));
-        routes.get("/api/status", request -> {
-            Numbered now = current.now();
-            answer(
-                    request,
-                    Descriptions.status(
-                            now.number(), now.run().plan(), now.run().snapshot()));
-        });
+        routes.get("/api/status", this::status);
         routes.get("/api/map/{run}", this::map);
         routes.get("/api/drawn/{run}", this::drawn);
         routes.get("/api/drawn/{run}/files", this::drawnFiles);
@@ -195,6 +192,25 @@ final class Api {
             answer(request, Map.of());
             handler.handle(request);
         });
+    }
+
+    private void status(Context request) {
+        Numbered now = current.now();
+        request.future(() -> fresh(now)
+                .thenAccept(snapshot -> answer(
+                        request, Descriptions.status(now.number(), now.run().plan(), snapshot))));
+    }
+
+    /// How a run is now. The newest snapshot may be of long ago: they are made for those who look.
+    private static CompletableFuture<Snapshot> fresh(Numbered now) {
+        LiveRun run = now.run();
+        if (now.isOver()) {
+            return CompletableFuture.completedFuture(run.snapshot());
+        }
+        var fresh = new CompletableFuture<Snapshot>();
+        Subscription looking = run.onSnapshot(() -> fresh.complete(run.snapshot()));
+        run.snapshot(); // asks for one
+        return fresh.whenComplete((_, _) -> looking.cancel());
     }
 
     private LiveRun running() {
