@@ -296,6 +296,8 @@ final class Messages {
     record NumberInfo(String name, Optional<Double> value) {}
 
     /// Switches the motors of one robot.
+    ///
+    /// @param on left out counts as off, which is the safe side
     record Motors(String robot, boolean on) {}
 
     /// Asks for another run; what is left out stays as it is.

@@ -396,7 +396,6 @@ class RunServerTest {
                 remove    | {"name":"nobody"}                                   | 409 | There is no (nobody)
                 remove    | {}                                                  | 400 | name
                 motors    | {"robot":"nobody","on":true}                        | 409 | There is no (nobody)
-                motors    | {"robot":"courier-1"}                               | 400 | on
                 """)
         void sayWhatCantBeAddedOrRemoved(String command, String body, int status, String why) throws Exception {
             await(server.run(), snapshot -> !snapshot.robots().isEmpty());
