@@ -76,38 +76,38 @@ final class OperatorCommands {
         }
     }
 
+    /// What switches motors: of all robots, or of one alone.
+    abstract static class OfMotors extends PageCommand {
+        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
+        private Optional<String> robot = Optional.empty();
+
+        final void tell(boolean on) throws InterruptedException {
+            if (robot.isPresent()) {
+                tell("motors", Map.of("robot", robot.get(), "on", on));
+            } else {
+                tell(on ? "rearm" : "estop", Map.of());
+            }
+        }
+    }
+
     /// `rsal estop`
     @Command(
             name = "estop",
             description = "Emergency stop: switch off the motors of all robots of a run with a page, or of one alone.")
-    static final class EmergencyStop extends PageCommand {
-        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
-        private Optional<String> robot = Optional.empty();
-
+    static final class EmergencyStop extends OfMotors {
         @Override
         int run() throws InterruptedException {
-            if (robot.isPresent()) {
-                tell("motors", Map.of("robot", robot.get(), "on", false));
-            } else {
-                tell("estop", Map.of());
-            }
+            tell(false);
             return Exit.SUCCESS;
         }
     }
 
     /// `rsal arm`
     @Command(name = "arm", description = "Switch the motors on again: of all robots, or of one alone.")
-    static final class Arm extends PageCommand {
-        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
-        private Optional<String> robot = Optional.empty();
-
+    static final class Arm extends OfMotors {
         @Override
         int run() throws InterruptedException {
-            if (robot.isPresent()) {
-                tell("motors", Map.of("robot", robot.get(), "on", true));
-            } else {
-                tell("rearm", Map.of());
-            }
+            tell(true);
             return Exit.SUCCESS;
         }
     }
