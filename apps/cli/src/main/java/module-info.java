@@ -10,6 +10,7 @@ module rsal.cli {
     requires org.slf4j;
     requires rsal.bench;
     requires rsal.experiments;
+    requires rsal.foxglove;
     requires rsal.navigation;
     requires rsal.recordings;
     requires rsal.scenarios;

@@ -11,6 +11,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
+import rsal.foxglove.FoxgloveServer;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
@@ -94,6 +95,19 @@ final class RunCommand extends Subcommand {
                     + " from the page go to FILE-2.mcap and so on.")
     private @Nullable String record;
 
+    @Option(
+            names = "--foxglove",
+            description = "Let Foxglove watch, on this machine only, and publish goals and poses: its connection's"
+                    + " address is printed first.")
+    private boolean foxglove;
+
+    @Option(
+            names = "--foxglove-port",
+            paramLabel = "P",
+            converter = Port.class,
+            description = "The port for that; 0: any that is free. Left out: " + FoxgloveServer.PORT + ".")
+    private @Nullable Integer foxglovePort;
+
     @Option(names = "--force", description = "Overwrite maps and a recording that are there.")
     private boolean force;
 
@@ -117,10 +131,19 @@ final class RunCommand extends Subcommand {
                     "Its robots stand until somebody switches their motors on: without a page, say --arm.");
         }
         Optional<SavedMaps> maps = Optional.ofNullable(saveMaps).map(folder -> SavedMaps.to(folder, plan, force));
-        RunRecorder recorder = RunRecorder.to(Optional.ofNullable(record), force, headless, typed());
-        RunResult result = headless ? runHeadless(plan, maps, recorder) : runWithPage(plan, maps, recorder);
+        var onlookers = new Onlookers(
+                RunRecorder.to(Optional.ofNullable(record), force, headless),
+                foxglove || foxglovePort != null
+                        ? Optional.of(Onlookers.foxglove(foxglovePort(), err()))
+                        : Optional.empty(),
+                typed());
+        RunResult result = headless ? runHeadless(plan, maps, onlookers) : runWithPage(plan, maps, onlookers);
         int code = exit(result);
-        return code == Exit.SUCCESS && recorder.hasFailed() ? Exit.UNREACHABLE : code;
+        return code == Exit.SUCCESS && onlookers.hasFailed() ? Exit.UNREACHABLE : code;
+    }
+
+    private int foxglovePort() {
+        return foxglovePort == null ? FoxgloveServer.PORT : foxglovePort;
     }
 
     private String typed() {
@@ -134,14 +157,14 @@ final class RunCommand extends Subcommand {
         return EXIT_BY_OUTCOME.getOrDefault(result.outcome(), Exit.SUCCESS);
     }
 
-    private RunResult runHeadless(RunPlan plan, Optional<SavedMaps> maps, RunRecorder recorder) throws Exception {
-        try (recorder;
-                LiveRun run = recorder.start(plan)) {
+    private RunResult runHeadless(RunPlan plan, Optional<SavedMaps> maps, Onlookers onlookers) throws Exception {
+        try (onlookers;
+                LiveRun run = onlookers.start(plan)) {
             armIfWanted(run);
-            var ending = new ClosedAtExit(() -> close(run, recorder));
+            var ending = new ClosedAtExit(() -> close(run, onlookers));
             RunResult result = new Progress(err()).await(run);
             ending.checkNoSignal();
-            recorder.end(err());
+            onlookers.end(err());
             maps.ifPresent(saved -> saved.write(run, err()));
             print(plan, result);
             return result;
@@ -155,11 +178,11 @@ final class RunCommand extends Subcommand {
     }
 
     /// The maps of a later run take the place of those of an earlier one.
-    private RunResult runWithPage(RunPlan plan, Optional<SavedMaps> maps, RunRecorder recorder) throws Exception {
+    private RunResult runWithPage(RunPlan plan, Optional<SavedMaps> maps, Onlookers onlookers) throws Exception {
         return PageRuns.show(plan, port, once, err(), new PageRuns.Eye() {
             @Override
             public LiveRun start(RunPlan next) {
-                return recorder.start(next);
+                return onlookers.start(next);
             }
 
             @Override
@@ -169,21 +192,21 @@ final class RunCommand extends Subcommand {
 
             @Override
             public void ended(LiveRun run, RunResult result) {
-                recorder.end(err());
+                onlookers.end(err());
                 maps.ifPresent(saved -> saved.write(run, err()));
                 print(run.plan(), result);
             }
 
             @Override
             public void close() {
-                recorder.close();
+                onlookers.close();
             }
         });
     }
 
-    private static void close(AutoCloseable run, RunRecorder recorder) throws Exception {
+    private static void close(AutoCloseable run, Onlookers onlookers) throws Exception {
         run.close(); // first, for its end to be recorded
-        recorder.close();
+        onlookers.close();
     }
 
     private void print(RunPlan plan, RunResult result) {

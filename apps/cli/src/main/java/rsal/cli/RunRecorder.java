@@ -5,29 +5,28 @@ import java.io.PrintWriter;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Instant;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import rsal.recording.Backlog;
 import rsal.recording.Origin;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunResult;
+import rsal.scenario.run.Witness;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.time.AllowedToReadWallClock;
 
-/// Starts runs and records them where that is wanted: the first to the file that was named, others beside it. All
-/// methods may be called from any thread.
-@AllowedToReadWallClock("Recordings tell when they were begun, and are written about once a second.")
+/// Records runs where that is wanted: the first to the file that was named, others beside it. All methods may be called
+/// from any thread.
+@AllowedToReadWallClock("Recordings are written about once a second.")
 final class RunRecorder implements AutoCloseable {
-    private static final String PROGRAM = "rsal 0.1.0";
     private static final String ENDING = ".mcap";
 
     private final Optional<Path> file;
     private final boolean force;
     private final boolean headless;
-    private final String command;
 
     // under the lock of this
     private int runs;
@@ -36,38 +35,40 @@ final class RunRecorder implements AutoCloseable {
     private @Nullable Path recorded;
     private boolean failed;
 
-    private RunRecorder(Optional<Path> file, boolean force, boolean headless, String command) {
+    private RunRecorder(Optional<Path> file, boolean force, boolean headless) {
         this.file = file;
         this.force = force;
         this.headless = headless;
-        this.command = command;
     }
 
     /// @param file empty when nothing is to be recorded
     /// @param headless whether nobody watches, so that the run may wait for the file
-    /// @param command as it was typed
-    static RunRecorder to(Optional<String> file, boolean force, boolean headless, String command) {
-        return new RunRecorder(file.map(Destination::path), force, headless, command);
+    static RunRecorder to(Optional<String> file, boolean force, boolean headless) {
+        return new RunRecorder(file.map(Destination::path), force, headless);
     }
 
+    /// Begins to record the next run.
+    ///
+    /// @return whom it is to tell; empty when nothing is to be recorded
     /// @throws InvalidSettings when the file can't be written, or is there and may not be lost
-    synchronized LiveRun start(RunPlan plan) {
+    synchronized Optional<Witness> begin(Origin origin) {
         if (file.isEmpty()) {
-            return LiveRun.start(plan);
+            return Optional.empty();
         }
         close();
         runs++;
         Path path = path(file.get());
-        boolean waits = headless && plan.clock() == RunPlan.Clock.SIMULATED;
-        var origin = new Origin(plan, PROGRAM, command, Instant.now());
+        boolean waits = headless && origin.plan().clock() == RunPlan.Clock.SIMULATED;
         try {
-            recorder = Recorder.begin(
+            var next = Recorder.begin(
                     path,
                     force && runs == 1,
                     origin,
-                    waits ? Recorder.Behind.WAIT : Recorder.Behind.DROP,
+                    waits ? Backlog.Behind.WAIT : Backlog.Behind.DROP,
                     System::nanoTime);
+            recorder = next;
             recorded = path;
+            return Optional.of(next.witness());
         } catch (FileAlreadyExistsException _) {
             throw new InvalidSettings(
                     Location.of(path.toString()),
@@ -80,8 +81,11 @@ final class RunRecorder implements AutoCloseable {
                             .formatted(e.getClass().getSimpleName(), e.getMessage()),
                     "Name one that you may write to, on a disk that has room.");
         }
-        run = LiveRun.start(plan, recorder);
-        return run;
+    }
+
+    /// The run that tells has begun.
+    synchronized void began(LiveRun begun) {
+        run = begun;
     }
 
     /// Of further runs, a file that is not there yet: `run-2.mcap`.

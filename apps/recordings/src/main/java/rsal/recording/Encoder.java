@@ -25,7 +25,6 @@ import rsal.data.Stamped;
 import rsal.device.Health;
 import rsal.device.SimulationControl.Standing;
 import rsal.recording.mcap.ByteSink;
-import rsal.recording.mcap.McapWriter;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 import rsal.scenario.run.AgentView;
@@ -37,34 +36,40 @@ import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
 
 /// Writes what is seen of a run as messages, each reading once. For one thread.
-final class Encoder {
+public final class Encoder {
     private static final long SECOND = 1_000_000_000;
     private static final String MAP = "map";
-    private static final String PROTOBUF = "protobuf";
 
-    private final McapWriter file;
+    private final MessageSink sink;
     private final long start; // of the run, on its own clock, in ns
-    private final Map<String, Integer> schemas = new HashMap<>(); // by name
     private final Map<String, Integer> channels = new HashMap<>(); // by topic
     private final Map<String, Object> last = new HashMap<>(); // what was written of a thing
     private final Map<String, String> frames = new HashMap<>(); // of bases, by robot
     private final ProtoWriter out = new ProtoWriter(new ByteSink(1 << 12));
     private List<Standing> things = List.of();
+    private boolean thingsAgain;
     private int mates; // of the team that were told
 
     /// @param start of the run, on its own clock, in ns
-    Encoder(McapWriter file, long start) {
-        this.file = file;
+    public Encoder(MessageSink sink, long start) {
+        this.sink = sink;
         this.start = start;
     }
 
+    /// Writes all once more, when it is seen next: for who has come late.
+    public void writeAgain() {
+        last.clear();
+        thingsAgain = true;
+        mates = 0;
+    }
+
     /// The map that robots know, once.
-    void map(OccupancyGrid map) throws IOException {
+    public void map(OccupancyGrid map) throws IOException {
         grid(map, start, MAP);
         write("/map", Foxglove.GRID, start, start, Map.of());
     }
 
-    void event(RunEvent event, String hash) throws IOException {
+    public void event(RunEvent event, String hash) throws IOException {
         long time = time(event.time());
         out.clear();
         timestamp(1, time);
@@ -91,7 +96,7 @@ final class Encoder {
         };
     }
 
-    void said(Said said) throws IOException {
+    public void said(Said said) throws IOException {
         long time = time(said.time());
         out.clear();
         timestamp(1, time);
@@ -105,7 +110,7 @@ final class Encoder {
         write("/messages", Own.MESSAGE, time, time, Map.of());
     }
 
-    void minds(Duration at, Map<String, Mind.View> minds) throws IOException {
+    public void minds(Duration at, Map<String, Mind.View> minds) throws IOException {
         long time = time(at);
         for (var mind : minds.entrySet()) {
             if (isNew("mind " + mind.getKey(), mind.getValue())) {
@@ -128,7 +133,7 @@ final class Encoder {
         }
     }
 
-    void state(Snapshot now, String hash) throws IOException {
+    public void state(Snapshot now, String hash) throws IOException {
         long time = time(now.time());
         team(now.team(), time);
         state(now, hash, time);
@@ -421,13 +426,13 @@ final class Encoder {
 
     /// Things that have come, moved or gone.
     private void things(List<Standing> now, long time) throws IOException {
-        if (now.equals(things)) {
+        if (now.equals(things) && !thingsAgain) {
             return;
         }
         var before = new HashMap<Integer, Standing>();
         things.forEach(thing -> before.put(thing.number(), thing));
         for (Standing thing : now) {
-            if (thing.equals(before.remove(thing.number()))) {
+            if (thing.equals(before.remove(thing.number())) && !thingsAgain) {
                 continue;
             }
             out.clear();
@@ -458,6 +463,7 @@ final class Encoder {
             write("/world", Foxglove.SCENE_UPDATE, time, time, Map.of());
         }
         things = now;
+        thingsAgain = false;
     }
 
     /// A piece of a body as its convex outline has it: sides and top.
@@ -573,19 +579,9 @@ final class Encoder {
             throws IOException {
         Integer channel = channels.get(topic);
         if (channel == null) {
-            channel = open(topic, type, about);
+            channel = sink.open(topic, type.name(), type.descriptors(), about);
+            channels.put(topic, channel);
         }
-        file.message(channel, time, taken, out.sink().written());
-    }
-
-    private int open(String topic, MessageType type, Map<String, String> about) throws IOException {
-        Integer schema = schemas.get(type.name());
-        if (schema == null) {
-            schema = file.schema(type.name(), PROTOBUF, type.descriptors());
-            schemas.put(type.name(), schema);
-        }
-        int channel = file.channel(schema, topic, PROTOBUF, about);
-        channels.put(topic, channel);
-        return channel;
+        sink.message(channel, time, taken, out.sink().written());
     }
 }

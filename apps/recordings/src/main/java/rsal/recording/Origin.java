@@ -27,7 +27,7 @@ public record Origin(RunPlan plan, String program, String command, Instant start
     private static final String SET = "set.";
 
     /// When the run starts by its own clock, in ns: simulated time starts with the epoch.
-    long start() {
+    public long start() {
         return plan.clock() == RunPlan.Clock.SIMULATED ? 0 : started.getEpochSecond() * SECOND + started.getNano();
     }
 

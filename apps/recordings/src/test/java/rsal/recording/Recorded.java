@@ -30,8 +30,10 @@ final class Recorded {
     /// @param told what the recording says that it is of
     static RunResult run(RunPlan plan, RunPlan told, Path file) throws Exception {
         try (Recorder recorder = begin(told, file)) {
-            RunResult result =
-                    LiveRun.start(plan, recorder).result().toCompletableFuture().get(100, TimeUnit.SECONDS);
+            RunResult result = LiveRun.start(plan, recorder.witness())
+                    .result()
+                    .toCompletableFuture()
+                    .get(100, TimeUnit.SECONDS);
             recorder.ended(result);
             return result;
         }
@@ -39,6 +41,6 @@ final class Recorded {
 
     static Recorder begin(RunPlan plan, Path file) throws IOException {
         var origin = new Origin(plan, "rsal test", "rsal run", Instant.EPOCH);
-        return Recorder.begin(file, true, origin, Recorder.Behind.WAIT, System::nanoTime);
+        return Recorder.begin(file, true, origin, Backlog.Behind.WAIT, System::nanoTime);
     }
 }

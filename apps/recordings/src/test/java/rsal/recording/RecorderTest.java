@@ -129,7 +129,7 @@ class RecorderTest {
     void aFileThatIsThereStays() throws Exception {
         Path file = Files.writeString(folder.resolve("run.mcap"), "precious");
         var origin = new Origin(Recorded.plan(HUNT, 7, 5), "test", "", Instant.EPOCH);
-        assertThatThrownBy(() -> Recorder.begin(file, false, origin, Recorder.Behind.WAIT, System::nanoTime))
+        assertThatThrownBy(() -> Recorder.begin(file, false, origin, Backlog.Behind.WAIT, System::nanoTime))
                 .isInstanceOf(FileAlreadyExistsException.class);
         assertThat(file).hasContent("precious");
     }
@@ -149,11 +149,11 @@ class RecorderTest {
         var origin = new Origin(plan, "test", "", Instant.EPOCH);
         var stuck = new StuckClock();
         Path file = folder.resolve("run.mcap");
-        try (Recorder recorder = Recorder.begin(file, true, origin, Recorder.Behind.DROP, stuck)) {
+        try (Recorder recorder = Recorder.begin(file, true, origin, Backlog.Behind.DROP, stuck)) {
             stuck.stick();
             Snapshot state = LiveRun.start(plan).snapshot();
             for (int i = 0; i < 100; i++) {
-                recorder.sees(state, "" + i);
+                recorder.witness().sees(state, "" + i);
             }
             assertThat(recorder.dropped()).isBetween(80L, 100L);
             stuck.letGo();

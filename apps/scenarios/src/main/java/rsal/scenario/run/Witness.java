@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import rsal.agent.bdi.Mind;
 
@@ -10,6 +11,11 @@ import rsal.agent.bdi.Mind;
 /// Hashes are those over all that has happened so far, the first 16 digits of what [RunResult#eventHash] has 64 of.
 /// One that throws breaks the run.
 public interface Witness {
+    /// All of them at once, each as often as the one that wants to see most.
+    static Witness all(List<Witness> witnesses) {
+        return witnesses.size() == 1 ? witnesses.getFirst() : new Witnesses(witnesses);
+    }
+
     /// How often it is shown how everything stands [s of the run], and at the end.
     Duration period();
 

@@ -1,0 +1,75 @@
+package rsal.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.BindException;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Optional;
+import rsal.foxglove.FoxgloveServer;
+import rsal.recording.Origin;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.Witness;
+import rsal.server.RunServer;
+import rsal.time.AllowedToReadWallClock;
+
+/// Starts runs for all who look on: a recording, Foxglove, both or nobody. All methods may be called from any thread.
+@AllowedToReadWallClock("What is recorded tells when it was begun.")
+final class Onlookers implements AutoCloseable {
+    private static final String PROGRAM = "rsal 0.1.0";
+
+    private final RunRecorder recorder;
+    private final Optional<FoxgloveServer> foxglove;
+    private final String command;
+
+    /// @param command as it was typed
+    Onlookers(RunRecorder recorder, Optional<FoxgloveServer> foxglove, String command) {
+        this.recorder = recorder;
+        this.foxglove = foxglove;
+        this.command = command;
+    }
+
+    /// Opens the port for Foxglove, and says where.
+    ///
+    /// @param port 0 for any that is free
+    static FoxgloveServer foxglove(int port, PrintWriter err) throws IOException {
+        try {
+            FoxgloveServer server = FoxgloveServer.start(port, RunServer.newToken());
+            err.println("In Foxglove, open a connection to " + server.url());
+            err.flush();
+            return server;
+        } catch (BindException _) {
+            throw new Unreachable(
+                    "Port %d is in use, maybe by another run or by ROS's bridge to Foxglove. Choose another by --foxglove-port."
+                            .formatted(port));
+        }
+    }
+
+    synchronized LiveRun start(RunPlan plan) {
+        var origin = new Origin(plan, PROGRAM, command, Instant.now());
+        var witnesses = new ArrayList<Witness>();
+        recorder.begin(origin).ifPresent(witnesses::add);
+        foxglove.ifPresent(server -> witnesses.add(server.next(origin)));
+        LiveRun run = witnesses.isEmpty() ? LiveRun.start(plan) : LiveRun.start(plan, Witness.all(witnesses));
+        recorder.began(run);
+        foxglove.ifPresent(server -> server.began(run));
+        return run;
+    }
+
+    /// A run has ended: ends its recording, and tells what became of that.
+    void end(PrintWriter err) {
+        recorder.end(err);
+    }
+
+    /// Whether any recording is not whole.
+    boolean hasFailed() {
+        return recorder.hasFailed();
+    }
+
+    @Override
+    public void close() {
+        recorder.close();
+        foxglove.ifPresent(FoxgloveServer::close);
+    }
+}

@@ -1,0 +1,103 @@
+package rsal.foxglove;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import rsal.recording.Backlog;
+import rsal.recording.Backlog.Behind;
+import rsal.recording.Backlog.Entry;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.LiveRun;
+
+class ClientTest {
+    private final Tap line = new Tap();
+
+    @Test
+    void isToldAllOnceMoreAfterItHasTakenWhatWasUnderWay() throws Exception {
+        RunPlan plan = Scenario.load("hunt-and-prey")
+                .plan(RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(5)));
+        List<Entry> entries = entries(plan);
+        List<Entry> states = entries.stream().filter(Entry::isState).toList();
+        assertThat(states).hasSizeGreaterThan(10);
+        var client = new Client(line, 0, plan.map());
+
+        client.welcome(states.getFirst());
+        assertThat(line.texts).anyMatch(text -> text.contains("\"/map\""));
+        assertThat(client.subscribe(1, 1)).isTrue();
+        assertThat(client.subscribe(1, 2)).isFalse(); // in use
+        assertThat(client.subscribe(2, 1)).isFalse(); // wanted already
+        assertThat(client.subscribe(2, 10_000)).isFalse(); // no such channel
+        client.welcome(states.getFirst());
+        long once = line.of(1);
+        assertThat(once).isPositive();
+
+        line.isStuck = true;
+        long before = line.sent;
+        for (int i = 0; i < 100; i++) {
+            for (Entry entry : entries) {
+                client.write(entry);
+                client.welcome(states.getLast());
+            }
+        }
+        assertThat(line.sent - before).isZero(); // it is left out
+
+        line.isStuck = false;
+        client.welcome(states.getLast());
+        assertThat(line.of(1)).isEqualTo(2 * once);
+        client.unsubscribe(1);
+        assertThat(client.subscribe(5, 1)).isTrue();
+    }
+
+    private static List<Entry> entries(RunPlan plan) throws Exception {
+        var backlog = new Backlog(Behind.WAIT);
+        LiveRun run = LiveRun.start(plan, backlog);
+        var entries = new ArrayList<Entry>();
+        while (!run.result().toCompletableFuture().isDone()) {
+            backlog.take().ifPresent(entries::add);
+        }
+        run.result().toCompletableFuture().get(1, TimeUnit.SECONDS);
+        backlog.end();
+        while (!backlog.isOver()) {
+            backlog.take().ifPresent(entries::add);
+        }
+        return entries;
+    }
+
+    /// Counts what is sent.
+    private static final class Tap implements Client.Line {
+        private final List<String> texts = new ArrayList<>();
+        private final List<Integer> subscriptions = new ArrayList<>();
+        private long sent; // [B]
+        private boolean isStuck;
+
+        @Override
+        public void send(String text) {
+            texts.add(text);
+            sent += text.length();
+        }
+
+        @Override
+        public void send(ByteBuffer bytes) {
+            sent += bytes.remaining();
+            if (bytes.get(0) == 1) {
+                subscriptions.add(bytes.getInt(1));
+            }
+        }
+
+        @Override
+        public long underWay() {
+            return isStuck ? Client.MOST_UNDER_WAY + 1 : 0;
+        }
+
+        long of(int subscription) {
+            return subscriptions.stream().filter(each -> each == subscription).count();
+        }
+    }
+}

@@ -1,0 +1,227 @@
+package rsal.recording;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import rsal.agent.bdi.Mind;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.Said;
+import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Witness;
+
+/// What a run has told and nobody has taken yet: told on the run's thread, taken on one other. It is bounded: when
+/// [Behind#DROP] is chosen, the newest states win and others are counted as dropped, and only when 100,000 events and
+/// messages wait does the run, too, as those are never dropped. When [Behind#WAIT] is, the run waits for whoever takes,
+/// and what is taken depends on nothing but the run.
+public final class Backlog implements Witness {
+    /// How often a run tells how everything stands.
+    static final Duration PERIOD = Duration.ofMillis(100);
+
+    private static final int MOST_STATES = 16; // that wait
+    private static final int MOST_OTHERS = 100_000; // that wait
+    private static final long PATIENCE = 200_000_000; // of who takes [ns]
+
+    /// What happens when the run is faster than whoever takes.
+    public enum Behind {
+        WAIT,
+        DROP
+    }
+
+    /// Something that was told.
+    public sealed interface Entry {
+        void write(Encoder encoder) throws IOException;
+
+        /// Whether it tells how everything stands.
+        default boolean isState() {
+            return false;
+        }
+    }
+
+    private static final class State implements Entry {
+        private final Snapshot now;
+        private final String hash;
+
+        State(Snapshot now, String hash) {
+            this.now = now;
+            this.hash = hash;
+        }
+
+        @Override
+        public void write(Encoder encoder) throws IOException {
+            encoder.state(now, hash);
+        }
+
+        @Override
+        public boolean isState() {
+            return true;
+        }
+    }
+
+    private record Event(RunEvent event, String hash) implements Entry {
+        @Override
+        public void write(Encoder encoder) throws IOException {
+            encoder.event(event, hash);
+        }
+    }
+
+    private record Heard(Said said) implements Entry {
+        @Override
+        public void write(Encoder encoder) throws IOException {
+            encoder.said(said);
+        }
+    }
+
+    private record Minds(Duration time, Map<String, Mind.View> minds) implements Entry {
+        @Override
+        public void write(Encoder encoder) throws IOException {
+            encoder.minds(time, minds);
+        }
+    }
+
+    private final Behind behind;
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition changed = lock.newCondition();
+    // under the lock
+    private final Deque<Entry> waiting = new ArrayDeque<>();
+    private final Deque<State> states = new ArrayDeque<>(); // those that wait
+    private long dropped;
+    private boolean ended;
+    private boolean abandoned;
+
+    public Backlog(Behind behind) {
+        this.behind = behind;
+    }
+
+    @Override
+    public Duration period() {
+        return PERIOD;
+    }
+
+    @Override
+    public void sees(Snapshot now, String hash) {
+        lock.lock();
+        try {
+            while (behind == Behind.WAIT && states.size() >= MOST_STATES && !abandoned) {
+                changed.awaitUninterruptibly();
+            }
+            if (states.size() >= MOST_STATES) {
+                waiting.removeFirstOccurrence(states.removeFirst()); // near the front, being old
+                dropped++;
+            }
+            var state = new State(now, hash);
+            states.addLast(state);
+            add(state);
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    @Override
+    public void looksInto(Duration time, Map<String, Mind.View> minds) {
+        if (!minds.isEmpty()) {
+            tell(new Minds(time, Map.copyOf(minds)));
+        }
+    }
+
+    @Override
+    public void happened(RunEvent event, String hash) {
+        tell(new Event(event, hash));
+    }
+
+    @Override
+    public void heard(Said message) {
+        tell(new Heard(message));
+    }
+
+    private void tell(Entry entry) {
+        lock.lock();
+        try {
+            while (waiting.size() >= MOST_OTHERS && !abandoned) {
+                changed.awaitUninterruptibly();
+            }
+            add(entry);
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /// Under the lock.
+    private void add(Entry entry) {
+        if (!abandoned) {
+            waiting.addLast(entry);
+            changed.signalAll();
+        }
+    }
+
+    /// The next; empty when there was none for a while, or no more come.
+    public Optional<Entry> take() {
+        lock.lock();
+        try {
+            long left = PATIENCE;
+            while (waiting.isEmpty() && !ended && left > 0) {
+                left = changed.awaitNanos(left);
+            }
+            Entry entry = waiting.pollFirst();
+            if (entry != null && entry.equals(states.peekFirst())) {
+                states.removeFirst();
+            }
+            if (entry != null) {
+                changed.signalAll();
+            }
+            return Optional.ofNullable(entry);
+        } catch (InterruptedException e) {
+            throw new IllegalStateException("Nobody interrupts it.", e);
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /// Nothing more is told; what waits is still to be taken.
+    public void end() {
+        lock.lock();
+        try {
+            ended = true;
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /// Whether nothing more is told and all is taken.
+    public boolean isOver() {
+        lock.lock();
+        try {
+            return ended && waiting.isEmpty();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /// Nobody takes any more: what waits is forgotten, as is all that is told from now on.
+    public void abandon() {
+        lock.lock();
+        try {
+            abandoned = true;
+            waiting.clear();
+            states.clear();
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /// States that nobody took, as they were too slow.
+    public long dropped() {
+        lock.lock();
+        try {
+            return dropped;
+        } finally {
+            lock.unlock();
+        }
+    }
+}
