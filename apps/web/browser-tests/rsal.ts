@@ -13,6 +13,8 @@ export class Rsal {
     private readonly process: ChildProcess,
     /** With the token. */
     readonly url: string,
+    /** What was printed before the page's address. */
+    readonly printed: string,
   ) {}
 
   static async run(...options: string[]): Promise<Rsal> {
@@ -31,7 +33,7 @@ export class Rsal {
       child.on('error', reject);
       child.on('exit', (code) => reject(new Error(`${launcher} ended with ${String(code)}:\n${output}`)));
     });
-    const rsal = new Rsal(child, url);
+    const rsal = new Rsal(child, url, output);
     Rsal.started.add(rsal);
     return rsal;
   }

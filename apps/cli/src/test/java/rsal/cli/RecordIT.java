@@ -2,6 +2,8 @@ package rsal.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -53,6 +55,22 @@ class RecordIT {
         assertThat(state).anyMatch(row -> row.contains(",hunter-1,"));
         assertThat(folder.resolve("tables/events.csv")).isNotEmptyFile();
         assertThat(rsal.run("export", "run.mcap", "--csv", "tables").err()).contains("--force");
+    }
+
+    @Test
+    void foxgloveIsToldWhereToLook() throws Exception {
+        Ended plain = rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "2", "--json");
+        Ended run = rsal.run(
+                "run", "--headless", "--speed", "max", "--seed", "7", "--for", "2", "--json", "--foxglove-port", "0");
+        assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(run.err()).contains("In Foxglove, open a connection to ws://localhost:", "/?token=");
+        assertThat(json(run).get("eventHash")).isEqualTo(json(plain).get("eventHash"));
+        try (var taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            String port = Integer.toString(taken.getLocalPort());
+            Ended refused = rsal.run("run", "--headless", "--for", "1", "--foxglove-port", port);
+            assertThat(refused.code()).isEqualTo(Exit.UNREACHABLE);
+            assertThat(refused.err()).contains("Port " + port + " is in use", "--foxglove-port");
+        }
     }
 
     @Test

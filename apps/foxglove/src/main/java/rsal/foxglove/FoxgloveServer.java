@@ -66,13 +66,14 @@ public final class FoxgloveServer implements AutoCloseable {
     /// A run that is shown.
     static final class Showing {
         private final Origin origin;
-        private final Backlog backlog = new Backlog(Behind.DROP);
+        private final Backlog backlog;
         private final String session;
         private volatile @Nullable LiveRun run;
-        private Optional<Entry> state = Optional.empty(); // the newest that was taken, of the shower's thread
+        private Optional<Entry> state = Optional.empty(); // the newest, of the shower's thread
 
-        Showing(Origin origin, String session) {
+        Showing(Origin origin, Backlog backlog, String session) {
             this.origin = origin;
+            this.backlog = backlog;
             this.session = session;
         }
 
@@ -179,7 +180,8 @@ public final class FoxgloveServer implements AutoCloseable {
     public synchronized Witness next(Origin origin) {
         Showing before = now;
         runs++;
-        var next = new Showing(origin, "%s-%d".formatted(origin.started(), runs));
+        var backlog = new Backlog(Behind.DROP, () -> !connections.isEmpty());
+        var next = new Showing(origin, backlog, "%s-%d".formatted(origin.started(), runs));
         now = next;
         if (before == null) {
             shower.start();
@@ -212,6 +214,9 @@ public final class FoxgloveServer implements AutoCloseable {
     private void show() {
         for (Showing showing = now; showing != null && !closed; showing = now) {
             Optional<Entry> next = showing.backlog.take();
+            if (next.isEmpty() && !connections.isEmpty()) { // it is paused, or has ended
+                next = showing.run().map(LiveRun::snapshot).map(Backlog::asked);
+            }
             for (Connection connection : connections) {
                 if (connection.showing().equals(showing)) {
                     show(showing, next, connection);

@@ -201,6 +201,32 @@ class FoxgloveServerTest {
     }
 
     @Test
+    void showsWhatIsDoneToAPausedRun() throws Exception {
+        LiveRun run = start(plan(1, 60));
+        try (var watcher = new Watcher(server.url())) {
+            watcher.subscribe(1, "/tf");
+            ByteBuffer before = payload(watcher.await(1));
+            run.pause();
+            for (ByteBuffer next = payload(watcher.await(1)); !next.equals(before); next = payload(watcher.await(1))) {
+                before = next; // it has not yet paused
+            }
+            ByteBuffer still = before;
+            Pose2d there = truth(run);
+            String robot = run.plan().robots().getFirst().spec().id();
+            run.place(robot, new Pose2d(there.x() + 0.25, there.y(), there.theta()))
+                    .toCompletableFuture()
+                    .join();
+            watcher.await(message -> message.get(0) == 1
+                    && message.getInt(1) == 1
+                    && !payload(message).equals(still));
+        }
+    }
+
+    private static ByteBuffer payload(ByteBuffer message) {
+        return message.slice(13, message.limit() - 13); // after its head
+    }
+
+    @Test
     void anotherRunLetsAllGo() throws Exception {
         LiveRun first = start(plan(1, 60));
         try (var watcher = new Watcher(server.url())) {

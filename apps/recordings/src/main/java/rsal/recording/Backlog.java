@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
 import rsal.agent.bdi.Mind;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Said;
@@ -84,6 +85,7 @@ public final class Backlog implements Witness {
     }
 
     private final Behind behind;
+    private final BooleanSupplier looks;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
     // under the lock
@@ -93,13 +95,30 @@ public final class Backlog implements Witness {
     private boolean ended;
     private boolean abandoned;
 
+    /// One that is shown all.
     public Backlog(Behind behind) {
+        this(behind, () -> true);
+    }
+
+    /// @param looks whether anybody wants to know how everything stands; asked on the run's thread
+    public Backlog(Behind behind, BooleanSupplier looks) {
         this.behind = behind;
+        this.looks = looks;
+    }
+
+    /// How everything stands, as somebody has asked for it.
+    public static Entry asked(Snapshot now) {
+        return new State(now, "");
     }
 
     @Override
     public Duration period() {
         return PERIOD;
+    }
+
+    @Override
+    public boolean looks() {
+        return looks.getAsBoolean();
     }
 
     @Override

@@ -462,7 +462,9 @@ public final class LiveRun implements AutoCloseable {
             if (nextWitnessed.compareTo(now) <= 0) { // real time may have gone on
                 nextWitnessed = now.plus(seen.period());
             }
-            seen.sees(snapshot(witnessed++), journal.hashSoFar());
+            if (seen.looks()) {
+                seen.sees(snapshot(witnessed++), journal.hashSoFar());
+            }
         }
     }
 
@@ -528,7 +530,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private void finish() {
-        witness.ifPresent(seen -> seen.sees(snapshot(witnessed++), journal.hashSoFar()));
+        witness.filter(Witness::looks).ifPresent(seen -> seen.sees(snapshot(witnessed++), journal.hashSoFar()));
         snapshots.make();
         RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) / 1e9);
         letGo();

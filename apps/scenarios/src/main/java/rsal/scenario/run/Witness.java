@@ -19,6 +19,11 @@ public interface Witness {
     /// How often it is shown how everything stands [s of the run], and at the end.
     Duration period();
 
+    /// Whether it looks now; else it is not shown how everything stands, which costs time.
+    default boolean looks() {
+        return true;
+    }
+
     /// How everything stands.
     void sees(Snapshot now, String hash);
 

@@ -21,8 +21,13 @@ record Witnesses(List<Witness> all) implements Witness {
     }
 
     @Override
+    public boolean looks() {
+        return all.stream().anyMatch(Witness::looks);
+    }
+
+    @Override
     public void sees(Snapshot now, String hash) {
-        all.forEach(each -> each.sees(now, hash));
+        all.stream().filter(Witness::looks).forEach(each -> each.sees(now, hash));
     }
 
     @Override
