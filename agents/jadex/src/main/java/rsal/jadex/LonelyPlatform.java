@@ -11,9 +11,9 @@ import jadex.micro.annotation.Agent;
 import jadex.micro.annotation.Imports;
 import jadex.platform.PlatformAgent;
 
-/// A Jadex platform with what micro agents need and nothing else: no network, no windows, no files. Jadex's own looks
-/// for parts on the whole class path, reads from the working directory which of them to start, and writes that and a
-/// secret there.
+/// A Jadex platform with what micro and BDI agents need and nothing else: no network, no windows, no files. Jadex's own
+/// looks for parts on the whole class path, reads from the working directory which of them to start, and writes that
+/// and a secret there.
 @Agent
 @Imports("jadex.platform.*") // where the inherited services are made
 public final class LonelyPlatform extends PlatformAgent {
@@ -33,6 +33,7 @@ public final class LonelyPlatform extends PlatformAgent {
     public IFuture<Void> init() {
         return begin("jadex/platform/service/library/LibraryAgent.class")
                 .thenCompose(_ -> begin("jadex/micro/KernelMicroAgent.class"))
+                .thenCompose(_ -> begin("jadex/bdiv3/KernelBDIV3Agent.class"))
                 .thenCompose(_ -> IFuture.DONE);
     }
 

@@ -9,14 +9,20 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import rsal.agent.bdi.Mind.GoalState;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.scenario.run.Answer;
+import rsal.scenario.run.Inside;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunResult;
 
-/// The same scenarios on Jadex as on our own host, to ends that are quick to reach. In real time, so all at once.
+/// The same scenarios on Jadex as on our own host, to ends that are quick to reach, in real time, so all at once; and
+/// hunters that think by Jadex.
 @Timeout(600)
 class JadexIT {
+    private static final String HUNTERS = "../../docs/examples/jadex-hunters.yaml";
+
     @Test
     void threeScenariosSideBySideReachTheirEnds() throws Exception {
         try (var hunt = start("hunt-and-prey", 3, Map.of("catchDistance", "3.0", "hunters", "3"));
@@ -30,6 +36,30 @@ class JadexIT {
             assertSuccess(distribution);
             assertSuccess(collection);
         }
+    }
+
+    @Test
+    void huntersThatThinkByJadexCatchThePreyAndShowWhatTheyWant() throws Exception {
+        RunOptions options = RunOptions.NONE.withSeed(4).withArguments(Map.of("catchDistance", "3.0", "hunters", "3"));
+        try (var hunt = LiveRun.start(Scenario.load(HUNTERS).plan(options))) {
+            assertThat(await(untilItWants(hunt, "catch"))).isTrue();
+            assertSuccess(hunt);
+        }
+    }
+
+    /// Completes when the mind of a hunter shows that it is after that.
+    private static CompletableFuture<Boolean> untilItWants(LiveRun run, String goal) {
+        var wanted = new CompletableFuture<Boolean>();
+        run.onEvents(() -> run.inside("follow-1").thenAccept(answer -> {
+            if (answer instanceof Answer.Seen(Inside hunter)
+                    && hunter.mind().stream()
+                            .flatMap(mind -> mind.goals().stream())
+                            .anyMatch(shown -> shown.name().equals(goal) && shown.state() == GoalState.PURSUED)) {
+                wanted.complete(true);
+            }
+        }));
+        run.result().thenAccept(early -> wanted.completeExceptionally(new AssertionError(early.outcome())));
+        return wanted;
     }
 
     private static LiveRun start(String scenario, long seed, Map<String, String> arguments) {
