@@ -7,15 +7,20 @@ import jade.core.behaviours.CyclicBehaviour;
 import jade.core.behaviours.OneShotBehaviour;
 import jade.core.behaviours.TickerBehaviour;
 import jade.core.messaging.TopicManagementHelper;
+import jade.domain.FIPANames.InteractionProtocol;
 import jade.lang.acl.ACLMessage;
+import jade.proto.ContractNetInitiator;
+import jade.proto.ContractNetResponder;
 import java.util.List;
+import java.util.Vector;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import rsal.agent.bare.BareSystem;
 import rsal.agent.bare.Life;
 
-/// JADE's agents, which tell each other their poses by a topic: one message to each of a hundred instead stands a
-/// hundredth of that.
+/// JADE's agents, which tell each other their poses by a topic, as one message to each of a hundred instead stands a
+/// hundredth of that, and bid by JADE's own contract net.
 public final class BareJade implements BareSystem {
     @Override
     public String key() {
@@ -40,6 +45,16 @@ public final class BareJade implements BareSystem {
             @Override
             public void say(int times) {
                 agents.forEach(agent -> agent.say(times));
+            }
+
+            @Override
+            public void contract(int bidders, Runnable ended) {
+                List<String> names =
+                        IntStream.range(0, bidders).mapToObj(i -> "bidder-" + i).toList();
+                names.forEach(name -> platform.start(name, new Bidder()));
+                platform.start(
+                        "manager",
+                        new Manager(names.stream().map(platform::agent).toList(), ended));
             }
 
             @Override
@@ -104,5 +119,80 @@ public final class BareJade implements BareSystem {
                 }
             });
         }
+    }
+
+    private static final class Manager extends Agent {
+        private final List<AID> bidders;
+        private final transient Runnable ended;
+
+        Manager(List<AID> bidders, Runnable ended) {
+            this.bidders = bidders;
+            this.ended = ended;
+        }
+
+        @Override
+        protected void setup() {
+            addBehaviour(new Net(this));
+        }
+
+        private ACLMessage call() {
+            var call = new ACLMessage(ACLMessage.CFP);
+            call.setProtocol(InteractionProtocol.FIPA_CONTRACT_NET);
+            call.setContent("task");
+            bidders.forEach(call::addReceiver);
+            return call;
+        }
+    }
+
+    /// One, and then the next.
+    private static final class Net extends ContractNetInitiator {
+        private final transient Manager manager;
+
+        Net(Manager manager) {
+            super(manager, manager.call());
+            this.manager = manager;
+        }
+
+        @Override
+        @SuppressWarnings({"rawtypes", "unchecked", "JdkObsolete"}) // as JADE has it
+        protected void handleAllResponses(Vector responses, Vector acceptances) {
+            for (Object response : responses) {
+                int answer = acceptances.isEmpty() ? ACLMessage.ACCEPT_PROPOSAL : ACLMessage.REJECT_PROPOSAL;
+                acceptances.add(reply((ACLMessage) response, answer, ""));
+            }
+        }
+
+        @Override
+        protected void handleInform(ACLMessage inform) {
+            manager.ended.run();
+            manager.addBehaviour(new Net(manager));
+        }
+    }
+
+    private static final class Bidder extends Agent {
+        @Override
+        protected void setup() {
+            addBehaviour(
+                    new ContractNetResponder(
+                            this, ContractNetResponder.createMessageTemplate(InteractionProtocol.FIPA_CONTRACT_NET)) {
+                        @Override
+                        protected ACLMessage handleCfp(ACLMessage call) {
+                            return reply(call, ACLMessage.PROPOSE, "1.0");
+                        }
+
+                        @Override
+                        protected ACLMessage handleAcceptProposal(
+                                ACLMessage call, ACLMessage proposal, ACLMessage acceptance) {
+                            return reply(acceptance, ACLMessage.INFORM, "done");
+                        }
+                    });
+        }
+    }
+
+    private static ACLMessage reply(ACLMessage message, int performative, String content) {
+        ACLMessage reply = message.createReply();
+        reply.setPerformative(performative);
+        reply.setContent(content);
+        return reply;
     }
 }

@@ -4,12 +4,14 @@ import jadex.bridge.IExternalAccess;
 import jadex.bridge.service.types.cms.CreationInfo;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import rsal.agent.bare.BareContracts;
 import rsal.agent.bare.BareSystem;
 import rsal.agent.bare.Life;
 
-/// Jadex's micro agents, which tell each other their poses by an inbox of each that is read in steps: Jadex's services
-/// stand a tenth of that.
+/// Jadex's micro agents, which talk by an inbox of each that is read in steps: Jadex's services stand a tenth of that
+/// when each tells all others its pose. Jadex has no contract net; by its services one is slower, too.
 public final class BareJadex implements BareSystem {
     @Override
     public String key() {
@@ -20,6 +22,7 @@ public final class BareJadex implements BareSystem {
     public Platform start() {
         IExternalAccess platform = LonelyPlatform.start();
         var agents = new CopyOnWriteArrayList<BareBody>();
+        var bodies = new CopyOnWriteArrayList<Body>(); // handed tasks
         return new Platform() {
             @Override
             public void start(int count, Life life) {
@@ -28,11 +31,7 @@ public final class BareJadex implements BareSystem {
                         .toList();
                 agents.addAll(all);
                 for (int i = 0; i < count; i++) {
-                    platform.createComponent(
-                                    new CreationInfo().setPojo(all.get(i)).setName("agent-" + i))
-                            .catchEx(e -> {
-                                throw new IllegalStateException("Jadex could not make an agent.", e);
-                            });
+                    create(all.get(i), "agent-" + i);
                 }
             }
 
@@ -42,7 +41,30 @@ public final class BareJadex implements BareSystem {
             }
 
             @Override
+            public void contract(int bidders, Runnable ended) {
+                List<Body> all = IntStream.range(0, bidders)
+                        .mapToObj(i -> body("bidder-" + i))
+                        .toList();
+                BareContracts.begin(body("manager"), all, ended);
+            }
+
+            private Body body(String name) {
+                var body = new Body(name);
+                bodies.add(body);
+                create(body, name);
+                return body;
+            }
+
+            private void create(Object agent, String name) {
+                platform.createComponent(new CreationInfo().setPojo(agent).setName(name))
+                        .catchEx(e -> {
+                            throw new IllegalStateException("Jadex could not make agent (%s).".formatted(name), e);
+                        });
+            }
+
+            @Override
             public void close() {
+                bodies.forEach(Body::end);
                 platform.killComponent();
             }
         };

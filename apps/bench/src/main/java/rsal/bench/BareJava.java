@@ -1,10 +1,12 @@
 package rsal.bench;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import rsal.agent.bare.BareContracts;
 import rsal.agent.bare.BareSystem;
 import rsal.agent.bare.Life;
 import rsal.data.Pose2d;
@@ -55,6 +57,11 @@ final class BareJava implements BareSystem {
                         agents.forEach(this::tell);
                     }
                 });
+            }
+
+            @Override
+            public void contract(int bidders, Runnable ended) {
+                BareContracts.begin(thread, Collections.nCopies(bidders, thread), ended);
             }
 
             @Override

@@ -32,7 +32,7 @@ final class HostBench implements Bench {
     static final Duration PERIOD = Duration.ofMillis(100);
     static final Duration WARM = Duration.ofSeconds(3);
     static final Duration WINDOW = Duration.ofSeconds(5);
-    private static final int BIDDERS = 20;
+    static final int BIDDERS = 20;
     private static final Topic<Pose2d> POSES = new Topic<>("bench-pose", Pose2d.class);
 
     private final Collection<AgentHostProvider> hosts =
@@ -184,7 +184,7 @@ final class HostBench implements Bench {
     }
 
     /// A manager calls, awards and calls again.
-    private static void contracts(BenchedSociety society, LongAdder done) {
+    static void contracts(BenchedSociety society, LongAdder done) {
         society.start(BIDDERS, self -> net(self).answer(new Bidder()));
         society.start(1, self -> {
             var calls = new Calls(

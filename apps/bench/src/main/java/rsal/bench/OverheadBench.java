@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.bare.BareSystem;
@@ -20,8 +21,9 @@ import rsal.time.AllowedToReadWallClock;
 ///
 /// Names are `mas.<host>.bare.<what>`, with what [HostBench] measures, for hosts whose system is there
 /// ([BareSystem]); for `plain` it is what a Java programmer writes without any. `mas.<host>.overhead` is the time of
-/// processors that a message takes which one hears, under the load of [HostBench], by that on the bare system: the
-/// median of pairs of windows, one after the other.
+/// processors that a message takes which one hears, under the load of [HostBench], by that on the bare system;
+/// `mas.<host>.overhead.contracts` the same of a contract net. Both are medians of pairs of windows, one after the
+/// other.
 @AllowedToReadWallClock("Benchmarks measure real time.")
 final class OverheadBench implements Bench {
     private final Collection<AgentHostProvider> hosts =
@@ -54,7 +56,9 @@ final class OverheadBench implements Bench {
                         "bare.deliveries",
                         "bare.load.cpu",
                         "bare.load.rate",
-                        "overhead")
+                        "bare.contracts",
+                        "overhead",
+                        "overhead.contracts")
                 .map(what -> HostBench.name(host, what))
                 .toList();
     }
@@ -75,6 +79,9 @@ final class OverheadBench implements Bench {
         }
         if (HostBench.wants(assignment, host, "bare.deliveries")) {
             deliveries(host, bare, assignment);
+        }
+        if (HostBench.wants(assignment, host, "bare.contracts", "overhead.contracts")) {
+            contracts(host, bare, assignment);
         }
     }
 
@@ -107,8 +114,8 @@ final class OverheadBench implements Bench {
         var overhead = new double[repeats];
         for (int i = 0; i < repeats; i++) {
             assignment.reach(HostBench.name(host, "overhead"), i, repeats);
-            Load ours = Load.of(host);
-            Load theirs = Load.of(bare);
+            Load ours = Load.ofPoses(host);
+            Load theirs = Load.ofPoses(bare);
             cpu[i] = theirs.cpu;
             rate[i] = theirs.rate;
             overhead[i] = ours.each() / theirs.each();
@@ -119,36 +126,70 @@ final class OverheadBench implements Bench {
                 Result.less(HostBench.name(host, "overhead"), "", overhead));
     }
 
-    /// What a hundred take that tell each other their poses.
+    private static void contracts(AgentHostProvider host, BareSystem bare, Assignment assignment) {
+        int repeats = assignment.repeats();
+        var rate = new double[repeats];
+        var overhead = new double[repeats];
+        for (int i = 0; i < repeats; i++) {
+            assignment.reach(HostBench.name(host, "overhead.contracts"), i, repeats);
+            Load ours = Load.ofContracts(host);
+            Load theirs = Load.ofContracts(bare);
+            rate[i] = theirs.rate;
+            overhead[i] = ours.each() / theirs.each();
+        }
+        assignment.tell(
+                Result.more(HostBench.name(host, "bare.contracts"), "1/s", rate),
+                Result.less(HostBench.name(host, "overhead.contracts"), "", overhead));
+    }
+
+    /// What agents take for what they do.
     ///
     /// @param cpu share of a core
-    /// @param rate messages heard per second
+    /// @param rate how often per second they do it
     private record Load(double cpu, double rate) {
-        static Load of(AgentHostProvider host) {
+        /// Of a hundred that tell each other their poses: messages heard.
+        static Load ofPoses(AgentHostProvider host) {
             var heard = new LongAdder();
             try (var society = BenchedSociety.inRealTime(host)) {
                 HostBench.tellPoses(society, heard);
-                return of(heard);
+                return of(heard, OverheadBench::pass);
             }
         }
 
-        static Load of(BareSystem bare) {
+        static Load ofPoses(BareSystem bare) {
             var heard = new LongAdder();
             try (var platform = bare.start()) {
                 platform.start(HostBench.TEAM, new Life(HostBench.PERIOD, () -> {}, heard::increment));
-                return of(heard);
+                return of(heard, OverheadBench::pass);
             }
         }
 
-        private static Load of(LongAdder heard) {
-            pass(HostBench.WARM);
-            heard.reset();
-            var watch = new Stopwatch();
-            pass(HostBench.WINDOW);
-            return new Load(watch.cpu() / watch.wall(), heard.sum() / watch.wall());
+        /// Of a manager and bidders that do nothing else: contract nets ended.
+        static Load ofContracts(AgentHostProvider host) {
+            var ended = new LongAdder();
+            try (var society = BenchedSociety.of(host)) {
+                HostBench.contracts(society, ended);
+                return of(ended, society::pass);
+            }
         }
 
-        /// Time of processors per message [s].
+        static Load ofContracts(BareSystem bare) {
+            var ended = new LongAdder();
+            try (var platform = bare.start()) {
+                platform.contract(HostBench.BIDDERS, ended::increment);
+                return of(ended, OverheadBench::pass);
+            }
+        }
+
+        private static Load of(LongAdder count, Consumer<Duration> pass) {
+            pass.accept(HostBench.WARM);
+            count.reset();
+            var watch = new Stopwatch();
+            pass.accept(HostBench.WINDOW);
+            return new Load(watch.cpu() / watch.wall(), count.sum() / watch.wall());
+        }
+
+        /// Time of processors for each [s].
         double each() {
             return cpu / rate;
         }

@@ -11,7 +11,8 @@ import org.junit.jupiter.api.Test;
 class OverheadBenchTest {
     @Test
     void comparesOurHostWithWhatJavaHas() {
-        assertThat(new OverheadBench().names()).contains("mas.plain.overhead", "mas.plain.bare.load.cpu");
+        assertThat(new OverheadBench().names())
+                .contains("mas.plain.overhead", "mas.plain.overhead.contracts", "mas.plain.bare.load.cpu");
     }
 
     @Test

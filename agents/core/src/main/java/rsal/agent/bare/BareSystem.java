@@ -23,6 +23,13 @@ public interface BareSystem {
         /// hears something.
         void say(int times);
 
+        /// Starts a manager and so many bidders, soon, instead of [#start]. The manager calls for proposals,
+        /// accepts the first when it has all, refuses the others, and calls again when the work is done: by the
+        /// system's own contract net where it has one. Called once.
+        ///
+        /// @param ended told of each net that has ended, on the manager's thread
+        void contract(int bidders, Runnable ended);
+
         /// Returns when no agent does anything any more, or soon will.
         @Override
         void close();

@@ -48,6 +48,15 @@ public abstract class BareSystemContract {
         }
     }
 
+    @Test
+    void aManagerCallsForProposalsAgainAndAgain() throws InterruptedException {
+        var ended = new CountDownLatch(10);
+        try (var platform = system().start()) {
+            platform.contract(AGENTS, ended::countDown);
+            await(ended);
+        }
+    }
+
     private static void await(CountDownLatch latch) throws InterruptedException {
         assertThat(latch.await(30, TimeUnit.SECONDS)).isTrue();
     }
