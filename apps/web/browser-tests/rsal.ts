@@ -17,8 +17,28 @@ export class Rsal {
     readonly printed: string,
   ) {}
 
-  static async run(...options: string[]): Promise<Rsal> {
-    const child = spawn(launcher, ['run', ...options], { stdio: ['ignore', 'pipe', 'pipe'] });
+  static run(...options: string[]): Promise<Rsal> {
+    return Rsal.start('run', ...options);
+  }
+
+  /** Shows a recording. */
+  static replay(...options: string[]): Promise<Rsal> {
+    return Rsal.start('replay', ...options);
+  }
+
+  /** Runs something without a page to its end. */
+  static async headless(...options: string[]): Promise<void> {
+    const child = spawn(launcher, options, { stdio: ['ignore', 'ignore', 'pipe'] });
+    let output = '';
+    child.stderr.on('data', (text: Buffer) => (output += text.toString()));
+    const [code] = (await once(child, 'exit')) as [number];
+    if (code !== 0) {
+      throw new Error(`${launcher} ended with ${String(code)}:\n${output}`);
+    }
+  }
+
+  private static async start(...options: string[]): Promise<Rsal> {
+    const child = spawn(launcher, options, { stdio: ['ignore', 'pipe', 'pipe'] });
     let output = '';
     const url = await new Promise<string>((resolve, reject) => {
       const listen = (text: Buffer) => {

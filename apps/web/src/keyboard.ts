@@ -7,6 +7,10 @@ export type Action =
         | 'step'
         | 'faster'
         | 'slower'
+        | 'stepBack'
+        | 'eventBefore'
+        | 'eventAfter'
+        | 'present'
         | 'goal'
         | 'follow'
         | 'measure'
@@ -30,6 +34,9 @@ export const keys: [string, string][] = [
   ['Space', 'emergency stop, unless a button or a field has the focus'],
   ['P', 'pause, resume'],
   ['.', 'one step, while paused'],
+  [',', 'look one moment back'],
+  ['[  ]', 'look at the marked event before, after'],
+  ['L', 'look at the present again'],
   ['+  −', 'faster, slower'],
   ['1 … 9', 'select a robot'],
   ['G', 'send the selected robot: click on the map, drag for its heading'],
@@ -57,6 +64,10 @@ const actions: Record<string, Action> = {
   ' ': { kind: 'emergencyStop' },
   p: { kind: 'pause' },
   '.': { kind: 'step' },
+  ',': { kind: 'stepBack' },
+  '[': { kind: 'eventBefore' },
+  ']': { kind: 'eventAfter' },
+  l: { kind: 'present' },
   '+': { kind: 'faster' },
   '=': { kind: 'faster' }, // the same key without shift
   '-': { kind: 'slower' },

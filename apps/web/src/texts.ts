@@ -10,6 +10,8 @@ export const texts = {
     rate: (rate: string) => `runs at ${rate} real time`,
     paused: 'paused',
     over: 'over',
+    back: 'looking back',
+    plays: (speed: string) => `plays at ${speed}`,
     pause: 'Pause',
     resume: 'Resume',
     step: 'Step',
@@ -32,6 +34,24 @@ export const texts = {
         : `Motors of ${robots.length} robots are off.`,
     rearmAll: 'Arm all',
     help: 'Keys',
+  },
+  recording: {
+    label: 'Recording',
+    why: 'What a recording shows is over: robots can be looked at, and not be told anything.',
+    damaged: (damage: readonly string[]) =>
+      `The recording is not whole. ${damage[0]}${damage.length > 1 ? ` And ${damage.length - 1} more.` : ''}`,
+  },
+  timeline: {
+    label: 'Timeline',
+    cursor: 'Time that is shown',
+    back: 'One moment back',
+    present: 'Live',
+    presentHint: 'Look at the present again',
+    lookingBack: 'You look back; the run goes on.',
+    of: (time: string, end: string) => `${time} of ${end}`,
+    marks: (count: number) => `Marked events: ${count}`,
+    mark: (time: string, words: string) => `${time} ${words}`,
+    more: (count: number) => `and ${count} more`,
   },
   access: {
     label: 'View only',

@@ -3,8 +3,15 @@ const KEY = 'rsal.token';
 /** Whether this tab may change anything, and by what token. */
 class Access {
   token = $state<string | null>(null);
+  /** Whether this tab looks back: what is over can't be changed. */
+  past = $state(false);
 
   get allowed(): boolean {
+    return this.operator && !this.past;
+  }
+
+  /** Whether it may once it looks at what is now. */
+  get operator(): boolean {
     return this.token !== null;
   }
 

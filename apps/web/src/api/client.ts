@@ -46,7 +46,9 @@ export const api = {
   abilities: (robot: string) => about<Abilities>('abilities', robot),
   readings: (robot: string) => about<Readings>('readings', robot),
   numbers: (robot: string) => about<PlottedNumbers>('numbers', robot),
-  agent: (name: string) => found<AgentInside>(`agent?name=${encodeURIComponent(name)}`),
+  /** @param time of a recording [s of the run] */
+  agent: (name: string, time: number | null = null) =>
+    found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}`),
   topics: () => found<Topics>('topics'),
   drive: (wish: Drive) => post('drive', wish),
   release: (wish: Release) => post('release', wish, true),
@@ -86,6 +88,8 @@ async function post(command: string, body: object = {}, evenAtTheEnd = false): P
   return answer;
 }
 
+const at = (time: number | null) => (time === null ? '' : `&time=${String(time)}`);
+
 /** Something about a robot; null when nobody knows any more. */
 const about = <T>(what: string, robot: string) => found<T>(`${what}?robot=${encodeURIComponent(robot)}`);
 
@@ -99,14 +103,19 @@ async function found<T>(what: string): Promise<T | null> {
   }
 }
 
-/** The map that a robot has drawn, with its cells as those of `map`; null when there is none any more. */
+/**
+ * The map that a robot has drawn, with its cells as those of `map`; null when there is none any more.
+ *
+ * @param time of a recording [s of the run]
+ */
 async function drawn(
   run: number,
   robot: string,
   resolution: number,
+  time: number | null = null,
 ): Promise<{ map: MapInfo; bytes: Uint8Array } | null> {
   try {
-    const response = await fetch(`/api/drawn/${String(run)}?robot=${encodeURIComponent(robot)}`);
+    const response = await fetch(`/api/drawn/${String(run)}?robot=${encodeURIComponent(robot)}${at(time)}`);
     return response.ok ? decodeDrawn(await response.arrayBuffer(), robot, resolution) : null;
   } catch {
     return null;

@@ -167,6 +167,14 @@ export interface LightInfo {
   color: string;
 }
 
+export interface LookBack {
+  live: boolean;
+  time: number | null;
+  step: number;
+  playing: boolean;
+  speed: string | null;
+}
+
 export interface MapInfo {
   name: string;
   width: number;
@@ -235,6 +243,12 @@ export interface PlottedNumbers {
 
 export type PropKind = 'BOX' | 'BALL';
 
+export interface Reach {
+  run: number;
+  from: number;
+  until: number;
+}
+
 export interface ReadingInfo {
   device: string;
   facts: Fact[];
@@ -253,6 +267,14 @@ export interface RealDetails {
 export interface Receipt {
   frame: number | null;
   events: number | null;
+  look: LookBack | null;
+}
+
+export interface RecordingInfo {
+  name: string;
+  started: string;
+  whole: boolean;
+  damage: string[];
 }
 
 export interface Refused {
@@ -331,6 +353,7 @@ export interface RunInfo {
   map: MapInfo;
   robots: RobotInfo[];
   measures: MeasureInfo[];
+  recording: RecordingInfo | null;
 }
 
 export interface SaidInfo {
@@ -347,6 +370,7 @@ export interface ServerMessage {
   things: Things | null;
   details: Details | null;
   events: Events | null;
+  reach: Reach | null;
 }
 
 export interface SettingInfo {

@@ -6,14 +6,16 @@ import { live } from './live.svelte';
  *
  * @param question its answer is null when there is none now
  * @param told is told each other answer
+ * @param recorded whether recordings answer it, too; what is now answers nothing about what has been
  */
 export function keepAsking<T>(
   question: () => Promise<T | null>,
   pauseMillis: number,
   told: (answer: T) => void,
+  recorded = false,
 ): void {
   $effect(() => {
-    if (live.over) {
+    if (live.past ? !(recorded && live.recording) : live.over) {
       return;
     }
     let timer: number | undefined;

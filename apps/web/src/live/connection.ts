@@ -1,4 +1,4 @@
-import type { Receipt, ServerMessage } from '../api/messages';
+import type { LookBack, Receipt, ServerMessage } from '../api/messages';
 
 const RETRY_MILLIS = 1000;
 /** A hidden tab draws nothing; it still takes a frame now and then, so that the server does not give it up. */
@@ -11,9 +11,19 @@ export interface Listener {
   onGone(): void;
 }
 
+let line: WebSocket | null = null;
+
+/** Looks back on the run, or to the present again. Nothing happens while the server is gone. */
+export function look(wish: Partial<LookBack>): void {
+  if (line) {
+    tell(line, { look: { live: false, time: null, step: 0, playing: false, speed: null, ...wish } });
+  }
+}
+
 /** Listens to the run for as long as the page is open, and comes back by itself when the server does. */
 export function connect(listener: Listener): void {
   const socket = new WebSocket(`ws://${location.host}/api/live`);
+  line = socket;
   socket.binaryType = 'arraybuffer';
   socket.onopen = () => listener.onOpen();
   socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => {
@@ -22,12 +32,12 @@ export function connect(listener: Listener): void {
       listener.onMessage(message);
       const last = message.events?.events.at(-1);
       if (last) {
-        acknowledge(socket, { events: last.sequence });
+        tell(socket, { events: last.sequence });
       }
     } else {
       listener.onFrame(data);
       const sequence = new DataView(data).getUint32(8, true);
-      afterDrawing(() => acknowledge(socket, { frame: sequence }));
+      afterDrawing(() => tell(socket, { frame: sequence }));
     }
   };
   socket.onclose = () => {
@@ -36,7 +46,7 @@ export function connect(listener: Listener): void {
   };
 }
 
-function acknowledge(socket: WebSocket, receipt: Partial<Receipt>) {
+function tell(socket: WebSocket, receipt: Partial<Receipt>) {
   if (socket.readyState === WebSocket.OPEN) {
     socket.send(JSON.stringify(receipt));
   }

@@ -12,6 +12,7 @@ const TURN = 2 * Math.PI;
 const PAUSED = 1;
 const STOPPED = 1 << 1;
 const ENDED = 1 << 2;
+const PAST = 1 << 3;
 
 const PRESENT = 1;
 const STALLED = 1 << 1;
@@ -117,6 +118,8 @@ export interface Frame {
   /** Emergency stop. */
   stopped: boolean;
   ended: boolean;
+  /** Of a moment that is looked back on. */
+  past: boolean;
   /** Simulated seconds. */
   time: number;
   /** Times real time, as asked for; Infinity is as fast as it can. */
@@ -151,6 +154,7 @@ export function decodeFrame(bytes: ArrayBuffer): Frame {
     paused: (flags & PAUSED) !== 0,
     stopped: (flags & STOPPED) !== 0,
     ended: (flags & ENDED) !== 0,
+    past: (flags & PAST) !== 0,
     time: view.getFloat64(16, true),
     speed: view.getFloat32(24, true),
     rate: view.getFloat32(28, true),

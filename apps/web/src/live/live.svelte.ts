@@ -1,6 +1,8 @@
+import { access } from '../api/access.svelte';
 import type {
   Details,
   EventInfo,
+  Reach,
   RealDetails,
   RobotDetails,
   RobotInfo,
@@ -9,10 +11,14 @@ import type {
 } from '../api/messages';
 import { connect, type Listener } from './connection';
 import { withShades } from '../shades';
+import { marksAmong } from '../timeline/marks';
 import { decodeFrame, type Frame } from './frame';
 import { Things } from './things';
 
 const MOST_EVENTS = 5000;
+/** A recording is there as a whole, and so are its events. */
+const MOST_RECORDED_EVENTS = 110_000;
+const MOST_MARKED = 5000;
 /** How often the panels follow the frames; the map follows each one. */
 const PANEL_MILLIS = 200;
 
@@ -25,6 +31,10 @@ class Live implements Listener {
   things = $state.raw(Things.NONE);
   /** Oldest first. */
   events = $state.raw<EventInfo[]>([]);
+  /** Those that are marked on the timeline. */
+  marked = $state.raw<EventInfo[]>([]);
+  /** How far one can look back. */
+  reach = $state.raw<Reach | null>(null);
   /** The newest frame, for panels: a few times a second. */
   frame = $state.raw<Frame | null>(null);
 
@@ -59,6 +69,8 @@ class Live implements Listener {
       this.things = Things.NONE;
       this.details = null;
       this.events = [];
+      this.marked = [];
+      this.reach = null;
       this.frame = null;
       this.newest = null;
       this.previous = null;
@@ -72,14 +84,22 @@ class Live implements Listener {
       this.details = message.details;
     } else if (message.events) {
       const { events } = message.events;
-      this.events = this.events.concat(events).slice(-MOST_EVENTS);
+      const most = this.recording ? MOST_RECORDED_EVENTS : MOST_EVENTS;
+      this.events = this.events.concat(events).slice(-most);
+      this.marked = this.marked.concat(marksAmong(events)).slice(-MOST_MARKED);
+      if (this.recording) {
+        return;
+      }
       events.filter(({ time }) => time > this.joined).forEach((event) => this.onNews(event));
+    } else if (message.reach) {
+      this.reach = message.reach;
     }
   }
 
   onFrame(bytes: ArrayBuffer) {
     const frame = decodeFrame(bytes);
     this.joined = Math.min(this.joined, frame.time);
+    access.past = frame.past;
     this.previous = this.newest;
     this.newest = { frame, at: performance.now() };
     this.tellPanels();
@@ -132,6 +152,22 @@ class Live implements Listener {
     return new Map(this.said.flatMap(([i, { real }]) => (real ? [[i, real]] : [])));
   }
 
+  /** Whether what is shown has been, and is not now. */
+  get past(): boolean {
+    return access.past;
+  }
+
+  /** Where the run is from, if it is none that goes on. */
+  get recording() {
+    return this.info?.recording ?? null;
+  }
+
+  /** What had happened by the time that is shown, oldest first. */
+  get happened(): EventInfo[] {
+    const time = this.frame?.time ?? 0;
+    return this.past ? this.events.slice(0, countUntil(this.events, time)) : this.events;
+  }
+
   /** Whether it goes on by itself. */
   get going(): boolean {
     return this.frame !== null && !this.frame.paused && !this.over;
@@ -144,7 +180,28 @@ class Live implements Listener {
 
 /** Whether something changed that a person is waiting to see. */
 function switched(a: Frame, b: Frame | undefined): boolean {
-  return a.paused !== b?.paused || a.stopped !== b.stopped || a.ended !== b.ended || a.speed !== b.speed;
+  return (
+    a.past !== b?.past ||
+    a.paused !== b.paused ||
+    a.stopped !== b.stopped ||
+    a.ended !== b.ended ||
+    a.speed !== b.speed
+  );
+}
+
+/** How many events were by a time. */
+function countUntil(events: readonly EventInfo[], time: number): number {
+  let low = 0;
+  let high = events.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (events[middle]!.time <= time + 1e-9) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
 }
 
 export const live = new Live();

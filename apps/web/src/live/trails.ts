@@ -22,7 +22,7 @@ export class Trails {
   private time = 0; // of the frame before
 
   add(frame: Frame) {
-    if (frame.run !== this.run) {
+    if (frame.run !== this.run || frame.time < this.time) {
       this.run = frame.run;
       this.trails = [];
     }

@@ -1,6 +1,8 @@
 /// Shows a run to browsers on this machine and takes their commands: HTTP, WebSocket, JSON. Knows runs only as
-/// [rsal.scenario.LiveRun]; knows nothing of simulators, agent hosts or the command line.
+/// [rsal.scenario.LiveRun], or as [rsal.recording.Playback] when they were recorded; knows nothing of simulators, agent
+/// hosts or the command line.
 module rsal.server {
+    requires transitive rsal.recordings;
     requires transitive rsal.scenarios;
     requires io.javalin;
     requires org.eclipse.jetty.ee10.servlet;

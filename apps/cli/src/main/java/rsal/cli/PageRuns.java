@@ -79,18 +79,30 @@ final class PageRuns {
 
     private static RunServer serve(RunPlan plan, @Nullable Integer port, Consumer<LiveRun> onStart, Eye eye)
             throws IOException {
+        String token = RunServer.newToken();
+        return serve(
+                port,
+                (free, page) -> RunServer.start(plan, new RunServer.Options(free, token, page, onStart, eye::start)));
+    }
+
+    /// Starts a server at a port, with the built page.
+    interface Starter<S> {
+        S at(int port, Path page) throws IOException, PortInUse;
+    }
+
+    /// @param port null for the usual one, or any when that is in use
+    static <S> S serve(@Nullable Integer port, Starter<S> server) throws IOException {
         Path page = page().orElseThrow(
                         () -> new Unreachable(
-                                "The page is not built. Start with ./rsal, which builds it; or do without: run --headless, bridge without --page."));
-        String token = RunServer.newToken();
+                                "The page is not built. Start with ./rsal, which builds it; or do without: run --headless, replay --verify, bridge without --page."));
         try {
             if (port != null) {
-                return RunServer.start(plan, new RunServer.Options(port, token, page, onStart, eye::start));
+                return server.at(port, page);
             }
             try {
-                return RunServer.start(plan, new RunServer.Options(DEFAULT_PORT, token, page, onStart, eye::start));
+                return server.at(DEFAULT_PORT, page);
             } catch (PortInUse _) {
-                return RunServer.start(plan, new RunServer.Options(0, token, page, onStart, eye::start));
+                return server.at(0, page);
             }
         } catch (PortInUse taken) {
             throw new Unreachable(String.valueOf(taken.getMessage()));

@@ -1,18 +1,25 @@
 package rsal.cli;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import rsal.recording.Playback;
 import rsal.recording.Recording;
 import rsal.recording.Verification;
 import rsal.recording.Verification.Finding;
 import rsal.scenario.run.RunEvent;
+import rsal.server.ReplayServer;
+import rsal.server.RunServer;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
@@ -20,20 +27,61 @@ import rsal.settings.Location;
 @Command(
         name = "replay",
         description = {
-            "Run a recorded run again and compare, event by event, whether it is the same.",
-            "The scenario is taken from the recording. Exit codes: 0 the same, 4 different; up to where a person took"
-                    + " part or the recording was cut off, where that was so."
+            "Show a recorded run in a browser: play, pause, step, and look at any time of it.",
+            "With --verify, run it again and compare, event by event, whether it is the same. The scenario is taken from"
+                    + " the recording. Exit codes then: 0 the same, 4 different; up to where a person took part or the"
+                    + " recording was cut off, where that was so."
         })
 final class ReplayCommand extends Subcommand {
     @Parameters(paramLabel = "FILE.mcap", description = "A recording, from 'rsal run --record'.")
     private String name = "";
 
-    @Option(names = "--verify", description = "Compare; without, there is nothing to do.")
+    @Option(names = "--verify", description = "Run it again and compare, without a page.")
     private boolean verify;
+
+    @Option(
+            names = "--port",
+            paramLabel = "P",
+            converter = RunCommand.Port.class,
+            description = "Of the page, on this machine only; 0: any that is free. Left out: " + PageRuns.DEFAULT_PORT
+                    + ", or any when that is in use.")
+    private @Nullable Integer port;
 
     @Override
     int run() throws Exception {
-        check(verify, "Say --verify: a recording is run again and compared. To see it, open it in Foxglove.");
+        check(!verify || port == null, "With --verify there is no page, and so no --port.");
+        check(verify || !json, "--json tells what --verify has found; say --verify, too.");
+        return verify ? verify() : show();
+    }
+
+    /// Until a signal ends it, by an exception.
+    private int show() throws Exception {
+        Recording recording = RecordingFile.open(name, false);
+        err().println("Reading %s (%.0f MB)".formatted(name, recording.file().size() / 1e6));
+        err().flush();
+        Playback playback;
+        try {
+            playback = Playback.of(recording);
+        } catch (IOException e) {
+            recording.close();
+            throw new InvalidSettings(
+                    Location.of(name), "This recording can't be read: %s".formatted(e.getMessage()), "");
+        }
+        playback.damage().forEach(damage -> err().println(name + ": " + damage));
+        String file = String.valueOf(Path.of(name).getFileName());
+        String token = RunServer.newToken();
+        try (ReplayServer server =
+                PageRuns.serve(port, (free, page) -> ReplayServer.start(playback, file, free, token, page))) {
+            var _ = new ClosedAtExit(server);
+            err().println("Watch it at " + server.url());
+            err().println("Ctrl-C ends it.");
+            err().flush();
+            new CountDownLatch(1).await(); // nothing but a signal ends it
+            return Exit.SUCCESS;
+        }
+    }
+
+    private int verify() throws Exception {
         try (Recording recording = RecordingFile.open(name, false)) {
             if (!recording.isRepeatable()) {
                 throw new InvalidSettings(

@@ -4,8 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
@@ -87,7 +92,10 @@ class RecordIT {
         assertThat(none.code()).isEqualTo(Exit.INVALID);
         assertThat(none.err()).contains("is no MCAP");
         assertThat(rsal.run("replay", "missing.mcap", "--verify").err()).contains("There is no file");
-        assertThat(rsal.run("replay", "there.mcap").code()).isEqualTo(Exit.USAGE);
+        assertThat(rsal.run("replay", "there.mcap").err()).contains("is no MCAP");
+        assertThat(rsal.run("replay", "there.mcap", "--verify", "--port", "0").code())
+                .isEqualTo(Exit.USAGE);
+        assertThat(rsal.run("replay", "there.mcap", "--json").code()).isEqualTo(Exit.USAGE);
     }
 
     @Test
@@ -129,6 +137,55 @@ class RecordIT {
         JsonNode recording = json(rsal.run("show", "run.mcap", "--json"));
         assertThat(recording.get("damage").size()).isZero();
         assertThat(recording.get("result").get("outcome").asString()).isEqualTo("stopped");
+    }
+
+    /// The page of a recording: it can be looked at, and not be told anything; Ctrl-C ends it.
+    @Test
+    void aRecordingIsShownInThePage() throws Exception {
+        assertThat(rsal.run("run", "--headless", "--speed", "max", "--for", "5", "--record", "run.mcap")
+                        .code())
+                .isEqualTo(Exit.SUCCESS);
+        assertThat(rsal.run("replay", "run.mcap").err()).contains("The page is not built");
+        byte[] whole = Files.readAllBytes(folder.resolve("run.mcap"));
+        Files.write(folder.resolve("cut.mcap"), Arrays.copyOf(whole, whole.length * 2 / 3));
+        for (String file : List.of("run.mcap", "cut.mcap")) {
+            Process process = rsal.withPage().start("replay", file, "--port", "0");
+            try (var err = process.errorReader()) {
+                String line = "";
+                while (!line.startsWith("Watch it at ")) {
+                    line = err.readLine();
+                    assertThat(line).as("tells the address").isNotNull();
+                }
+                URI url = URI.create(line.substring("Watch it at ".length()));
+                assertThat(ask(url.resolve("/api/run"))
+                                .get("recording")
+                                .get("name")
+                                .asString())
+                        .isEqualTo(file);
+                assertThat(ask(url.resolve("/api/run"))
+                                .get("recording")
+                                .get("damage")
+                                .isEmpty())
+                        .isEqualTo(file.equals("run.mcap"));
+                assertThat(ask(url.resolve("/api/readings?robot=prey-1"))
+                                .get("message")
+                                .asString())
+                        .contains("not recorded");
+                Ended.signal("INT", process);
+                assertThat(process.waitFor(20, TimeUnit.SECONDS)).isTrue();
+                assertThat(process.exitValue()).isEqualTo(130);
+            } finally {
+                process.destroyForcibly().waitFor();
+            }
+        }
+    }
+
+    private static JsonNode ask(URI url) throws Exception {
+        try (var client = HttpClient.newHttpClient()) {
+            return JsonMapper.shared()
+                    .readTree(client.send(HttpRequest.newBuilder(url).build(), HttpResponse.BodyHandlers.ofString())
+                            .body());
+        }
     }
 
     private static void awaitSize(Path file, long bytes, Process process) throws Exception {

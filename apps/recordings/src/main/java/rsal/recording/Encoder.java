@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.DoubleStream;
 import rsal.agent.bdi.Mind;
 import rsal.data.Footprint;
 import rsal.data.LaserScan;
@@ -20,6 +21,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.Prism;
 import rsal.data.RangeArray;
+import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.data.Stamped;
 import rsal.device.Health;
@@ -78,6 +80,15 @@ public final class Encoder {
         out.string(4, event.subject());
         out.string(5, event.text());
         out.string(6, hash);
+        event.said().ifPresent(said -> {
+            int begun = out.begin(7);
+            out.string(1, said.to());
+            out.string(2, said.topic());
+            out.string(3, said.conversation());
+            out.string(4, said.protocol());
+            out.string(5, said.act());
+            out.end(begun);
+        });
         write(Topics.EVENTS, Own.EVENT, time, time, Map.of());
 
         out.clear();
@@ -107,7 +118,7 @@ public final class Encoder {
         out.string(6, said.protocol());
         out.string(7, said.act());
         out.string(8, said.words());
-        write("/messages", Own.MESSAGE, time, time, Map.of());
+        write(Topics.MESSAGES, Own.MESSAGE, time, time, Map.of());
     }
 
     public void minds(Duration at, Map<String, Mind.View> minds) throws IOException {
@@ -128,7 +139,7 @@ public final class Encoder {
                     out.string(6, goal.failure());
                     out.end(begun);
                 }
-                write("/minds", Own.MIND, time, time, Map.of());
+                write(Topics.MINDS, Own.MIND, time, time, Map.of());
             }
         }
     }
@@ -196,6 +207,23 @@ public final class Encoder {
         });
         out.bool(17, robot.lit());
         robot.real().flatMap(RobotView.Real::standIn).ifPresent(standIn -> pose(18, standIn));
+        out.bool(19, robot.stopped());
+        robot.real().ifPresent(real -> {
+            out.bool(20, true);
+            out.bool(21, real.proxy());
+            real.silence().ifPresent(silence -> out.number(22, silence.toNanos() / 1e9));
+        });
+        lacks(robot.id(), Topics.SCAN, robot.scan());
+        lacks(robot.id(), Topics.RANGES, robot.ranges());
+        lacks(robot.id(), Topics.PARTICLES, robot.particles());
+        lacks(robot.id(), Topics.MAP, robot.map());
+    }
+
+    /// What was there once, and is no more.
+    private void lacks(String id, String what, Optional<?> reading) {
+        if (reading.isEmpty() && last.containsKey(id + " " + what)) {
+            out.string(23, what);
+        }
     }
 
     /// Where bases are, as Foxglove wants to know it: in truth where that is known.
@@ -244,7 +272,7 @@ public final class Encoder {
         if (robot.map().isPresent() && isNew(id + " map", robot.map().get().time())) {
             Stamped<OccupancyGrid> map = robot.map().get();
             grid(map.value(), nanos(map.time()), map.frame());
-            write(Topics.of(id, "map"), Foxglove.GRID, time, nanos(map.time()), Map.of());
+            write(Topics.of(id, Topics.MAP), Foxglove.GRID, time, nanos(map.time()), Map.of());
         }
         if (isNew(id + " path", robot.path())) {
             path(id, robot.path(), robot.color(), time);
@@ -268,7 +296,7 @@ public final class Encoder {
         out.number(4, laser.angleMin());
         out.number(5, laser.angle(Math.max(0, laser.count() - 1)));
         out.numbers(6, laser.ranges());
-        String topic = Topics.of(id, "scan");
+        String topic = Topics.of(id, Topics.SCAN);
         write(topic, Foxglove.LASER_SCAN, time, taken, channels.containsKey(topic) ? Map.of() : limits(laser));
     }
 
@@ -283,7 +311,7 @@ public final class Encoder {
         out.number(5, array.rangeMax());
         array.baseFromSensors().forEach(baseFromSensor -> pose(6, baseFromSensor));
         out.numbers(7, array.ranges());
-        write(Topics.of(id, "ranges"), Own.RANGES, time, taken, Map.of());
+        write(Topics.of(id, Topics.RANGES), Own.RANGES, time, taken, Map.of());
     }
 
     private void particles(String id, Stamped<ParticleCloud> particles, long time) throws IOException {
@@ -306,7 +334,7 @@ public final class Encoder {
         field(5, "heading", 8, 7);
         field(5, "weight", 12, 7);
         out.bytes(6, data.toArray());
-        write(Topics.of(id, "particles"), Foxglove.POINT_CLOUD, time, taken, Map.of());
+        write(Topics.of(id, Topics.PARTICLES), Foxglove.POINT_CLOUD, time, taken, Map.of());
     }
 
     private void grid(OccupancyGrid map, long time, String frame) {
@@ -351,7 +379,7 @@ public final class Encoder {
             out.end(line);
         }
         out.end(entity);
-        write(Topics.of(id, "path"), Foxglove.SCENE_UPDATE, time, time, Map.of());
+        write(Topics.of(id, Topics.PATH), Foxglove.SCENE_UPDATE, time, time, Map.of());
     }
 
     private void device(String id, DeviceView device, long time) throws IOException {
@@ -375,7 +403,7 @@ public final class Encoder {
                     case Health.Stale stale -> stale.reason();
                     case Health.Lost lost -> lost.reason();
                 });
-        write("/devices", Own.DEVICE, time, time, Map.of());
+        write(Topics.DEVICES, Own.DEVICE, time, time, Map.of());
     }
 
     private void agent(AgentView agent, long time) throws IOException {
@@ -393,7 +421,7 @@ public final class Encoder {
         out.string(6, view.status().name());
         out.string(7, view.state());
         pairs(8, view.beliefs());
-        write("/agents", Own.AGENT, time, time, Map.of());
+        write(Topics.AGENTS, Own.AGENT, time, time, Map.of());
     }
 
     /// Robots that have come, and what they look like.
@@ -406,7 +434,7 @@ public final class Encoder {
             out.string(3, spec.role());
             out.string(4, spec.color());
             out.string(5, spec.model().name());
-            write("/robots", Own.ROBOT, time, time, Map.of());
+            write(Topics.ROBOTS, Own.ROBOT, time, time, Map.of());
 
             out.clear();
             int entity = out.begin(2);
@@ -435,6 +463,7 @@ public final class Encoder {
             if (thing.equals(before.remove(thing.number())) && !thingsAgain) {
                 continue;
             }
+            thing(thing, time);
             out.clear();
             int entity = out.begin(2);
             timestamp(1, time);
@@ -461,9 +490,46 @@ public final class Encoder {
             out.string(3, "thing " + gone);
             out.end(deletion);
             write("/world", Foxglove.SCENE_UPDATE, time, time, Map.of());
+
+            out.clear();
+            timestamp(1, time);
+            out.varint(2, gone);
+            out.bool(6, true);
+            write(Topics.THINGS, Own.THING, time, time, Map.of());
         }
         things = now;
         thingsAgain = false;
+    }
+
+    /// As it is, which scenes only show.
+    private void thing(Standing thing, long time) throws IOException {
+        out.clear();
+        timestamp(1, time);
+        out.varint(2, thing.number());
+        out.string(3, thing.name());
+        pose(4, thing.mapFromThing());
+        out.number(5, thing.height());
+        for (Prism piece : thing.body().pieces()) {
+            int begun = out.begin(7);
+            piece.color().ifPresent(color -> out.string(1, color.toString()));
+            out.number(2, piece.bottom());
+            out.number(3, piece.top());
+            switch (piece.shape()) {
+                case Shape.Disc disc -> {
+                    out.number(4, disc.radius());
+                    out.numbers(5, disc.center().x(), disc.center().y());
+                }
+                case Shape.Polygon polygon ->
+                    out.numbers(
+                            5,
+                            polygon.corners().stream()
+                                    .flatMapToDouble(corner -> DoubleStream.of(corner.x(), corner.y()))
+                                    .toArray());
+            }
+            out.end(begun);
+        }
+        out.bool(8, thing.grippable());
+        write(Topics.THINGS, Own.THING, time, time, Map.of());
     }
 
     /// A piece of a body as its convex outline has it: sides and top.

@@ -2,16 +2,64 @@ package rsal.recording;
 
 import java.io.IOException;
 import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import rsal.recording.mcap.McapWriter;
 import rsal.recording.mcap.Metadata;
+import rsal.scenario.RunPlan;
 import rsal.scenario.run.RunResult;
 
 /// How a recorded run ended, as metadata of its file.
 final class Outcome {
     static final String NAME = "rsal.result";
+    static final String MEASURE = "measure.";
 
     private Outcome() {}
+
+    /// As it was written.
+    ///
+    /// @param entries as [#write] has them
+    /// @return empty when there is none
+    static Optional<RunResult> read(Map<String, String> entries, RunPlan plan) {
+        if (!entries.containsKey("outcome")) {
+            return Optional.empty();
+        }
+        var measures = new LinkedHashMap<String, OptionalDouble>();
+        entries.forEach((name, value) -> {
+            if (name.startsWith(MEASURE)) {
+                double number = number(value);
+                measures.put(
+                        name.substring(MEASURE.length()),
+                        Double.isNaN(number) ? OptionalDouble.empty() : OptionalDouble.of(number));
+            }
+        });
+        return Optional.of(new RunResult(
+                plan.scenario().name(),
+                plan.configuration(),
+                plan.seed(),
+                entries.getOrDefault("outcome", ""),
+                number(entries.getOrDefault("simulatedSeconds", "")),
+                number(entries.getOrDefault("wallSeconds", "")),
+                entries.getOrDefault("eventHash", ""),
+                measures,
+                Stream.of(entries.getOrDefault("outOfBounds", "").split(" ", -1))
+                        .filter(name -> !name.isEmpty())
+                        .toList(),
+                Map.of(),
+                List.of(),
+                List.of()));
+    }
+
+    private static double number(String text) {
+        try {
+            return Double.parseDouble(text);
+        } catch (NumberFormatException _) {
+            return Double.NaN;
+        }
+    }
 
     /// @param result empty when the run broke, or its recording ended before it did
     static void write(McapWriter file, Optional<RunResult> result, long droppedStates) throws IOException {
@@ -22,8 +70,9 @@ final class Outcome {
             entries.put("wallSeconds", Double.toString(ended.wallSeconds()));
             entries.put("eventHash", ended.eventHash());
             ended.measures()
-                    .forEach((name, value) -> entries.put(
-                            "measure." + name, value.isPresent() ? Double.toString(value.getAsDouble()) : ""));
+                    .forEach((name, value) ->
+                            entries.put(MEASURE + name, value.isPresent() ? Double.toString(value.getAsDouble()) : ""));
+            entries.put("outOfBounds", String.join(" ", ended.outOfBounds()));
         });
         entries.put("droppedStates", Long.toString(droppedStates));
         file.metadata(new Metadata(NAME, entries));

@@ -36,12 +36,32 @@ final class Own {
             .with(15, "gripper_holding", Kind.BOOL)
             .with(16, "has_gripper", Kind.BOOL)
             .with(17, "lit", Kind.BOOL)
-            .with(18, "stand_in", POSE);
+            .with(18, "stand_in", POSE)
+            .with(19, "stopped", Kind.BOOL)
+            .with(20, "real", Kind.BOOL)
+            .with(21, "proxy", Kind.BOOL)
+            .with(22, "silence", Kind.DOUBLE)
+            .withMany(23, "lacks", Kind.STRING);
     static final MessageType STATE = MessageType.named("rsal.State")
             .with(1, "timestamp", Foxglove.TIMESTAMP)
             .with(2, "hash", Kind.STRING)
             .with(3, "stopped", Kind.BOOL)
             .withMany(4, "robots", ROBOT_STATE);
+    static final MessageType PIECE = MessageType.named("rsal.Piece")
+            .with(1, "color", Kind.STRING)
+            .with(2, "bottom", Kind.DOUBLE)
+            .with(3, "top", Kind.DOUBLE)
+            .with(4, "radius", Kind.DOUBLE)
+            .withMany(5, "corners", Kind.DOUBLE);
+    static final MessageType THING = MessageType.named("rsal.Thing")
+            .with(1, "timestamp", Foxglove.TIMESTAMP)
+            .with(2, "number", Kind.UINT64)
+            .with(3, "name", Kind.STRING)
+            .with(4, "pose", POSE)
+            .with(5, "height", Kind.DOUBLE)
+            .with(6, "gone", Kind.BOOL)
+            .withMany(7, "pieces", PIECE)
+            .with(8, "grippable", Kind.BOOL);
     static final MessageType ROBOT = MessageType.named("rsal.Robot")
             .with(1, "timestamp", Foxglove.TIMESTAMP)
             .with(2, "id", Kind.STRING)
@@ -64,13 +84,20 @@ final class Own {
             .with(5, "range_max", Kind.DOUBLE)
             .withMany(6, "poses", POSE)
             .withMany(7, "ranges", Kind.DOUBLE);
+    static final MessageType SAID = MessageType.named("rsal.Said")
+            .with(1, "to", Kind.STRING)
+            .with(2, "topic", Kind.STRING)
+            .with(3, "conversation", Kind.STRING)
+            .with(4, "protocol", Kind.STRING)
+            .with(5, "act", Kind.STRING);
     static final MessageType EVENT = MessageType.named("rsal.Event")
             .with(1, "timestamp", Foxglove.TIMESTAMP)
             .with(2, "sequence", Kind.UINT64)
             .with(3, "kind", Kind.STRING)
             .with(4, "subject", Kind.STRING)
             .with(5, "text", Kind.STRING)
-            .with(6, "hash", Kind.STRING);
+            .with(6, "hash", Kind.STRING)
+            .with(7, "said", SAID);
     static final MessageType MESSAGE = MessageType.named("rsal.Message")
             .with(1, "timestamp", Foxglove.TIMESTAMP)
             .with(2, "from", Kind.STRING)

@@ -4,6 +4,17 @@ package rsal.recording;
 final class Topics {
     static final String EVENTS = "/events";
     static final String STATE = "/state";
+    static final String ROBOTS = "/robots";
+    static final String THINGS = "/things";
+    static final String DEVICES = "/devices";
+    static final String AGENTS = "/agents";
+    static final String MINDS = "/minds";
+    static final String MESSAGES = "/messages";
+    static final String SCAN = "scan";
+    static final String RANGES = "ranges";
+    static final String PARTICLES = "particles";
+    static final String MAP = "map";
+    static final String PATH = "path";
 
     private Topics() {}
 

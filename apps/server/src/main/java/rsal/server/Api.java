@@ -79,12 +79,7 @@ final class Api {
     }
 
     void configure(RoutesConfig routes) {
-        routes.before(request -> {
-            SECURITY_HEADERS.forEach(request::header);
-            request.header(Header.CACHE_CONTROL, "no-store");
-            gate.admit(request.header(Header.HOST), request.header(Header.ORIGIN));
-        });
-
+        admit(routes, gate);
         routes.get("/api/run", request -> answer(request, info()));
         routes.get("/api/status", this::status);
         routes.get("/api/map/{run}", this::map);
@@ -173,7 +168,21 @@ final class Api {
             answer(request, info());
         });
 
-        routes.get("/*", this::asset);
+        serve(routes, page);
+    }
+
+    /// Before all else: lets in only who may look.
+    static void admit(RoutesConfig routes, Gate gate) {
+        routes.before(request -> {
+            SECURITY_HEADERS.forEach(request::header);
+            request.header(Header.CACHE_CONTROL, "no-store");
+            gate.admit(request.header(Header.HOST), request.header(Header.ORIGIN));
+        });
+    }
+
+    /// After all else: the page, and refusals.
+    static void serve(RoutesConfig routes, Page page) {
+        routes.get("/*", request -> asset(request, page));
 
         routes.exception(Refusal.class, (refusal, request) -> refuse(request, refusal));
         routes.exception(
@@ -255,25 +264,35 @@ final class Api {
                     now.number(), packed(FloorPlan.cells(now.run().plan().scene())));
             map.set(known);
         }
+        answerPacked(request, known.bytes());
+    }
+
+    /// @param bytes as [#packed] packs them
+    static void answerPacked(Context request, byte[] bytes) {
         request.header(Header.CONTENT_ENCODING, "gzip");
-        request.contentType("application/octet-stream").result(known.bytes());
+        request.contentType("application/octet-stream").result(bytes);
     }
 
     /// A map that a robot has drawn; see [Messages.DrawnMap].
     private void drawn(Context request) throws IOException {
-        OccupancyGrid drawn = drawn(request, String.valueOf(request.queryParam("robot")));
+        answer(request, drawn(request, String.valueOf(request.queryParam("robot"))));
+    }
+
+    static void answer(Context request, OccupancyGrid drawn) throws IOException {
         ByteBuffer bytes = ByteBuffer.allocate(16 + drawn.cells().length).order(ByteOrder.LITTLE_ENDIAN);
         bytes.putInt(drawn.width()).putInt(drawn.height());
         bytes.putInt((int) Math.round(1000 * drawn.originX())).putInt((int) Math.round(1000 * drawn.originY()));
         bytes.put(drawn.cells());
-        request.header(Header.CONTENT_ENCODING, "gzip");
-        request.contentType("application/octet-stream").result(packed(bytes.array()));
+        answerPacked(request, packed(bytes.array()));
     }
 
     /// The same as files that ROS and scenarios read, to be saved.
     private void drawnFiles(Context request) throws IOException {
         String robot = String.valueOf(request.queryParam("robot"));
-        OccupancyGrid drawn = drawn(request, robot);
+        answerFiles(request, robot, drawn(request, robot));
+    }
+
+    static void answerFiles(Context request, String robot, OccupancyGrid drawn) throws IOException {
         var packed = new ByteArrayOutputStream();
         try (var zip = new ZipOutputStream(packed)) {
             zip.putNextEntry(new ZipEntry(robot + ".pgm"));
@@ -297,7 +316,7 @@ final class Api {
                         404, "Robot (%s) has drawn no map in this run.".formatted(Refusal.shortened(robot))));
     }
 
-    private static byte[] packed(byte[] bytes) throws IOException {
+    static byte[] packed(byte[] bytes) throws IOException {
         var packed = new ByteArrayOutputStream();
         try (var gzip = new GZIPOutputStream(packed)) {
             gzip.write(bytes);
@@ -305,7 +324,7 @@ final class Api {
         return packed.toByteArray();
     }
 
-    private void asset(Context request) {
+    private static void asset(Context request, Page page) {
         Asset asset = page.find(request.path())
                 .orElseThrow(
                         () -> new Refusal(404, "There is no (%s) here.".formatted(Refusal.shortened(request.path()))));
@@ -346,7 +365,7 @@ final class Api {
                 .toCompletableFuture());
     }
 
-    private static void answer(Context request, Object message) {
+    static void answer(Context request, Object message) {
         request.contentType("application/json").result(Json.write(message));
     }
 

@@ -50,6 +50,7 @@ import rsal.server.Messages.MapInfo;
 import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.MindInfo;
 import rsal.server.Messages.RealDetails;
+import rsal.server.Messages.RecordingInfo;
 import rsal.server.Messages.RobotDetails;
 import rsal.server.Messages.RobotStatus;
 import rsal.server.Messages.RunInfo;
@@ -73,6 +74,10 @@ final class Descriptions {
 
     /// @param team all robots that are or were there
     static RunInfo run(int number, RunPlan plan, List<Teammate> team) {
+        return run(number, plan, team, Optional.empty());
+    }
+
+    static RunInfo run(int number, RunPlan plan, List<Teammate> team, Optional<RecordingInfo> recording) {
         Scenario scenario = plan.scenario();
         return new RunInfo(
                 number,
@@ -88,7 +93,8 @@ final class Descriptions {
                 plan.step().toNanos() / 1e9,
                 map(plan.mapName(), plan.scene()),
                 team.stream().map(Looks::robot).toList(),
-                plan.measures().stream().map(Descriptions::measure).toList());
+                plan.measures().stream().map(Descriptions::measure).toList(),
+                recording);
     }
 
     static List<ArgumentInfo> arguments(RunPlan plan) {

@@ -32,9 +32,16 @@ final class FrameEncoder {
     static final int ROBOT_BYTES = 16;
     static final int THING_BYTES = 16;
 
+    // where these are in the header
+    static final int SEQUENCE_AT = 8;
+    static final int FLAGS_AT = 12;
+    static final int SPEED_AT = 24;
+    static final int RATE_AT = 28;
+
     static final int PAUSED = 1;
     static final int STOPPED = 1 << 1;
     static final int ENDED = 1 << 2;
+    static final int PAST = 1 << 3;
 
     static final int PRESENT = 1;
     static final int STALLED = 1 << 1;

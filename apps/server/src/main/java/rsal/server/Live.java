@@ -20,22 +20,25 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.server.Messages.Receipt;
 
-/// Shows the run over WebSockets, 20 times a second. Each snapshot is encoded once, whoever looks; while nobody
-/// looks, none is asked for.
+/// Shows a run over WebSockets, 20 times a second. Each snapshot of one that goes on is encoded once, whoever looks;
+/// while nobody looks, twice a second, to look back on.
 final class Live implements AutoCloseable {
     static final int MAX_VIEWERS = 64;
     private static final int PERIOD_MILLIS = 50;
-    private static final String RECEIPTS = "This takes receipts: {\"frame\": 7} or {\"events\": 7}.";
+    private static final Duration PERIOD = Duration.ofMillis(PERIOD_MILLIS);
+    private static final int UNWATCHED = 10; // periods
+    private static final String RECEIPTS =
+            "This takes receipts: {\"frame\": 7} or {\"events\": 7}; and {\"look\": {\"time\": 7}}.";
     private static final Logger LOG = LoggerFactory.getLogger(Live.class);
 
-    private final CurrentRun current;
+    private final Showing showing;
     private final Gate gate;
     private final Set<Viewer> viewers = ConcurrentHashMap.newKeySet();
     private final ScheduledExecutorService clock;
-    private @Nullable RunFeed feed; // the clock's thread only
+    private long periods; // the clock's thread only
 
-    Live(CurrentRun current, Gate gate) {
-        this.current = current;
+    Live(Showing showing, Gate gate) {
+        this.showing = showing;
         this.gate = gate;
         clock = Executors.newSingleThreadScheduledExecutor(
                 Thread.ofPlatform().name("server-live").daemon().factory());
@@ -62,25 +65,22 @@ final class Live implements AutoCloseable {
     }
 
     private void offer() {
-        if (viewers.isEmpty()) {
+        if (viewers.isEmpty() && periods++ % UNWATCHED != 0) {
             return;
         }
         try {
-            if (feed == null || !feed.run().equals(current.now())) {
-                feed = new RunFeed(current.now());
-            }
-            feed.look();
+            showing.look();
             for (Viewer viewer : viewers) {
-                offer(viewer, feed);
+                offer(viewer);
             }
         } catch (RuntimeException e) {
             LOG.error("Could not show the run.", e); // the next snapshot may do
         }
     }
 
-    private void offer(Viewer viewer, Feed news) {
+    private void offer(Viewer viewer) {
         try {
-            viewer.offer(news);
+            viewer.offer(showing.live(), showing.past(), PERIOD);
         } catch (RuntimeException e) {
             LOG.warn("Let a viewer go that could not be sent to.", e);
             viewers.remove(viewer);

@@ -18,38 +18,67 @@ final class Messages {
             Optional<Newcomers> newcomers,
             Optional<Things> things,
             Optional<Details> details,
-            Optional<Events> events) {
-        private static final ServerMessage NOTHING = new ServerMessage(
-                Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
+            Optional<Events> events,
+            Optional<Reach> reach) {
+        private static ServerMessage of(
+                @Nullable RunInfo run,
+                @Nullable Newcomers newcomers,
+                @Nullable Things things,
+                @Nullable Details details,
+                @Nullable Events events,
+                @Nullable Reach reach) {
+            return new ServerMessage(
+                    Optional.ofNullable(run),
+                    Optional.ofNullable(newcomers),
+                    Optional.ofNullable(things),
+                    Optional.ofNullable(details),
+                    Optional.ofNullable(events),
+                    Optional.ofNullable(reach));
+        }
 
         static ServerMessage of(RunInfo run) {
-            return new ServerMessage(
-                    Optional.of(run), NOTHING.newcomers, NOTHING.things, NOTHING.details, NOTHING.events);
+            return of(run, null, null, null, null, null);
         }
 
         static ServerMessage of(Newcomers newcomers) {
-            return new ServerMessage(
-                    NOTHING.run, Optional.of(newcomers), NOTHING.things, NOTHING.details, NOTHING.events);
+            return of(null, newcomers, null, null, null, null);
         }
 
         static ServerMessage of(Things things) {
-            return new ServerMessage(
-                    NOTHING.run, NOTHING.newcomers, Optional.of(things), NOTHING.details, NOTHING.events);
+            return of(null, null, things, null, null, null);
         }
 
         static ServerMessage of(Details details) {
-            return new ServerMessage(
-                    NOTHING.run, NOTHING.newcomers, NOTHING.things, Optional.of(details), NOTHING.events);
+            return of(null, null, null, details, null, null);
         }
 
         static ServerMessage of(Events events) {
-            return new ServerMessage(
-                    NOTHING.run, NOTHING.newcomers, NOTHING.things, NOTHING.details, Optional.of(events));
+            return of(null, null, null, null, events, null);
+        }
+
+        static ServerMessage of(Reach reach) {
+            return of(null, null, null, null, null, reach);
         }
     }
 
-    /// What a viewer says over the WebSocket: the newest frame it has drawn, the newest event it has taken.
-    record Receipt(Optional<Long> frame, Optional<Long> events) {}
+    /// What a viewer says over the WebSocket: the newest frame it has drawn, the newest event it has taken, and where
+    /// it wants to look.
+    record Receipt(Optional<Long> frame, Optional<Long> events, Optional<LookBack> look) {}
+
+    /// Looks back on a run, which itself goes on; or to the present again.
+    ///
+    /// @param live whether to see what is now; then all else means nothing. There is none of a recording
+    /// @param time to be seen [s of the run]; left out, that which is seen
+    /// @param step how many moments after that one; negative for before
+    /// @param playing whether to go on from there
+    /// @param speed as [Speed] has it; 1 when left out
+    record LookBack(boolean live, Optional<Double> time, int step, boolean playing, Optional<String> speed) {}
+
+    /// How far back one can look.
+    ///
+    /// @param from when the first moment was [s of the run]
+    /// @param until when the newest was [s of the run]
+    record Reach(int run, double from, double until) {}
 
     /// What stays the same during a run.
     ///
@@ -58,6 +87,7 @@ final class Messages {
     /// @param step length of a world step [s]
     /// @param robots in the order in which frames have them
     /// @param measures that its ending will have
+    /// @param recording when it is none that goes on, but one that was recorded
     record RunInfo(
             int number,
             String scenario,
@@ -70,7 +100,16 @@ final class Messages {
             double step,
             MapInfo map,
             List<RobotInfo> robots,
-            List<MeasureInfo> measures) {}
+            List<MeasureInfo> measures,
+            Optional<RecordingInfo> recording) {}
+
+    /// Where a run is from that was recorded.
+    ///
+    /// @param name of the file
+    /// @param started when it was run, in ISO 8601; empty when nobody knows
+    /// @param whole whether the recording goes on to the run's end
+    /// @param damage what is wrong with the file, a sentence each
+    record RecordingInfo(String name, String started, boolean whole, List<String> damage) {}
 
     record ConfigurationInfo(String name, String title) {}
 

@@ -1,5 +1,6 @@
 package rsal.server;
 
+import java.time.Duration;
 import java.util.List;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Snapshot;
@@ -22,12 +23,14 @@ final class RunFeed implements Feed {
     private long shown = -1; // sequence of the snapshot
     private String details = "";
     private byte[] frame = {};
+    private Snapshot seen;
     private long sequence;
 
     RunFeed(Numbered run) {
         this.run = run;
         surveyor = new Surveyor(run.number());
-        tell(run.team(run.run().snapshot()));
+        seen = run.run().snapshot();
+        tell(run.team(seen));
     }
 
     private void tell(List<Teammate> all) {
@@ -57,8 +60,19 @@ final class RunFeed implements Feed {
         }
         if (changed) {
             shown = snapshot.sequence();
+            seen = snapshot;
             frame = encoder.encode(run.number(), ++sequence, snapshot, robots, surveyor.moved());
         }
+    }
+
+    /// Of the frame, since the run's start.
+    Duration time() {
+        return seen.time();
+    }
+
+    /// Whether the run is over, and the frame its last.
+    boolean isLast() {
+        return seen.outcome().isPresent();
     }
 
     @Override

@@ -1,13 +1,6 @@
 package rsal.server;
 
-import io.javalin.Javalin;
-import io.javalin.compression.CompressionStrategy;
-import io.javalin.config.JavalinConfig;
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.net.BindException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.net.URI;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.file.Path;
@@ -15,12 +8,6 @@ import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.eclipse.jetty.ee10.websocket.server.config.JettyWebSocketServletContainerInitializer;
-import org.eclipse.jetty.server.HttpConfiguration;
-import org.eclipse.jetty.server.HttpConnectionFactory;
-import org.eclipse.jetty.server.Server;
-import org.eclipse.jetty.server.ServerConnector;
-import org.eclipse.jetty.util.thread.QueuedThreadPool;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 
@@ -32,12 +19,8 @@ public final class RunServer implements AutoCloseable {
     /// Of a WebSocket message or a request's body [B]; all that the page sends is smaller.
     static final int MAX_MESSAGE = 16 * 1024;
 
-    private static final String LOOPBACK = "127.0.0.1";
-
-    private final Javalin http;
     private final CurrentRun current;
-    private final Live live;
-    private final URI url;
+    private final PageServer server;
     private final String token;
 
     /// @param port 0 for any that is free
@@ -59,7 +42,7 @@ public final class RunServer implements AutoCloseable {
     /// @throws IOException when the page was not built, or the port can't be opened for another reason
     public static RunServer start(RunPlan plan, Options options) throws IOException, PortInUse {
         var page = new Page(options.page());
-        ServerSocketChannel door = open(options.port());
+        ServerSocketChannel door = PageServer.open(options.port());
         try {
             return new RunServer(plan, options, page, door);
         } catch (RuntimeException e) {
@@ -69,65 +52,16 @@ public final class RunServer implements AutoCloseable {
     }
 
     private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door) throws IOException {
-        int port = ((InetSocketAddress) door.getLocalAddress()).getPort();
         token = options.token();
-        url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port, token));
         current = new CurrentRun(plan, options.onStart(), options.starter());
-        var gate = new Gate(port, options.token());
-        live = new Live(current, gate);
-        http = Javalin.create(config -> {
-            configure(config, door);
-            new Api(current, gate, page).configure(config.routes);
-        });
         try {
-            http.start();
-        } catch (RuntimeException e) {
-            close();
-            throw e;
-        }
-    }
-
-    private static ServerSocketChannel open(int port) throws IOException, PortInUse {
-        ServerSocketChannel door = ServerSocketChannel.open();
-        try {
-            return door.bind(new InetSocketAddress(InetAddress.ofLiteral(LOOPBACK), port));
-        } catch (BindException e) {
-            door.close();
-            throw new PortInUse(port);
+            var gate = new Gate(PageServer.port(door), token);
+            var live = new Live(new LiveShowing(current), gate);
+            server = new PageServer(door, token, live, new Api(current, gate, page)::configure);
         } catch (IOException | RuntimeException e) {
-            door.close();
+            current.close();
             throw e;
         }
-    }
-
-    private void configure(JavalinConfig config, ServerSocketChannel door) {
-        config.startup.showJavalinBanner = false;
-        config.startup.showOldJavalinVersionWarning = false;
-        config.startup.startupWatcherEnabled = false;
-        config.http.asyncTimeout = 5_000;
-        config.http.maxRequestSize = MAX_MESSAGE;
-        config.http.compressionStrategy = CompressionStrategy.NONE;
-        var threads = new QueuedThreadPool(16, 2);
-        threads.setName("server");
-        threads.setDaemon(true);
-        config.jetty.threadPool = threads;
-        config.jetty.addConnector((server, http) -> connector(server, http, door));
-        config.jetty.modifyServer(server -> server.setStopTimeout(0));
-        config.jetty.modifyHttpConfiguration(http -> http.setSendServerVersion(false));
-        // not Javalin's own sockets, which give every viewer a session and a cookie
-        config.jetty.modifyServletContextHandler(context ->
-                JettyWebSocketServletContainerInitializer.configure(context, (_, sockets) -> live.configure(sockets)));
-    }
-
-    private static ServerConnector connector(Server server, HttpConfiguration http, ServerSocketChannel door) {
-        var connector = new ServerConnector(server, 1, 1, new HttpConnectionFactory(http));
-        connector.setHost(LOOPBACK);
-        try {
-            connector.open(door);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return connector;
     }
 
     /// 128 random bits, as they may stand in a URL.
@@ -144,7 +78,7 @@ public final class RunServer implements AutoCloseable {
 
     /// The page's address, with the token in the part that browsers keep to themselves.
     public URI url() {
-        return url;
+        return server.url();
     }
 
     /// The run that is shown now.
@@ -155,8 +89,7 @@ public final class RunServer implements AutoCloseable {
     /// Ends the run and the server within a second. Closing twice does nothing.
     @Override
     public void close() {
-        live.close();
-        http.stop();
+        server.close();
         current.close();
     }
 }

@@ -1,5 +1,6 @@
 package rsal.server;
 
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashSet;
@@ -9,6 +10,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import rsal.scenario.run.RunEvent;
 import rsal.server.Messages.Events;
+import rsal.server.Messages.LookBack;
+import rsal.server.Messages.Reach;
 import rsal.server.Messages.Receipt;
 import rsal.server.Messages.ServerMessage;
 import rsal.server.Messages.Things;
@@ -21,6 +24,8 @@ final class Viewer {
     static final int EVENTS = 500;
     /// In offers, which come 20 times a second.
     static final int PATIENCE = 20 * 20;
+
+    private static final int OFFERS_PER_REACH = 5;
 
     /// Where messages go. Sending does not wait.
     interface Line {
@@ -47,8 +52,57 @@ final class Viewer {
     private long eventsTaken;
     private int offersWaited; // since it last took something
 
+    // where it looks
+    private @Nullable LookBack wish;
+    private @Nullable Looking looking; // null is the present
+    private @Nullable Reach reach; // as it was told
+    private long offers;
+
     Viewer(Line line) {
         this.line = line;
+    }
+
+    /// Sends what is new where it looks.
+    ///
+    /// @param live the present; null when there is none
+    /// @param passed since it was last offered something, in real time
+    synchronized void offer(@Nullable Feed live, Past past, Duration passed) {
+        look(live, past, passed);
+        Feed feed = looking == null ? live : looking;
+        if (feed != null) {
+            offer(feed);
+            tellReach(past);
+        }
+    }
+
+    private void look(@Nullable Feed live, Past past, Duration passed) {
+        Looking before = looking;
+        Looking here = before != null && before.past().equals(past) ? before : null; // else of a run before
+        LookBack wanted = wish;
+        wish = null;
+        if (wanted != null && (!wanted.live() || live == null)) {
+            looking = Looking.at(past, wanted, here == null ? past.until() : here.time());
+        } else if (wanted != null) {
+            looking = null;
+        } else if (here != null) {
+            here.pass(passed);
+            looking = live != null && here.isPlaying() && here.hasArrived() ? null : here;
+        } else {
+            looking = live == null ? new Looking(past) : null;
+        }
+        if (looking != before) {
+            newestFrame = 0; // frames are counted anew
+        }
+    }
+
+    private void tellReach(Past past) {
+        var now = new Reach(run, past.from().toNanos() / 1e9, past.until().toNanos() / 1e9);
+        boolean due = reach == null || reach.run() != run || offers % OFFERS_PER_REACH == 0;
+        offers++;
+        if (due && run == past.number() && !now.equals(reach) && line.isClear()) {
+            reach = now;
+            line.send(Json.write(ServerMessage.of(now)));
+        }
     }
 
     /// Sends what is new of the run, as far as the viewer has taken what it was sent before.
@@ -124,7 +178,13 @@ final class Viewer {
     }
 
     /// The viewer says what it has taken. What it was not sent, it can't have taken.
+    ///
+    /// @throws Refusal when it wants to look where nobody can
     synchronized void received(Receipt receipt) {
+        receipt.look().ifPresent(look -> {
+            look.speed().ifPresent(SpeedFactor::of); // refused now, not when it is offered something
+            wish = look;
+        });
         boolean taken = receipt.frame()
                 .map(frame -> framesUnderWay.removeIf(sent -> sent <= frame))
                 .orElse(false);

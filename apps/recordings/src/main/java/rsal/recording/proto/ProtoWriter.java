@@ -93,6 +93,17 @@ public final class ProtoWriter {
         }
     }
 
+    /// Repeated numbers, packed.
+    public void numbers(int field, double... values) {
+        if (values.length > 0) {
+            tag(field, LENGTH);
+            raw(8L * values.length);
+            for (double value : values) {
+                sink.u64(Double.doubleToRawLongBits(value));
+            }
+        }
+    }
+
     /// Begins a message within; also an empty one is there.
     ///
     /// @return for [#end]

@@ -1,0 +1,417 @@
+package rsal.recording;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import rsal.agent.Directory;
+import rsal.agent.Society;
+import rsal.agent.bdi.Mind;
+import rsal.data.Covariance2d;
+import rsal.data.GripperState;
+import rsal.data.LaserScan;
+import rsal.data.OccupancyGrid;
+import rsal.data.Odometry;
+import rsal.data.ParticleCloud;
+import rsal.data.Path2d;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.Prism;
+import rsal.data.RangeArray;
+import rsal.data.Rgb;
+import rsal.data.Shape;
+import rsal.data.Solid;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.device.Health;
+import rsal.device.SimulationControl.Standing;
+import rsal.recording.Held.Raw;
+import rsal.recording.Held.Speech;
+import rsal.recording.proto.MessageType;
+import rsal.robot.RobotSpec;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.AgentView;
+import rsal.scenario.run.DeviceView;
+import rsal.scenario.run.RobotView;
+import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Teammate;
+import rsal.scene.Entity;
+
+/// Makes snapshots of what [Encoder] wrote. What is none of its kind is left out: a file may be from anywhere. For one
+/// thread.
+final class Decoder {
+    private static final long SECOND = 1_000_000_000;
+
+    private final List<Teammate> planned;
+    private IdentityHashMap<Raw, Optional<Object>> before =
+            new IdentityHashMap<>(); // what the last snapshot was made of
+    private IdentityHashMap<Raw, Optional<Object>> now = new IdentityHashMap<>();
+    private final Map<String, RangeLimits> limits = new HashMap<>(); // of lasers, by robot
+
+    /// Of a laser, which tells them once.
+    private record RangeLimits(double min, double max) {}
+
+    private interface Reader<T> {
+        T read(Fields fields, Instant time);
+    }
+
+    Decoder(RunPlan plan) {
+        this.planned =
+                plan.robots().stream().map(robot -> mate(plan, robot.spec())).toList();
+    }
+
+    /// A robot as it is planned.
+    private static Teammate mate(RunPlan plan, RobotSpec spec) {
+        Entity body = plan.scene().robotBodies().get(spec.id());
+        return new Teammate(spec, body == null ? Optional.of(spec.model().body()) : Entity.look(body.blocks()));
+    }
+
+    /// Where messages about the devices of a robot are held.
+    static String devices(String robot) {
+        return Topics.DEVICES + " " + robot + " ";
+    }
+
+    /// What a channel tells of its laser.
+    ///
+    /// @param min shortest range it measures [m]
+    /// @param max longest range it measures [m]
+    void limits(String robot, double min, double max) {
+        if (min >= 0 && max > min && Double.isFinite(max)) {
+            limits.put(robot, new RangeLimits(min, max));
+        }
+    }
+
+    /// Of a run of which no state was recorded.
+    Snapshot nothing() {
+        return new Snapshot(
+                0, Duration.ZERO, true, false, 1, 0, Optional.empty(), List.of(), List.of(), planned, List.of());
+    }
+
+    Snapshot snapshot(Held held, Duration time, Optional<String> outcome) {
+        now = new IdentityHashMap<>();
+        Optional<Fields> state = read(held, Topics.STATE, Own.STATE, (fields, _) -> fields);
+        var devices = new HashMap<String, List<DeviceView>>(); // by robot
+        var mates = new ArrayList<Teammate>();
+        var agents = new ArrayList<AgentView>();
+        var things = new ArrayList<Standing>();
+        held.messages().keySet().forEach(key -> {
+            if (key.startsWith(Topics.DEVICES)) {
+                read(held, key, Own.DEVICE, (fields, _) -> fields)
+                        .ifPresent(fields -> devices.computeIfAbsent(fields.text("robot"), _ -> new ArrayList<>())
+                                .add(device(fields)));
+            } else if (key.startsWith(Topics.ROBOTS)) {
+                read(held, key, Own.ROBOT, (fields, _) -> mate(fields)).ifPresent(mates::add);
+            } else if (key.startsWith(Topics.AGENTS)) {
+                read(held, key, Own.AGENT, (fields, _) -> fields)
+                        .ifPresent(fields -> agents.add(agent(fields, held.speech(fields.text("name")))));
+            } else if (key.startsWith(Topics.THINGS)) {
+                read(held, key, Own.THING, (fields, _) -> thing(fields))
+                        .flatMap(standing -> standing)
+                        .ifPresent(things::add);
+            }
+        });
+        var team = new LinkedHashMap<String, Teammate>();
+        mates.forEach(mate -> team.put(mate.spec().id(), mate));
+        var robots = new ArrayList<RobotView>();
+        for (Fields robot : state.map(all -> all.all("robots")).orElse(List.of())) {
+            String id = robot.text("id");
+            Teammate mate = team.get(id);
+            if (mate != null) {
+                robots.add(robot(robot, mate.spec(), held, devices.getOrDefault(id, List.of()), time));
+            }
+        }
+        before = now;
+        return new Snapshot(
+                0,
+                time,
+                true,
+                state.map(fields -> fields.flag("stopped")).orElse(false),
+                1,
+                0,
+                outcome,
+                robots,
+                agents,
+                List.copyOf(team.values()),
+                things);
+    }
+
+    Optional<Mind.View> mind(Held held, String agent) {
+        return read(held, Topics.MINDS + " " + agent, Own.MIND, (fields, _) -> mind(fields));
+    }
+
+    /// What a message says, read once for as long as it is the newest of its kind.
+    private <T> Optional<T> read(Held held, String key, MessageType type, Reader<T> reader) {
+        Raw raw = held.messages().get(key);
+        if (raw == null) {
+            return Optional.empty();
+        }
+        Optional<Object> known = before.get(raw);
+        if (known == null) {
+            known = made(raw, type, reader);
+        }
+        now.put(raw, known);
+        @SuppressWarnings("unchecked") // messages of one key are read by one reader
+        Optional<T> value = (Optional<T>) known;
+        return value;
+    }
+
+    private static Optional<Object> made(Raw raw, MessageType type, Reader<?> reader) {
+        try {
+            Instant time = Instant.ofEpochSecond(Math.floorDiv(raw.time(), SECOND), Math.floorMod(raw.time(), SECOND));
+            return Optional.of(reader.read(Fields.read(type, raw.buffer()), time));
+        } catch (IOException | IllegalArgumentException _) {
+            return Optional.empty(); // not what we wrote
+        }
+    }
+
+    /// What it looks like is planned: by its name, else as the others of its model.
+    private Teammate mate(Fields fields) {
+        String id = fields.text("id");
+        Optional<Teammate> same = planned.stream()
+                .filter(mate -> mate.spec().id().equals(id))
+                .findFirst()
+                .or(() -> planned.stream()
+                        .filter(mate -> mate.spec().model().name().equals(fields.text("model"))
+                                && mate.spec().role().equals(fields.text("role")))
+                        .findFirst())
+                .or(() -> planned.stream()
+                        .filter(mate -> mate.spec().model().name().equals(fields.text("model")))
+                        .findFirst());
+        Teammate like = same.orElseThrow(() -> new IllegalArgumentException("No robot is like it."));
+        String color = Rgb.parse(fields.text("color"))
+                .map(Rgb::toString)
+                .orElse(like.spec().color());
+        return new Teammate(
+                new RobotSpec(
+                        id, fields.text("role"), like.spec().model(), Optional.empty(), color, OptionalInt.empty()),
+                like.body());
+    }
+
+    private RobotView robot(Fields robot, RobotSpec spec, Held held, List<DeviceView> devices, Duration time) {
+        String id = spec.id();
+        Instant when = Instant.EPOCH.plus(time);
+        List<String> lacks = robot.texts("lacks");
+        return new RobotView(
+                id,
+                spec.role(),
+                spec.color(),
+                spec.model().name(),
+                robot.flag("gone"),
+                robot.pose("truth"),
+                robot.pose("odometry")
+                        .map(pose -> new Odometry(
+                                pose,
+                                new Twist2d(robot.number("vx"), robot.number("vy"), robot.number("omega")),
+                                robot.flag("stalled")))
+                        .map(odometry -> new Stamped<>(when, id + "/odom", odometry)),
+                robot.within("estimate").map(belief -> new Stamped<>(when, belief.text("frame_id"), estimate(belief))),
+                reading(held, id, Topics.PARTICLES, lacks, Foxglove.POINT_CLOUD, Decoder::particles),
+                reading(held, id, Topics.SCAN, lacks, Foxglove.LASER_SCAN, (fields, taken) -> scan(id, fields, taken)),
+                reading(held, id, Topics.RANGES, lacks, Own.RANGES, Decoder::ranges),
+                reading(held, id, Topics.MAP, lacks, Foxglove.GRID, Decoder::grid),
+                read(held, Topics.of(id, Topics.PATH), Foxglove.SCENE_UPDATE, (fields, _) -> path(fields))
+                        .orElse(Path2d.EMPTY),
+                robot.pose("goal"),
+                robot.text("in_charge"),
+                robot.text("behavior"),
+                robot.text("driver"),
+                Optional.of(robot)
+                        .filter(has -> has.flag("has_gripper"))
+                        .map(has -> new Stamped<>(when, id + "/gripper", gripper(has))),
+                robot.flag("stopped"),
+                robot.flag("lit"),
+                Optional.of(robot)
+                        .filter(all -> all.flag("real") || all.pose("stand_in").isPresent())
+                        .map(Decoder::real),
+                devices);
+    }
+
+    private <T> Optional<Stamped<T>> reading(
+            Held held, String robot, String what, List<String> lacks, MessageType type, Reader<Stamped<T>> reader) {
+        return lacks.contains(what) ? Optional.empty() : read(held, Topics.of(robot, what), type, reader);
+    }
+
+    private static PoseEstimate estimate(Fields belief) {
+        return new PoseEstimate(
+                belief.pose("pose").orElse(Pose2d.ORIGIN),
+                new Covariance2d(
+                        belief.number("xx"), belief.number("xy"), 0, belief.number("yy"), 0, belief.number("headings")),
+                List.of(),
+                belief.number("confidence"),
+                word(PoseEstimate.Quality.class, belief.text("quality"), PoseEstimate.Quality.LOST));
+    }
+
+    private static <E extends Enum<E>> E word(Class<E> type, String text, E otherwise) {
+        for (E word : type.getEnumConstants()) {
+            if (word.name().equals(text)) {
+                return word;
+            }
+        }
+        return otherwise;
+    }
+
+    /// Only how far it is closed and whether it holds something is recorded, which is what people see.
+    private static GripperState gripper(Fields robot) {
+        return new GripperState(
+                GripperState.Paddles.STOPPED,
+                robot.number("gripper_closed"),
+                GripperState.Lift.STOPPED,
+                Double.NaN,
+                false,
+                false,
+                false,
+                false,
+                robot.flag("gripper_holding"));
+    }
+
+    private static RobotView.Real real(Fields robot) {
+        double silence = Math.clamp(robot.number("silence"), 0, 1e9); // NaN becomes NaN, and that 0
+        return new RobotView.Real(
+                robot.flag("proxy"), robot.pose("stand_in"), Optional.of(Duration.ofNanos((long) (silence * 1e9))));
+    }
+
+    private Stamped<LaserScan> scan(String robot, Fields fields, Instant taken) {
+        float[] ranges = fields.floats("ranges");
+        double first = fields.number("start_angle");
+        double increment = ranges.length < 2 ? 0 : (fields.number("end_angle") - first) / (ranges.length - 1);
+        RangeLimits known = limits.getOrDefault(robot, new RangeLimits(0, greatest(ranges)));
+        return new Stamped<>(
+                taken,
+                robot + "/laser",
+                new LaserScan(fields.foxglovePose("pose"), first, increment, known.min(), known.max(), ranges));
+    }
+
+    private static double greatest(float[] ranges) {
+        double greatest = 1;
+        for (float range : ranges) {
+            greatest = Float.isFinite(range) ? Math.max(greatest, range) : greatest;
+        }
+        return greatest;
+    }
+
+    private static Stamped<RangeArray> ranges(Fields fields, Instant taken) {
+        return new Stamped<>(
+                taken,
+                fields.text("frame_id"),
+                new RangeArray(
+                        fields.all("poses").stream().map(Fields::pose).toList(),
+                        fields.number("field_of_view"),
+                        fields.number("range_min"),
+                        fields.number("range_max"),
+                        fields.floats("ranges")));
+    }
+
+    private static Stamped<ParticleCloud> particles(Fields fields, Instant taken) {
+        ByteBuffer data = ByteBuffer.wrap(fields.bytes("data")).order(ByteOrder.LITTLE_ENDIAN);
+        int count = data.remaining() / 16;
+        float[] poses = new float[3 * count];
+        float[] weights = new float[count];
+        for (int i = 0; i < count; i++) {
+            for (int j = 0; j < 3; j++) {
+                poses[3 * i + j] = data.getFloat();
+            }
+            weights[i] = data.getFloat();
+        }
+        return new Stamped<>(taken, fields.text("frame_id"), new ParticleCloud(poses, weights));
+    }
+
+    private static Stamped<OccupancyGrid> grid(Fields fields, Instant taken) {
+        byte[] cells = fields.bytes("data");
+        int width = Math.clamp(fields.count("column_count"), 1, Integer.MAX_VALUE);
+        Pose2d corner = fields.foxglovePose("pose");
+        double resolution =
+                fields.within("cell_size").map(size -> size.number("x")).orElse(0.0);
+        return new Stamped<>(
+                taken,
+                fields.text("frame_id"),
+                new OccupancyGrid(width, cells.length / width, resolution, corner.x(), corner.y(), cells));
+    }
+
+    private static Path2d path(Fields fields) {
+        return new Path2d(fields.all("entities").stream()
+                .flatMap(entity -> entity.all("lines").stream())
+                .flatMap(line -> line.all("points").stream())
+                .map(point -> new Point2d(point.number("x"), point.number("y")))
+                .toList());
+    }
+
+    private static DeviceView device(Fields fields) {
+        Health health = switch (fields.text("health")) {
+            case "OK" -> Health.ok();
+            case "STALE" -> new Health.Stale(fields.text("reason"));
+            default -> new Health.Lost(fields.text("reason"));
+        };
+        return new DeviceView(fields.text("name"), fields.text("driver"), fields.text("type"), health);
+    }
+
+    private static AgentView agent(Fields fields, Speech speech) {
+        var entry = new Directory.Entry(
+                fields.text("name"), fields.text("role"), fields.text("type"), fields.text("robot"), "");
+        return new AgentView(
+                new Society.View(
+                        entry,
+                        word(Society.Status.class, fields.text("status"), Society.Status.ENDED),
+                        fields.text("state"),
+                        pairs(fields.all("beliefs")),
+                        speech.sent()),
+                speech.last());
+    }
+
+    private static Mind.View mind(Fields fields) {
+        return new Mind.View(
+                pairs(fields.all("beliefs")),
+                fields.all("goals").stream()
+                        .map(goal -> new Mind.GoalView(
+                                goal.text("name"),
+                                word(Mind.GoalState.class, goal.text("state"), Mind.GoalState.NOT_WANTED),
+                                goal.number("urgency"),
+                                goal.texts("plans"),
+                                goal.texts("steps"),
+                                goal.text("failure")))
+                        .toList());
+    }
+
+    private static Map<String, String> pairs(List<Fields> all) {
+        var pairs = new LinkedHashMap<String, String>();
+        all.forEach(pair -> pairs.put(pair.text("key"), pair.text("value")));
+        return pairs;
+    }
+
+    /// Empty when it is gone.
+    private static Optional<Standing> thing(Fields fields) {
+        if (fields.flag("gone")) {
+            return Optional.empty();
+        }
+        List<Prism> pieces = fields.all("pieces").stream().map(Decoder::piece).toList();
+        return Optional.of(new Standing(
+                (int) fields.count("number"),
+                fields.text("name"),
+                new Solid(pieces),
+                fields.pose("pose").orElse(Pose2d.ORIGIN),
+                fields.number("height"),
+                fields.flag("grippable")));
+    }
+
+    private static Prism piece(Fields piece) {
+        double[] corners = piece.doubles("corners");
+        var points = new ArrayList<Point2d>();
+        for (int i = 0; i + 1 < corners.length; i += 2) {
+            points.add(new Point2d(corners[i], corners[i + 1]));
+        }
+        double radius = piece.number("radius");
+        Shape shape = radius > 0 && points.size() == 1
+                ? new Shape.Disc(points.getFirst(), radius)
+                : new Shape.Polygon(points);
+        return new Prism(shape, piece.number("bottom"), piece.number("top"), Rgb.parse(piece.text("color")));
+    }
+}

@@ -1,0 +1,92 @@
+package rsal.recording;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rsal.data.Pose2d;
+import rsal.recording.proto.MessageType;
+import rsal.recording.proto.ProtoReader;
+
+/// A message that was read, by the names of its fields. What is not there has its default (0, empty).
+record Fields(Map<?, ?> values) {
+    /// @throws IOException when it is no such message
+    static Fields read(MessageType type, ByteBuffer message) throws IOException {
+        return new Fields(ProtoReader.read(type, message));
+    }
+
+    String text(String name) {
+        return values.get(name) instanceof String text ? text : "";
+    }
+
+    double number(String name) {
+        return values.get(name) instanceof Double number ? number : 0;
+    }
+
+    long count(String name) {
+        return values.get(name) instanceof Long count ? count : 0;
+    }
+
+    boolean flag(String name) {
+        return values.get(name) instanceof Boolean flag && flag;
+    }
+
+    byte[] bytes(String name) {
+        return values.get(name) instanceof byte[] bytes ? bytes : new byte[0];
+    }
+
+    Optional<Fields> within(String name) {
+        return values.get(name) instanceof Map<?, ?> map ? Optional.of(new Fields(map)) : Optional.empty();
+    }
+
+    List<Fields> all(String name) {
+        return many(name).stream()
+                .filter(Map.class::isInstance)
+                .map(map -> new Fields((Map<?, ?>) map))
+                .toList();
+    }
+
+    List<String> texts(String name) {
+        return many(name).stream().map(String::valueOf).toList();
+    }
+
+    float[] floats(String name) {
+        List<?> many = many(name);
+        float[] floats = new float[many.size()];
+        for (int i = 0; i < floats.length; i++) {
+            floats[i] = many.get(i) instanceof Double number ? number.floatValue() : 0;
+        }
+        return floats;
+    }
+
+    double[] doubles(String name) {
+        return many(name).stream()
+                .mapToDouble(number -> number instanceof Double known ? known : 0)
+                .toArray();
+    }
+
+    private List<?> many(String name) {
+        return values.get(name) instanceof List<?> many ? many : List.of();
+    }
+
+    /// One of ours: x, y, heading.
+    Pose2d pose() {
+        return new Pose2d(number("x"), number("y"), number("heading"));
+    }
+
+    Optional<Pose2d> pose(String name) {
+        return within(name).map(Fields::pose);
+    }
+
+    /// One of Foxglove's, as seen from above.
+    Pose2d foxglovePose(String name) {
+        Optional<Fields> pose = within(name);
+        Optional<Fields> position = pose.flatMap(all -> all.within("position"));
+        Optional<Fields> turn = pose.flatMap(all -> all.within("orientation"));
+        return new Pose2d(
+                position.map(point -> point.number("x")).orElse(0.0),
+                position.map(point -> point.number("y")).orElse(0.0),
+                turn.map(q -> 2 * Math.atan2(q.number("z"), q.number("w"))).orElse(0.0));
+    }
+}

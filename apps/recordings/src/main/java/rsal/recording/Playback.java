@@ -1,0 +1,333 @@
+package rsal.recording;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.time.DateTimeException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import rsal.agent.bdi.Mind;
+import rsal.recording.mcap.Channel;
+import rsal.recording.proto.MessageType;
+import rsal.recording.proto.MessageType.Kind;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.RunResult;
+import rsal.scenario.run.Said;
+import rsal.scenario.run.Snapshot;
+
+/// A recorded run, to be seen as it was at any time. The file is read through once at the beginning; from then on what
+/// was is found from the nearest of some places that are kept, at most [#MOST_KEPT] bytes of them.
+///
+/// All methods may be called from any thread.
+public final class Playback implements Closeable {
+    /// Of what is kept to begin from [B].
+    static final long MOST_KEPT = 64L << 20;
+
+    private static final long FIRST_SPACING = 2_000_000_000; // [ns] of the run
+    private static final Duration LONGEST = Duration.ofDays(10_000);
+    private static final int MOST_PLACES = 400;
+    private static final int RECENT = 8; // where viewers are
+    private static final int MOST_EVENTS = 110_000; // as many as a live run keeps
+    private static final int LONGEST_TEXT = 10_000; // characters of an event
+
+    // enough of their fields to tell whom they are about
+    private static final MessageType SECOND_TEXT =
+            MessageType.named("rsal.About").with(2, "about", Kind.STRING);
+    private static final MessageType TWO_TEXTS = SECOND_TEXT.with(3, "part", Kind.STRING);
+    private static final MessageType SECOND_NUMBER =
+            MessageType.named("rsal.About").with(2, "about", Kind.UINT64);
+
+    private final Recording recording;
+    private final RunPlan plan;
+    private final Decoder decoder;
+    private final long start; // of the run, on its own clock, in ns
+    private final List<RunEvent> events = new ArrayList<>();
+    private final NavigableMap<Long, Held> places = new TreeMap<>(); // by log time
+    private final Map<Long, Held> recent = new LinkedHashMap<>(RECENT, 0.75f, true);
+    private long spacing = FIRST_SPACING;
+    private long kept; // [B] of places
+    private long[] states = new long[1 << 10]; // log times
+    private int count; // of states
+
+    private Playback(Recording recording, RunPlan plan, long start) {
+        this.recording = recording;
+        this.plan = plan;
+        this.start = start;
+        this.decoder = new Decoder(plan);
+    }
+
+    /// Reads a recording through.
+    ///
+    /// @param recording whose this is from now on
+    /// @throws rsal.settings.InvalidSettings when its scenario can't be read any more
+    /// @throws IOException when it can't be read, or says more at once than can be held
+    public static Playback of(Recording recording) throws IOException {
+        RunPlan plan = recording.plan();
+        long start = plan.clock() == RunPlan.Clock.SIMULATED ? 0 : started(recording);
+        var playback = new Playback(recording, plan, start);
+        recording.file().channels().forEach(playback::limits);
+        playback.readThrough();
+        return playback;
+    }
+
+    private static long started(Recording recording) {
+        try {
+            Instant started = Instant.parse(recording.run().getOrDefault("started", ""));
+            return started.getEpochSecond() * 1_000_000_000 + started.getNano();
+        } catch (DateTimeException _) {
+            return recording.file().start().orElse(0);
+        }
+    }
+
+    private void limits(Channel channel) {
+        String end = "/" + Topics.SCAN;
+        if (channel.topic().endsWith(end) && channel.topic().length() > end.length()) {
+            decoder.limits(
+                    channel.topic().substring(1, channel.topic().length() - end.length()),
+                    number(channel, "range_min"),
+                    number(channel, "range_max"));
+        }
+    }
+
+    private static double number(Channel channel, String name) {
+        try {
+            return Double.parseDouble(channel.metadata().getOrDefault(name, ""));
+        } catch (NumberFormatException _) {
+            return Double.NaN;
+        }
+    }
+
+    private void readThrough() throws IOException {
+        var held = new Held();
+        long[] next = {Long.MIN_VALUE};
+        recording.file().read(Playback::isOfUse, (channel, _, logTime, publishTime, data) -> {
+            if (logTime >= next[0]) {
+                keep(logTime - 1, held); // all before this message
+                next[0] = logTime + spacing;
+            }
+            switch (channel.topic()) {
+                case Topics.EVENTS -> event(logTime, data);
+                case Topics.STATE -> {
+                    state(logTime);
+                    take(held, channel, publishTime, data);
+                }
+                default -> take(held, channel, publishTime, data);
+            }
+        });
+    }
+
+    private void keep(long time, Held held) {
+        Held before = places.isEmpty() ? new Held() : places.lastEntry().getValue();
+        Held copy = held.copy();
+        copy.messages()
+                .forEach((key, raw) -> kept += raw.equals(before.messages().get(key)) ? 0 : raw.data().length);
+        places.put(time, copy);
+        while (places.size() > 2 && (places.size() > MOST_PLACES || kept > MOST_KEPT)) {
+            thin();
+        }
+    }
+
+    /// Lets every second place go.
+    private void thin() {
+        spacing *= 2;
+        int number = 0;
+        for (var all = places.keySet().iterator(); all.hasNext(); number++) {
+            all.next();
+            if (number % 2 == 1) {
+                all.remove();
+            }
+        }
+        Set<byte[]> different = Collections.newSetFromMap(new IdentityHashMap<>());
+        places.values().forEach(place -> place.messages().values().forEach(raw -> different.add(raw.data())));
+        kept = different.stream().mapToLong(data -> data.length).sum();
+    }
+
+    private void state(long logTime) {
+        if (count > 0 && states[count - 1] == logTime) {
+            return;
+        }
+        if (count == states.length) {
+            states = Arrays.copyOf(states, 2 * count);
+        }
+        states[count++] = logTime;
+    }
+
+    private void event(long logTime, ByteBuffer data) throws IOException {
+        if (events.size() >= MOST_EVENTS) {
+            return;
+        }
+        Fields fields = Fields.read(Own.EVENT, data);
+        Duration time = Duration.ofNanos(logTime - start);
+        String subject = clip(fields.text("subject"));
+        String text = clip(fields.text("text"));
+        Optional<Said> said = fields.within("said")
+                .map(words -> new Said(
+                        time,
+                        subject,
+                        words.text("to"),
+                        words.text("topic"),
+                        words.text("conversation"),
+                        words.text("protocol"),
+                        words.text("act"),
+                        text));
+        events.add(new RunEvent(events.size() + 1L, time, clip(fields.text("kind")), subject, text, said));
+    }
+
+    private static String clip(String text) {
+        return text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT);
+    }
+
+    private static boolean isOfUse(Channel channel) {
+        return switch (channel.topic()) {
+            case "/tf", "/world", "/log", "/map" -> false;
+            default -> !channel.topic().endsWith("/estimate");
+        };
+    }
+
+    private static void take(Held held, Channel channel, long publishTime, ByteBuffer data) throws IOException {
+        String topic = channel.topic();
+        boolean fits = switch (topic) {
+            case Topics.EVENTS -> true; // known from the beginning
+            case Topics.MESSAGES -> {
+                Fields fields = Fields.read(Own.MESSAGE, data);
+                yield held.said(fields.text("from"), clip(fields.text("topic") + ": " + fields.text("words")));
+            }
+            case Topics.ROBOTS, Topics.AGENTS, Topics.MINDS ->
+                held.put(topic + " " + Fields.read(SECOND_TEXT, data).text("about"), publishTime, data);
+            case Topics.DEVICES -> {
+                Fields about = Fields.read(TWO_TEXTS, data);
+                yield held.put(Decoder.devices(about.text("about")) + about.text("part"), publishTime, data);
+            }
+            case Topics.THINGS ->
+                held.put(topic + " " + Fields.read(SECOND_NUMBER, data).count("about"), publishTime, data);
+            default -> held.put(topic, publishTime, data);
+        };
+        if (!fits) {
+            throw new IOException("This says more at once than can be held: more than %d messages, or %d bytes."
+                    .formatted(Held.MOST_MESSAGES, Held.MOST_BYTES));
+        }
+    }
+
+    /// The run that was recorded.
+    public RunPlan plan() {
+        return plan;
+    }
+
+    /// How it was made, as [Recording#run] has it.
+    public Map<String, String> run() {
+        return recording.run();
+    }
+
+    /// What is wrong with the file, a sentence each.
+    public synchronized List<String> damage() {
+        return recording.file().damage();
+    }
+
+    /// How the run ended; empty when that was not recorded.
+    public Optional<RunResult> result() {
+        return Outcome.read(recording.result(), plan);
+    }
+
+    /// When the first state was recorded, since the run's start.
+    public synchronized Duration from() {
+        return count == 0 ? Duration.ZERO : sinceStart(states[0]);
+    }
+
+    /// When the last state was recorded, since the run's start.
+    public synchronized Duration until() {
+        return count == 0 ? Duration.ZERO : sinceStart(states[count - 1]);
+    }
+
+    private Duration sinceStart(long logTime) {
+        return Duration.ofNanos(logTime - start);
+    }
+
+    /// What happened, oldest first, numbered from 1.
+    public List<RunEvent> events() {
+        return Collections.unmodifiableList(events);
+    }
+
+    /// When a state was recorded, so many states after the last that was by a time, or before it.
+    public synchronized Duration states(Duration time, int after) {
+        return count == 0 ? Duration.ZERO : sinceStart(states[Math.clamp((long) newest(time) + after, 0, count - 1)]);
+    }
+
+    /// Number of the newest state by then; of the first when there was none yet.
+    private int newest(Duration time) {
+        int found = Arrays.binarySearch(states, 0, count, log(time));
+        return Math.max(0, found >= 0 ? found : -found - 2);
+    }
+
+    private long log(Duration time) {
+        Duration known = time.compareTo(LONGEST) > 0 ? LONGEST : time;
+        return start + (known.compareTo(LONGEST.negated()) < 0 ? LONGEST.negated() : known).toNanos();
+    }
+
+    /// How everything was when the newest state was recorded by then; of the first when there was none yet. It is
+    /// paused, at speed 1, and has no outcome but at the end.
+    public synchronized Snapshot at(Duration time) throws IOException {
+        if (count == 0) {
+            return decoder.nothing();
+        }
+        int state = newest(time);
+        Optional<String> outcome = Optional.of(recording.result())
+                .filter(_ -> state == count - 1)
+                .flatMap(result -> Optional.ofNullable(result.get("outcome")));
+        return decoder.snapshot(held(states[state]), sinceStart(states[state]), outcome);
+    }
+
+    /// What an agent believed and wanted; empty when it did not show that.
+    public synchronized Optional<Mind.View> mind(Duration time, String agent) throws IOException {
+        return count == 0 ? Optional.empty() : decoder.mind(held(states[newest(time)]), agent);
+    }
+
+    /// The newest of all that was recorded by then.
+    private Held held(long logTime) throws IOException {
+        long from = Long.MIN_VALUE;
+        Held nearest = new Held();
+        for (Map.Entry<Long, Held> place : recent.entrySet()) {
+            if (place.getKey() <= logTime && place.getKey() > from) {
+                from = place.getKey();
+                nearest = place.getValue();
+            }
+        }
+        Map.Entry<Long, Held> kept = places.floorEntry(logTime);
+        if (kept != null && kept.getKey() > from) {
+            from = kept.getKey();
+            nearest = kept.getValue();
+        }
+        if (from == logTime) {
+            return nearest;
+        }
+        Held held = nearest.copy();
+        recording
+                .file()
+                .read(
+                        from == Long.MIN_VALUE ? from : from + 1,
+                        logTime,
+                        Playback::isOfUse,
+                        (channel, _, _, publishTime, data) -> take(held, channel, publishTime, data));
+        recent.put(logTime, held);
+        if (recent.size() > RECENT) {
+            recent.remove(recent.keySet().iterator().next());
+        }
+        return held;
+    }
+
+    @Override
+    public synchronized void close() throws IOException {
+        recording.close();
+    }
+}

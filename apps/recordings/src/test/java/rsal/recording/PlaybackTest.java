@@ -1,0 +1,196 @@
+package rsal.recording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import rsal.agent.bdi.Mind;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.RunResult;
+import rsal.scenario.run.Said;
+import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Witness;
+
+class PlaybackTest {
+    private static final String HUNT = "hunt-and-prey";
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void whatWasSeenOfARunIsSeenAgain() throws Exception {
+        for (String scenario : List.of(HUNT, "find-and-collect")) {
+            Path file = folder.resolve(scenario + ".mcap");
+            RunPlan plan = Recorded.plan(scenario, 7, 20);
+            Seen seen = record(plan, file);
+            try (Playback playback = open(file)) {
+                assertThat(playback.until()).isEqualTo(seen.snapshots.getLast().time());
+                assertThat(playback.events()).usingRecursiveComparison().isEqualTo(seen.events);
+                assertThat(playback.result()).hasValueSatisfying(result -> {
+                    assertThat(result.eventHash()).isEqualTo(seen.result.eventHash());
+                    assertThat(result.measures()).isEqualTo(seen.result.measures());
+                    assertThat(result.outOfBounds()).isEqualTo(seen.result.outOfBounds());
+                });
+                for (Snapshot then : seen.snapshots) {
+                    Snapshot now = playback.at(then.time());
+                    assertThat(now.time()).isEqualTo(then.time());
+                    assertThat(now.outcome()).isEqualTo(then.outcome());
+                    assertThat(now.things()).isEqualTo(then.things());
+                    assertThat(now.team()).hasSameSizeAs(then.team());
+                    assertThat(now.agents())
+                            .usingRecursiveComparison()
+                            .ignoringFields("view.agent.robotRole")
+                            .isEqualTo(then.agents());
+                    assertThat(now.robots())
+                            .usingRecursiveComparison()
+                            .withComparatorForType(
+                                    (a, b) -> Math.abs(a - b) < 1e-9 ? 0 : Double.compare(a, b), Double.class)
+                            .ignoringFieldsMatchingRegexes(
+                                    "odometry\\.value\\.(time|frame)",
+                                    "gripper.*",
+                                    "estimate\\.value\\.time",
+                                    "estimate\\.value\\.value\\.(hypotheses|covariance\\.(xTheta|yTheta)).*",
+                                    "(scan|ranges)\\.value\\.frame",
+                                    "path\\.points.*")
+                            .isEqualTo(then.robots());
+                }
+            }
+        }
+    }
+
+    /// From wherever one comes.
+    @Test
+    void seekingIsThePlayingUpToThere() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        record(Recorded.plan(HUNT, 3, 30), file);
+        try (Playback played = open(file);
+                Playback sought = open(file)) {
+            var random = new Random(5);
+            List<Duration> times =
+                    random.ints(40, -1000, 32_000).mapToObj(Duration::ofMillis).toList();
+            var expected = new ArrayList<Snapshot>();
+            for (Duration time : times.stream().sorted().toList()) {
+                expected.add(played.at(time));
+            }
+            for (Duration time : times) {
+                Snapshot there = sought.at(time);
+                Snapshot other = expected.stream()
+                        .filter(one -> one.time().equals(there.time()))
+                        .findFirst()
+                        .orElseThrow();
+                assertThat(there).usingRecursiveComparison().isEqualTo(other);
+                assertThat(there.time()).isEqualTo(other.time());
+            }
+            assertThat(sought.states(Duration.ofSeconds(10), 1)).isEqualTo(Duration.ofMillis(10_100));
+            assertThat(sought.states(Duration.ofSeconds(10), -1)).isEqualTo(Duration.ofMillis(9_900));
+            assertThat(sought.states(Duration.ofSeconds(90), 1)).isEqualTo(Duration.ofSeconds(30));
+        }
+    }
+
+    @Test
+    void whatWasCutOffIsSeenUpToThere() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        record(Recorded.plan(HUNT, 3, 20), file);
+        byte[] bytes = Files.readAllBytes(file);
+        Duration before = Duration.ZERO;
+        for (int share = 3; share <= 9; share += 2) {
+            Files.write(file, Arrays.copyOf(bytes, bytes.length * share / 10));
+            try (Playback playback = open(file)) {
+                assertThat(playback.damage()).isNotEmpty();
+                assertThat(playback.result()).isEmpty();
+                assertThat(playback.until()).isGreaterThanOrEqualTo(before).isLessThan(Duration.ofSeconds(20));
+                assertThat(playback.at(Duration.ofDays(1)).time()).isEqualTo(playback.until());
+                before = playback.until();
+            }
+        }
+        assertThat(before).isPositive();
+    }
+
+    /// Bytes that are not as they were: the file is refused in words, or shown as far as it goes.
+    @Test
+    void damageIsToldOrLeftOut() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        record(Recorded.plan(HUNT, 3, 5), file);
+        byte[] bytes = Files.readAllBytes(file);
+        var random = new Random(11);
+        for (int i = 0; i < 60; i++) {
+            byte[] damaged = bytes.clone();
+            for (int j = random.nextInt(1, 20); j > 0; j--) {
+                damaged[random.nextInt(damaged.length)] = (byte) random.nextInt();
+            }
+            Files.write(file, damaged);
+            try (Playback playback = open(file)) {
+                for (int second = -1; second < 7; second++) {
+                    assertThat(playback.at(Duration.ofSeconds(second)).robots()).isNotNull();
+                }
+            } catch (IOException | rsal.settings.InvalidSettings e) {
+                assertThat(e.getMessage()).isNotBlank();
+            }
+        }
+    }
+
+    private static Playback open(Path file) throws IOException {
+        return Playback.of(Recording.open(file.toString(), false));
+    }
+
+    private static Seen record(RunPlan plan, Path file) throws Exception {
+        try (Recorder recorder = Recorded.begin(plan, file)) {
+            var seen = new Seen(recorder);
+            seen.result =
+                    LiveRun.start(plan, seen).result().toCompletableFuture().get(100, TimeUnit.SECONDS);
+            recorder.ended(seen.result);
+            return seen;
+        }
+    }
+
+    /// Keeps what it passes on.
+    private static final class Seen implements Witness {
+        private final Witness next;
+        private final List<Snapshot> snapshots = new ArrayList<>();
+        private final List<RunEvent> events = new ArrayList<>();
+        private RunResult result;
+
+        Seen(Witness next) {
+            this.next = next;
+        }
+
+        @Override
+        public Duration period() {
+            return next.period();
+        }
+
+        @Override
+        public void sees(Snapshot now, String hash) {
+            snapshots.add(now);
+            next.sees(now, hash);
+        }
+
+        @Override
+        public void looksInto(Duration time, Map<String, Mind.View> minds) {
+            next.looksInto(time, minds);
+        }
+
+        @Override
+        public void happened(RunEvent event, String hash) {
+            events.add(event);
+            next.happened(event, hash);
+        }
+
+        @Override
+        public void heard(Said message) {
+            next.heard(message);
+        }
+    }
+}

@@ -1,0 +1,143 @@
+package rsal.server;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.time.Duration;
+import java.util.List;
+import rsal.scenario.run.RunEvent;
+import rsal.server.Messages.LookBack;
+
+/// One viewer's way through the past of a run: where it is, and how fast it goes on. For one thread.
+final class Looking implements Feed {
+    private static final double FASTEST = 1000; // times real time, which is what `max` is here
+
+    private final Past past;
+    private Duration time; // since the run's start
+    private boolean playing;
+    private double speed;
+    private Moment moment;
+    private byte[] frame = {};
+    private long sequence;
+
+    /// From the beginning on.
+    Looking(Past past) {
+        this(past, past.from(), true, 1);
+    }
+
+    private Looking(Past past, Duration time, boolean playing, double speed) {
+        this.past = past;
+        this.time = time;
+        this.playing = playing;
+        this.speed = speed;
+        this.moment = past.at(time);
+        show();
+    }
+
+    /// @param from where the viewer is
+    /// @throws Refusal when nobody can be that fast
+    static Looking at(Past past, LookBack wish, Duration from) {
+        double seconds = wish.time().orElse(from.toNanos() / 1e9);
+        Duration wanted = Double.isFinite(seconds)
+                ? Duration.ofNanos((long) (Math.clamp(seconds, -1e9, 1e9) * 1e9))
+                : past.until();
+        Duration there = wish.step() == 0 ? clamp(past, wanted) : past.near(wanted, wish.step());
+        double speed = Math.clamp(SpeedFactor.of(wish.speed().orElse("1")), 0.1, FASTEST);
+        boolean ends = past.isRecording() && there.compareTo(past.until()) >= 0;
+        return new Looking(past, there, wish.playing() && !ends, speed);
+    }
+
+    private static Duration clamp(Past past, Duration time) {
+        if (time.compareTo(past.from()) < 0) {
+            return past.from();
+        }
+        return time.compareTo(past.until()) > 0 ? past.until() : time;
+    }
+
+    /// Goes on, if it plays.
+    void pass(Duration realTime) {
+        if (!playing) {
+            return;
+        }
+        time = clamp(past, time.plusNanos((long) (realTime.toNanos() * speed)));
+        playing = !hasArrived() || !past.isRecording();
+        if (!past.near(time, 0).equals(moment.time())) {
+            moment = past.at(time);
+            show();
+        } else if (!playing) {
+            show();
+        }
+    }
+
+    /// Whether it has played up to the newest moment there is.
+    boolean hasArrived() {
+        return time.compareTo(past.until()) >= 0;
+    }
+
+    boolean isPlaying() {
+        return playing;
+    }
+
+    Past past() {
+        return past;
+    }
+
+    Duration time() {
+        return time;
+    }
+
+    /// The moment's frame, but for what depends on the viewer.
+    private void show() {
+        frame = moment.frame().clone();
+        ByteBuffer header = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
+        int flags = (header.getInt(FrameEncoder.FLAGS_AT) & ~FrameEncoder.PAUSED) | FrameEncoder.PAST;
+        header.putInt(FrameEncoder.SEQUENCE_AT, (int) ++sequence);
+        header.putInt(FrameEncoder.FLAGS_AT, playing ? flags : flags | FrameEncoder.PAUSED);
+        header.putFloat(FrameEncoder.SPEED_AT, (float) speed);
+        header.putFloat(FrameEncoder.RATE_AT, playing ? (float) speed : 0);
+    }
+
+    @Override
+    public int number() {
+        return past.number();
+    }
+
+    @Override
+    public String info() {
+        return past.info();
+    }
+
+    @Override
+    public int robots() {
+        return past.robots();
+    }
+
+    @Override
+    public String newcomers(int known) {
+        return past.newcomers(known);
+    }
+
+    @Override
+    public Roster things() {
+        return moment.things();
+    }
+
+    @Override
+    public String details() {
+        return moment.details();
+    }
+
+    @Override
+    public byte[] frame() {
+        return frame;
+    }
+
+    @Override
+    public long sequence() {
+        return sequence;
+    }
+
+    @Override
+    public List<RunEvent> events(long after) {
+        return past.events(after);
+    }
+}

@@ -1,0 +1,106 @@
+package rsal.server;
+
+import io.javalin.Javalin;
+import io.javalin.compression.CompressionStrategy;
+import io.javalin.config.JavalinConfig;
+import io.javalin.config.RoutesConfig;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.URI;
+import java.nio.channels.ServerSocketChannel;
+import java.util.function.Consumer;
+import org.eclipse.jetty.ee10.websocket.server.config.JettyWebSocketServletContainerInitializer;
+import org.eclipse.jetty.server.HttpConfiguration;
+import org.eclipse.jetty.server.HttpConnectionFactory;
+import org.eclipse.jetty.server.Server;
+import org.eclipse.jetty.server.ServerConnector;
+import org.eclipse.jetty.util.thread.QueuedThreadPool;
+
+/// HTTP and WebSocket on this machine's loopback address, and there only.
+final class PageServer implements AutoCloseable {
+    private static final String LOOPBACK = "127.0.0.1";
+
+    private final Javalin http;
+    private final Live live;
+    private final URI url;
+
+    /// @param door from [#open]
+    /// @param live what viewers are shown; this closes it
+    /// @param routes what can be asked and told
+    PageServer(ServerSocketChannel door, String token, Live live, Consumer<RoutesConfig> routes) throws IOException {
+        this.live = live;
+        url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port(door), token));
+        http = Javalin.create(config -> {
+            configure(config, door);
+            routes.accept(config.routes);
+        });
+        try {
+            http.start();
+        } catch (RuntimeException e) {
+            close();
+            throw e;
+        }
+    }
+
+    /// @param port 0 for any that is free
+    static ServerSocketChannel open(int port) throws IOException, PortInUse {
+        ServerSocketChannel door = ServerSocketChannel.open();
+        try {
+            return door.bind(new InetSocketAddress(InetAddress.ofLiteral(LOOPBACK), port));
+        } catch (BindException e) {
+            door.close();
+            throw new PortInUse(port);
+        } catch (IOException | RuntimeException e) {
+            door.close();
+            throw e;
+        }
+    }
+
+    static int port(ServerSocketChannel door) throws IOException {
+        return ((InetSocketAddress) door.getLocalAddress()).getPort();
+    }
+
+    private void configure(JavalinConfig config, ServerSocketChannel door) {
+        config.startup.showJavalinBanner = false;
+        config.startup.showOldJavalinVersionWarning = false;
+        config.startup.startupWatcherEnabled = false;
+        config.http.asyncTimeout = 5_000;
+        config.http.maxRequestSize = RunServer.MAX_MESSAGE;
+        config.http.compressionStrategy = CompressionStrategy.NONE;
+        var threads = new QueuedThreadPool(16, 2);
+        threads.setName("server");
+        threads.setDaemon(true);
+        config.jetty.threadPool = threads;
+        config.jetty.addConnector((server, http) -> connector(server, http, door));
+        config.jetty.modifyServer(server -> server.setStopTimeout(0));
+        config.jetty.modifyHttpConfiguration(http -> http.setSendServerVersion(false));
+        // not Javalin's own sockets, which give every viewer a session and a cookie
+        config.jetty.modifyServletContextHandler(context ->
+                JettyWebSocketServletContainerInitializer.configure(context, (_, sockets) -> live.configure(sockets)));
+    }
+
+    private static ServerConnector connector(Server server, HttpConfiguration http, ServerSocketChannel door) {
+        var connector = new ServerConnector(server, 1, 1, new HttpConnectionFactory(http));
+        connector.setHost(LOOPBACK);
+        try {
+            connector.open(door);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return connector;
+    }
+
+    /// With the token in the part that browsers keep to themselves.
+    URI url() {
+        return url;
+    }
+
+    @Override
+    public void close() {
+        live.close();
+        http.stop();
+    }
+}

@@ -1,0 +1,42 @@
+package rsal.server;
+
+import java.time.Duration;
+import java.util.List;
+import rsal.scenario.run.RunEvent;
+
+/// What has been of a run: moments to look back on. For one thread.
+interface Past {
+    /// Of the run, from 1.
+    int number();
+
+    /// The run's [Messages.RunInfo] as JSON.
+    String info();
+
+    /// How many robots the run has or had.
+    int robots();
+
+    /// The [Messages.Newcomers] as JSON.
+    ///
+    /// @param known how many robots the viewer knows
+    String newcomers(int known);
+
+    /// When the first moment was that there still is, since the run's start.
+    Duration from();
+
+    /// When the newest moment was.
+    Duration until();
+
+    /// Whether there will never be a newer one, nor a run to go back to.
+    boolean isRecording();
+
+    /// The newest moment by then; the first when there is none.
+    Moment at(Duration time);
+
+    /// When the moment was that is so many after the newest by a time, or before it.
+    Duration near(Duration time, int after);
+
+    /// What has happened after an event, oldest first; the future, too.
+    ///
+    /// @param sequence of that event; 0 for all
+    List<RunEvent> events(long sequence);
+}

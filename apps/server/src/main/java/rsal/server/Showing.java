@@ -1,0 +1,15 @@
+package rsal.server;
+
+import org.jspecify.annotations.Nullable;
+
+/// What there is to be shown. For one thread.
+interface Showing {
+    /// Sees what is new. To be called before all else.
+    void look();
+
+    /// What is now; null of a recording, which has only been.
+    @Nullable
+    Feed live();
+
+    Past past();
+}

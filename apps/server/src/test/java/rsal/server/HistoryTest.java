@@ -1,0 +1,215 @@
+package rsal.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import rsal.scenario.run.RunEvent;
+import rsal.server.Messages.LookBack;
+import rsal.server.Messages.Receipt;
+
+class HistoryTest {
+    private static final int FRAME_BYTES = 1000;
+
+    private final FakeFeed feed = new FakeFeed();
+
+    @Test
+    void hasTheNewestMomentByATime() {
+        var history = new History(feed);
+        for (int tenth = 0; tenth <= 100; tenth++) {
+            keep(history, tenth);
+        }
+        assertThat(history.from()).isEqualTo(Duration.ZERO);
+        assertThat(history.until()).isEqualTo(Duration.ofSeconds(10));
+        assertThat(history.at(Duration.ofMillis(4_250)).time()).isEqualTo(Duration.ofMillis(4_200));
+        assertThat(history.at(Duration.ofMillis(4_200)).details()).isEqualTo("details of 42");
+        assertThat(history.at(Duration.ofDays(1)).time()).isEqualTo(Duration.ofSeconds(10));
+        assertThat(history.at(Duration.ofDays(-1)).time()).isEqualTo(Duration.ZERO);
+        assertThat(history.near(Duration.ofSeconds(4), -1)).isEqualTo(Duration.ofMillis(3_900));
+        assertThat(history.near(Duration.ofSeconds(4), Integer.MAX_VALUE)).isEqualTo(Duration.ofSeconds(10));
+    }
+
+    @Test
+    void keepsNoMomentTwiceAndNoneTooNearTheLastButTheEnd() {
+        var history = new History(feed);
+        keep(history, 0);
+        keep(history, 0);
+        history.keep(Duration.ofMillis(30), false);
+        assertThat(history.until()).isEqualTo(Duration.ZERO);
+        history.keep(Duration.ofMillis(60), true);
+        assertThat(history.until()).isEqualTo(Duration.ofMillis(60));
+    }
+
+    /// However long a run is, it is all there, ever more coarsely.
+    @Test
+    void whatItKeepsIsBounded() {
+        long most = 100 * FRAME_BYTES;
+        var history = new History(feed, most);
+        for (int tenth = 0; tenth <= 50_000; tenth++) {
+            keep(history, tenth);
+        }
+        int moments = 0;
+        Duration longest = Duration.ZERO;
+        Duration before = history.from();
+        while (before.compareTo(history.until()) < 0) {
+            Duration next = history.near(before, 1);
+            Duration gap = next.minus(before);
+            longest = gap.compareTo(longest) > 0 ? gap : longest;
+            before = next;
+            moments++;
+        }
+        assertThat(history.from()).isEqualTo(Duration.ZERO);
+        assertThat(moments).isBetween(40, 100);
+        assertThat(longest).isLessThanOrEqualTo(Duration.ofSeconds(125));
+        assertThat(history.until()).isGreaterThan(Duration.ofMinutes(80));
+    }
+
+    @Test
+    void aViewerLooksBackAndIsInThePresentAgain() {
+        var history = new History(feed);
+        var line = new Times();
+        var viewer = new Viewer(line);
+        for (int tenth = 0; tenth <= 50; tenth++) {
+            keep(history, tenth);
+        }
+        offer(viewer, history);
+        assertThat(line.newest()).isEqualTo("5.0 now");
+        viewer.received(look(new LookBack(false, Optional.of(2.0), 0, false, Optional.empty())));
+        offer(viewer, history);
+        assertThat(line.newest()).isEqualTo("2.0 past");
+        keep(history, 51); // the run goes on
+        offer(viewer, history);
+        assertThat(line.newest()).isEqualTo("2.0 past");
+
+        viewer.received(look(new LookBack(false, Optional.empty(), 0, true, Optional.of("10"))));
+        offer(viewer, history); // there
+        offer(viewer, history); // and half a second on
+        assertThat(line.newest()).isEqualTo("2.5 past");
+        viewer.received(look(new LookBack(true, Optional.empty(), 0, false, Optional.empty())));
+        offer(viewer, history);
+        assertThat(line.newest()).isEqualTo("5.1 now");
+
+        viewer.received(look(new LookBack(false, Optional.of(4.9), 0, true, Optional.of("100"))));
+        offer(viewer, history);
+        offer(viewer, history); // plays up to the present
+        assertThat(line.newest()).isEqualTo("5.1 now");
+    }
+
+    @Test
+    void whoLooksBackSeesTheNextRunWhenThatBegins() {
+        var history = new History(feed);
+        var line = new Times();
+        var viewer = new Viewer(line);
+        keep(history, 0);
+        keep(history, 7);
+        viewer.received(look(new LookBack(false, Optional.of(0.0), 0, false, Optional.empty())));
+        offer(viewer, history);
+        assertThat(line.newest()).isEqualTo("0.0 past");
+        feed.number = 2;
+        feed.tenth = 1;
+        var next = new History(feed);
+        keep(next, 1);
+        offer(viewer, next);
+        assertThat(line.newest()).isEqualTo("0.1 now");
+    }
+
+    private void keep(History history, int tenth) {
+        feed.tenth = tenth;
+        history.keep(Duration.ofMillis(100L * tenth), false);
+    }
+
+    private void offer(Viewer viewer, History history) {
+        viewer.offer(feed, history, Duration.ofMillis(50));
+        viewer.received(new Receipt(Optional.of(Long.MAX_VALUE), Optional.empty(), Optional.empty()));
+    }
+
+    private static Receipt look(LookBack wish) {
+        return new Receipt(Optional.empty(), Optional.empty(), Optional.of(wish));
+    }
+
+    private static final class FakeFeed implements Feed {
+        private int number = 1;
+        private int tenth;
+
+        @Override
+        public int number() {
+            return number;
+        }
+
+        @Override
+        public String info() {
+            return "run";
+        }
+
+        @Override
+        public int robots() {
+            return 0;
+        }
+
+        @Override
+        public String newcomers(int known) {
+            return "";
+        }
+
+        @Override
+        public Roster things() {
+            return new Roster(number, Map.of(), 0);
+        }
+
+        @Override
+        public String details() {
+            return "details of " + tenth;
+        }
+
+        @Override
+        public byte[] frame() {
+            return ByteBuffer.allocate(FRAME_BYTES)
+                    .order(ByteOrder.LITTLE_ENDIAN)
+                    .putDouble(16, tenth / 10.0)
+                    .array();
+        }
+
+        @Override
+        public long sequence() {
+            return tenth + 1L;
+        }
+
+        @Override
+        public List<RunEvent> events(long sequence) {
+            return List.of();
+        }
+    }
+
+    /// Notes of which times it is sent frames.
+    private static final class Times implements Viewer.Line {
+        private final List<String> times = new ArrayList<>();
+
+        String newest() {
+            return times.getLast();
+        }
+
+        @Override
+        public void send(String text) {}
+
+        @Override
+        public void send(byte[] bytes) {
+            ByteBuffer frame = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+            boolean past = (frame.getInt(FrameEncoder.FLAGS_AT) & FrameEncoder.PAST) != 0;
+            times.add(frame.getDouble(16) + (past ? " past" : " now"));
+        }
+
+        @Override
+        public boolean isClear() {
+            return true;
+        }
+
+        @Override
+        public void cut() {}
+    }
+}

@@ -1,0 +1,203 @@
+package rsal.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.agent.bdi.Mind;
+import rsal.recording.Origin;
+import rsal.recording.Playback;
+import rsal.recording.Recorder;
+import rsal.recording.Recording;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.RunResult;
+import rsal.scenario.run.Said;
+import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Witness;
+import rsal.server.Messages.LookBack;
+import rsal.server.Messages.ServerMessage;
+
+class RecordedPastTest {
+    private static final int ROBOTS_AT = 32; // in a frame; what is before depends on the viewer, but for the time
+
+    @TempDir
+    Path folder;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"hunt-and-prey", "distribution"})
+    void showsWhatALiveFeedShowed(String scenario) throws Exception {
+        Path file = folder.resolve("run.mcap");
+        List<Snapshot> seen = record(plan(scenario, 15), file);
+        var encoder = new FrameEncoder();
+        var surveyor = new Surveyor(RecordedPast.RUN);
+        List<String> robots =
+                seen.getLast().team().stream().map(mate -> mate.spec().id()).toList();
+        try (Playback playback = open(file)) {
+            var past = new RecordedPast(playback, "run.mcap");
+            assertThat(past.robots()).isEqualTo(robots.size());
+            for (Snapshot then : seen) {
+                surveyor.look(then.things());
+                byte[] live = encoder.encode(RecordedPast.RUN, 1, then, robots, surveyor.moved());
+                Moment now = past.at(then.time());
+                assertThat(now.time()).isEqualTo(then.time());
+                assertThat(robotsOf(now.frame())).as("at %s", then.time()).isEqualTo(robotsOf(live));
+                assertThat(now.things().all()).isEqualTo(surveyor.roster().all());
+                if (then.outcome().isEmpty()) {
+                    assertThat(now.details())
+                            .isEqualTo(Json.write(ServerMessage.of(
+                                    Descriptions.details(RecordedPast.RUN, then, new CompletableFuture<RunResult>()))));
+                }
+            }
+        }
+    }
+
+    private static byte[] robotsOf(byte[] frame) {
+        return Arrays.copyOfRange(frame, ROBOTS_AT, frame.length);
+    }
+
+    /// With others who look elsewhere.
+    @Test
+    void seekingShowsWhatPlayingUpToThereDoes() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        record(plan("find-and-collect", 20), file);
+        try (Playback first = open(file);
+                Playback second = open(file)) {
+            var played = new Looking(new RecordedPast(first, "run.mcap"));
+            var past = new RecordedPast(second, "run.mcap");
+            past.at(Duration.ofDays(1));
+            var random = new Random(4);
+            past.at(Duration.ZERO); // things are told as they were first seen
+            for (int i = 0; i < 150; i++) {
+                played.pass(Duration.ofMillis(100));
+                Moment sought = past.at(played.time());
+                assertThat(robotsOf(sought.frame())).isEqualTo(robotsOf(played.frame()));
+                assertThat(sought.details()).isEqualTo(played.details());
+                past.at(Duration.ofMillis(random.nextInt(20_000)));
+            }
+        }
+    }
+
+    @Test
+    void aViewerStepsPlaysAndStopsAtTheEnd() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        record(plan("hunt-and-prey", 5), file);
+        try (Playback playback = open(file)) {
+            var past = new RecordedPast(playback, "run.mcap");
+            var looking = new Looking(past);
+            assertThat(looking.time()).isEqualTo(past.from());
+            looking.pass(Duration.ofMillis(500));
+            assertThat(time(looking)).isEqualTo(0.6); // the first state is of the first step
+            assertThat(flags(looking) & FrameEncoder.PAST).isNotZero();
+            assertThat(flags(looking) & FrameEncoder.PAUSED).isZero();
+
+            Looking stepped = Looking.at(past, wish(1.0, 1, false, "1"), looking.time());
+            assertThat(time(stepped)).isEqualTo(1.1);
+            assertThat(flags(stepped) & FrameEncoder.PAUSED).isNotZero();
+            stepped.pass(Duration.ofSeconds(1));
+            assertThat(time(stepped)).isEqualTo(1.1);
+            assertThat(time(Looking.at(past, wish(1.0, -1, false, "1"), Duration.ZERO)))
+                    .isEqualTo(0.9);
+
+            Looking fast = Looking.at(past, wish(1.0, 0, true, "max"), Duration.ZERO);
+            fast.pass(Duration.ofMillis(50));
+            assertThat(time(fast)).isEqualTo(5);
+            assertThat(flags(fast) & FrameEncoder.PAUSED).isNotZero();
+            assertThat(flags(fast) & FrameEncoder.ENDED).isNotZero();
+            assertThat(fast.details()).contains("\"ending\":{\"outcome\":\"limit\"");
+            for (double nowhere : new double[] {-7, 1e300, Double.NaN, Double.NEGATIVE_INFINITY}) {
+                assertThat(time(Looking.at(past, wish(nowhere, 0, true, "1"), Duration.ZERO)))
+                        .isBetween(0.0, 5.0);
+            }
+        }
+    }
+
+    private static LookBack wish(double time, int step, boolean playing, String speed) {
+        return new LookBack(false, Optional.of(time), step, playing, Optional.of(speed));
+    }
+
+    private static double time(Feed feed) {
+        return header(feed).getDouble(16);
+    }
+
+    private static int flags(Feed feed) {
+        return header(feed).getInt(FrameEncoder.FLAGS_AT);
+    }
+
+    private static ByteBuffer header(Feed feed) {
+        return ByteBuffer.wrap(feed.frame()).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    static RunPlan plan(String scenario, int seconds) {
+        return Scenario.load(scenario)
+                .plan(RunOptions.NONE
+                        .withSeed(7)
+                        .withSpeed(Double.POSITIVE_INFINITY)
+                        .withLimit(Duration.ofSeconds(seconds)));
+    }
+
+    static Playback open(Path file) throws Exception {
+        return Playback.of(Recording.open(file.toString(), false));
+    }
+
+    /// @return what was recorded, in the order in which it was
+    static List<Snapshot> record(RunPlan plan, Path file) throws Exception {
+        var origin = new Origin(plan, "rsal test", "rsal run", Instant.EPOCH);
+        var seen = new ArrayList<Snapshot>();
+        try (Recorder recorder = Recorder.begin(file, true, origin, Recorder.Behind.WAIT, System::nanoTime)) {
+            RunResult result = LiveRun.start(plan, new Seen(recorder, seen))
+                    .result()
+                    .toCompletableFuture()
+                    .get(100, TimeUnit.SECONDS);
+            recorder.ended(result);
+        }
+        return seen;
+    }
+
+    /// Keeps what it passes on.
+    private record Seen(Witness next, List<Snapshot> snapshots) implements Witness {
+        @Override
+        public Duration period() {
+            return next.period();
+        }
+
+        @Override
+        public void sees(Snapshot now, String hash) {
+            snapshots.add(now);
+            next.sees(now, hash);
+        }
+
+        @Override
+        public void looksInto(Duration time, Map<String, Mind.View> minds) {
+            next.looksInto(time, minds);
+        }
+
+        @Override
+        public void happened(RunEvent event, String hash) {
+            next.happened(event, hash);
+        }
+
+        @Override
+        public void heard(Said message) {
+            next.heard(message);
+        }
+    }
+}
