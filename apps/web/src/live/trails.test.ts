@@ -2,8 +2,8 @@ import { expect, it } from 'vitest';
 import type { Frame } from './frame';
 import { Trails } from './trails';
 
-function frame(run: number, time: number, x: number): Frame {
-  return { run, time, robots: [{ pose: { x, y: 0, heading: 0 } }] } as unknown as Frame;
+function frame(run: number, time: number, x: number, past = false): Frame {
+  return { run, time, past, speed: 1, robots: [{ pose: { x, y: 0, heading: 0 } }] } as unknown as Frame;
 }
 
 it('a trail has where a robot was in the last 30 seconds', () => {
@@ -46,4 +46,20 @@ it('another run begins without trails', () => {
   trails.add(frame(1, 1, 1));
   trails.add(frame(2, 0, 5));
   expect(trails.of(0)?.x).toEqual([5]);
+});
+
+it('who looks at another time sees no trail from where it looked before', () => {
+  const trails = new Trails();
+  for (let tenth = 0; tenth <= 20; tenth++) {
+    trails.add(frame(1, 10 + tenth / 10, tenth, true));
+  }
+  expect(trails.of(0)?.x).toHaveLength(21);
+  trails.add(frame(1, 40, 7, true));
+  expect(trails.of(0)?.x).toEqual([7]);
+  trails.add(frame(1, 40.1, 7.1, true));
+  expect(trails.of(0)?.x).toEqual([7, 7.1]);
+  trails.add(frame(1, 12, 3, true));
+  expect(trails.of(0)?.x).toEqual([3]);
+  trails.add(frame(1, 12.1, 3.1, false)); // the present
+  expect(trails.of(0)?.x).toEqual([3.1]);
 });

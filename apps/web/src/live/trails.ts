@@ -6,6 +6,8 @@ const SPACING = 0.05;
 /** Who got farther than this between two frames [m], and faster than a robot drives [m/s], was put there. */
 const JUMP = 1;
 const FASTEST = 3;
+/** While a moment after the other is played, frames come at least so often [s]. */
+const LONGEST_GAP = 0.5;
 
 interface Trail {
   x: number[];
@@ -20,9 +22,16 @@ export class Trails {
   private trails: Trail[] = [];
   private run = 0;
   private time = 0; // of the frame before
+  private past = false; // likewise
+
+  /** Whether somebody looks at another time than that which follows the frame before. */
+  private isElsewhere({ past, time, speed }: Frame): boolean {
+    const longest = past ? LONGEST_GAP * (1 + speed) : Infinity;
+    return past !== this.past || time < this.time || time - this.time > longest;
+  }
 
   add(frame: Frame) {
-    if (frame.run !== this.run || frame.time < this.time) {
+    if (frame.run !== this.run || this.isElsewhere(frame)) {
       this.run = frame.run;
       this.trails = [];
     }
@@ -31,6 +40,7 @@ export class Trails {
     }
     const farthest = Math.max(JUMP, FASTEST * (frame.time - this.time));
     this.time = frame.time;
+    this.past = frame.past;
     frame.robots.forEach((robot, i) => {
       const trail = this.trails[i]!;
       const { pose } = robot;
