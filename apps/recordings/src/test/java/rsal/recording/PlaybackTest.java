@@ -147,7 +147,7 @@ class PlaybackTest {
 
     private static Seen record(RunPlan plan, Path file) throws Exception {
         try (Recorder recorder = Recorded.begin(plan, file)) {
-            var seen = new Seen(recorder);
+            var seen = new Seen(recorder.witness());
             seen.result =
                     LiveRun.start(plan, seen).result().toCompletableFuture().get(100, TimeUnit.SECONDS);
             recorder.ended(seen.result);

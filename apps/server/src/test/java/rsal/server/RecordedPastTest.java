@@ -20,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.bdi.Mind;
+import rsal.recording.Backlog;
 import rsal.recording.Origin;
 import rsal.recording.Playback;
 import rsal.recording.Recorder;
@@ -162,8 +163,8 @@ class RecordedPastTest {
     static List<Snapshot> record(RunPlan plan, Path file) throws Exception {
         var origin = new Origin(plan, "rsal test", "rsal run", Instant.EPOCH);
         var seen = new ArrayList<Snapshot>();
-        try (Recorder recorder = Recorder.begin(file, true, origin, Recorder.Behind.WAIT, System::nanoTime)) {
-            RunResult result = LiveRun.start(plan, new Seen(recorder, seen))
+        try (Recorder recorder = Recorder.begin(file, true, origin, Backlog.Behind.WAIT, System::nanoTime)) {
+            RunResult result = LiveRun.start(plan, new Seen(recorder.witness(), seen))
                     .result()
                     .toCompletableFuture()
                     .get(100, TimeUnit.SECONDS);
