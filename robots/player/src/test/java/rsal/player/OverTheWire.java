@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import rsal.device.Navigator.Tolerance;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.player.bridge.PlayerBridgeProvider;
@@ -25,7 +26,9 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
+import rsal.scene.Service;
 import rsal.settings.Arguments;
+import rsal.settings.Location;
 import rsal.settings.Parameter;
 import rsal.sim.SimProvider;
 import rsal.system.Bridge;
@@ -47,6 +50,7 @@ final class OverTheWire implements RobotSystemProvider {
     private final RobotSystemProvider player = new PlayerProvider();
     private final RobotSystemProvider sim;
     private final List<DeviceDriver> computers;
+    private final Map<String, String> served;
 
     OverTheWire() {
         this(new SimProvider(), List.of());
@@ -55,8 +59,18 @@ final class OverTheWire implements RobotSystemProvider {
     /// @param sim of what simulates the robots that are served
     /// @param computers what these have on board
     OverTheWire(RobotSystemProvider sim, List<DeviceDriver> computers) {
+        this(sim, computers, Map.of());
+    }
+
+    /// @param served names of the robots' devices, by the interfaces that they are served as: `laser:0`
+    OverTheWire(Map<String, String> served) {
+        this(new SimProvider(), List.of(), served);
+    }
+
+    private OverTheWire(RobotSystemProvider sim, List<DeviceDriver> computers, Map<String, String> served) {
         this.sim = sim;
         this.computers = List.copyOf(computers);
+        this.served = Map.copyOf(served);
     }
 
     @Override
@@ -131,7 +145,7 @@ final class OverTheWire implements RobotSystemProvider {
                 Bridge bridge = new PlayerBridgeProvider()
                         .open(
                                 new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-                                new Lent(real, config.scene().map(), simulation.simulation(), List.of()),
+                                new Lent(real, config.scene().map(), simulation.simulation(), services(real)),
                                 scheduler);
                 opened.add(bridge);
                 String servers = config.robots().stream()
@@ -152,6 +166,28 @@ final class OverTheWire implements RobotSystemProvider {
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
+        }
+
+        /// As the file of a server would have them; none for all there are.
+        private List<Service> services(List<Robot> real) {
+            if (served.isEmpty()) {
+                return List.of();
+            }
+            var services = new ArrayList<Service>();
+            for (Robot robot : real) {
+                services.add(new Service(
+                        "stage",
+                        Location.of("test.cfg"),
+                        6665 + services.size(),
+                        served.keySet().stream().sorted().toList(),
+                        List.of(),
+                        Optional.of(robot.id()),
+                        served,
+                        List.of(),
+                        new Tolerance(0.1, 0.1),
+                        Optional.empty()));
+            }
+            return services;
         }
 
         private Robot equipped(Robot bare) {

@@ -32,6 +32,9 @@ import rsal.testkit.fake.FakeProvider;
 /// Robots of a Player server are robots like any other.
 @Timeout(120)
 class PlayerContractTest {
+    private static final Map<String, String> OF_OLD =
+            Map.of("position2d:0", "base", "laser:0", "laser", "sonar:0", "sonar");
+
     @Nested
     class Whole extends RobotSystemContract {
         @Override
@@ -75,6 +78,23 @@ class PlayerContractTest {
         @Override
         protected RobotSystemProvider provider() {
             return new OverTheWire();
+        }
+    }
+
+    /// As older servers have them, and those that `rangertolaser` stands on.
+    @Nested
+    class LaserOfOld extends LaserScannerContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire(OF_OLD);
+        }
+    }
+
+    @Nested
+    class SonarOfOld extends SonarArrayContract {
+        @Override
+        protected RobotSystemProvider provider() {
+            return new OverTheWire(OF_OLD);
         }
     }
 

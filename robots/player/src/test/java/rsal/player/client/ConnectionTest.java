@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -25,6 +26,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.player.Recorded;
 import rsal.player.client.Connection.Silence;
 import rsal.player.message.Chars;
 import rsal.player.message.Graphics2d;
@@ -161,6 +163,45 @@ class ConnectionTest {
         assertThat(data.poll(10, TimeUnit.SECONDS)).isNotNull();
         connection.devices();
         assertThat(client.next().header().subtype()).as("it asks for no rounds").isEqualTo(Session.DEVICES);
+    }
+
+    /// The server's half of the sessions that were recorded, but for what it answered about itself.
+    @ParameterizedTest
+    @ValueSource(strings = {"simple", "semantics"})
+    void understandsWhatAServerOnceSaid(String session) throws Exception {
+        connection.close();
+        client.close();
+        connect(Delivery.PUSH);
+        CompletionStage<Packet> answer = CompletableFuture.failedStage(new AssertionError("Nothing was asked."));
+        int told = 0;
+        for (Recorded.Message message : Recorded.session(session)) {
+            Packet packet =
+                    Packet.read(new ByteArrayInputStream(message.bytes())).orElseThrow();
+            Header header = packet.header();
+            if (header.address().interf() == Interface.PLAYER.code() || header.kind() == Kind.COMMAND) {
+                continue;
+            }
+            if (message.sent()) {
+                answer = connection.ask(packet);
+                client.next(header.address(), header.subtype());
+                continue;
+            }
+            client.send(message.bytes());
+            if (header.kind() == Kind.ACK) {
+                assertThat(result(answer).body()).isEqualTo(packet.body());
+            } else if (header.kind() == Kind.NACK) {
+                CompletionStage<Packet> refused = answer;
+                assertThatThrownBy(() -> result(refused)).hasCauseInstanceOf(RefusedException.class);
+            } else {
+                told++;
+            }
+        }
+        assertThat(told).isGreaterThan(100);
+        for (int i = 0; i < told; i++) {
+            Packet packet = data.poll(10, TimeUnit.SECONDS);
+            assertThat(packet).isNotNull();
+            assertThat(connection.protocol().read(packet)).isPresent();
+        }
     }
 
     @ParameterizedTest

@@ -7,6 +7,7 @@ import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.FilterInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.lang.reflect.RecordComponent;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -14,6 +15,7 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -195,32 +197,70 @@ class ProtocolTest {
                 .containsExactly(0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 0.5);
     }
 
-    /// A million messages in all.
+    /// A million messages in all: bodies and headers, whole and cut off, at once and byte by byte. Nothing of them
+    /// stays.
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
     void noiseIsReadOrRefused(long seed) throws IOException {
         var random = new SplittableRandom(seed);
-        List<Recorded.Vector> vectors = Recorded.vectors();
+        List<byte[]> messages = new ArrayList<>();
+        for (Recorded.Vector vector : Recorded.vectors()) {
+            messages.add(packet(vector).bytes());
+        }
+        assertThat(read(random, messages, 25_000)).isGreaterThan(100);
+        long before = used();
+        assertThat(read(random, messages, 225_000)).isGreaterThan(1000);
+        assertThat(used() - before).isLessThan(4 << 20);
+    }
+
+    /// @return how many of the messages could be read, noisy as they are
+    private static int read(SplittableRandom random, List<byte[]> messages, int count) throws IOException {
         int read = 0;
-        for (int i = 0; i < 250_000; i++) {
-            Packet packet = packet(vectors.get(random.nextInt(vectors.size())));
-            byte[] body = packet.body().clone();
-            switch (random.nextInt(4)) {
-                case 0 -> random.nextBytes(body);
-                case 1 -> body = Arrays.copyOf(body, random.nextInt(2 * body.length + 1));
-                case 2 -> body[random.nextInt(body.length)] ^= (byte) (1 << random.nextInt(8));
-                default -> // a huge count, or none, where there is one
-                    ByteBuffer.wrap(body).putInt(4 * random.nextInt(body.length / 4), random.nextInt());
-            }
-            Class<? extends Record> type = Protocol.V3_1.body(packet.header()).orElseThrow();
-            try {
-                rewrites(type, body);
-                read++;
-            } catch (MalformedException e) {
+        for (int i = 0; i < count; i++) {
+            byte[] bytes = noisy(messages.get(random.nextInt(messages.size())).clone(), random);
+            try (InputStream stream = i % 8 == 0 ? new Dribble(bytes) : new ByteArrayInputStream(bytes)) {
+                Optional<Packet> packet = Packet.read(stream);
+                if (packet.isPresent() && Protocol.V3_1.read(packet.get()).isPresent()) {
+                    rewrites(
+                            Protocol.V3_1.body(packet.get().header()).orElseThrow(),
+                            packet.get().body());
+                    read++;
+                }
+            } catch (MalformedException | EOFException e) {
                 assertThat(e).hasMessageMatching("\\w.*");
             }
         }
-        assertThat(read).isGreaterThan(1000);
+        return read;
+    }
+
+    private static byte[] noisy(byte[] message, SplittableRandom random) {
+        int body = message.length - Header.BYTES;
+        switch (random.nextInt(6)) {
+            case 0 -> {
+                var noise = new byte[body];
+                random.nextBytes(noise);
+                System.arraycopy(noise, 0, message, Header.BYTES, body);
+            }
+            case 1 -> { // another length, which its header tells
+                byte[] other = Arrays.copyOf(message, Header.BYTES + random.nextInt(2 * body + 1));
+                ByteBuffer.wrap(other).putInt(Header.BYTES - Integer.BYTES, other.length - Header.BYTES);
+                return other;
+            }
+            case 2 -> message[Header.BYTES + random.nextInt(body)] ^= (byte) (1 << random.nextInt(8));
+            case 3 -> // a huge count, or none, where there is one
+                ByteBuffer.wrap(message).putInt(Header.BYTES + 4 * random.nextInt(body / 4), random.nextInt());
+            case 4 -> message[random.nextInt(Header.BYTES)] = (byte) random.nextInt();
+            default -> {
+                return Arrays.copyOf(message, random.nextInt(message.length)); // cut off
+            }
+        }
+        return message;
+    }
+
+    /// What is reachable [B].
+    private static long used() {
+        System.gc();
+        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
     }
 
     private static <T extends Record> void rewrites(Class<T> type, byte[] body) throws MalformedException {
