@@ -58,8 +58,8 @@ final class Onlookers implements AutoCloseable {
     }
 
     /// A run has ended: ends its recording, and tells what became of that.
-    void end(PrintWriter err) {
-        recorder.end(err);
+    void end(LiveRun run) {
+        recorder.end(run);
     }
 
     /// Whether any recording is not whole.

@@ -132,7 +132,7 @@ final class RunCommand extends Subcommand {
         }
         Optional<SavedMaps> maps = Optional.ofNullable(saveMaps).map(folder -> SavedMaps.to(folder, plan, force));
         var onlookers = new Onlookers(
-                RunRecorder.to(Optional.ofNullable(record), force, headless),
+                RunRecorder.to(Optional.ofNullable(record), force, headless, err()),
                 foxglove || foxglovePort != null
                         ? Optional.of(Onlookers.foxglove(foxglovePort(), err()))
                         : Optional.empty(),
@@ -164,7 +164,7 @@ final class RunCommand extends Subcommand {
             var ending = new ClosedAtExit(() -> close(run, onlookers));
             RunResult result = new Progress(err()).await(run);
             ending.checkNoSignal();
-            onlookers.end(err());
+            onlookers.end(run);
             maps.ifPresent(saved -> saved.write(run, err()));
             print(plan, result);
             return result;
@@ -192,7 +192,7 @@ final class RunCommand extends Subcommand {
 
             @Override
             public void ended(LiveRun run, RunResult result) {
-                onlookers.end(err());
+                onlookers.end(run);
                 maps.ifPresent(saved -> saved.write(run, err()));
                 print(run.plan(), result);
             }

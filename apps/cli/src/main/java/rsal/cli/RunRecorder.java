@@ -27,6 +27,7 @@ final class RunRecorder implements AutoCloseable {
     private final Optional<Path> file;
     private final boolean force;
     private final boolean headless;
+    private final PrintWriter err;
 
     // under the lock of this
     private int runs;
@@ -35,19 +36,21 @@ final class RunRecorder implements AutoCloseable {
     private @Nullable Path recorded;
     private boolean failed;
 
-    private RunRecorder(Optional<Path> file, boolean force, boolean headless) {
+    private RunRecorder(Optional<Path> file, boolean force, boolean headless, PrintWriter err) {
         this.file = file;
         this.force = force;
         this.headless = headless;
+        this.err = err;
     }
 
     /// @param file empty when nothing is to be recorded
     /// @param headless whether nobody watches, so that the run may wait for the file
-    static RunRecorder to(Optional<String> file, boolean force, boolean headless) {
-        return new RunRecorder(file.map(Destination::path), force, headless);
+    /// @param err told what became of each recording
+    static RunRecorder to(Optional<String> file, boolean force, boolean headless, PrintWriter err) {
+        return new RunRecorder(file.map(Destination::path), force, headless, err);
     }
 
-    /// Begins to record the next run.
+    /// Begins to record the next run, when the recording of the one before has ended.
     ///
     /// @return whom it is to tell; empty when nothing is to be recorded
     /// @throws InvalidSettings when the file can't be written, or is there and may not be lost
@@ -55,7 +58,7 @@ final class RunRecorder implements AutoCloseable {
         if (file.isEmpty()) {
             return Optional.empty();
         }
-        close();
+        end();
         runs++;
         Path path = path(file.get());
         boolean waits = headless && origin.plan().clock() == RunPlan.Clock.SIMULATED;
@@ -102,8 +105,14 @@ final class RunRecorder implements AutoCloseable {
         return next;
     }
 
-    /// Ends the recording of the run that has ended, and tells what became of it.
-    synchronized void end(PrintWriter err) {
+    /// A run has ended: ends its recording, unless another has begun since, and tells what became of it.
+    synchronized void end(LiveRun over) {
+        if (over.equals(run)) {
+            end();
+        }
+    }
+
+    private void end() {
         Recorder ended = recorder;
         close();
         if (ended == null) {

@@ -37,9 +37,9 @@ public final class Backlog implements Witness {
     public sealed interface Entry {
         void write(Encoder encoder) throws IOException;
 
-        /// Whether it tells how everything stands.
-        default boolean isState() {
-            return false;
+        /// When everything stood as it tells, since the run's start; empty when it tells something else.
+        default Optional<Duration> seen() {
+            return Optional.empty();
         }
     }
 
@@ -58,8 +58,8 @@ public final class Backlog implements Witness {
         }
 
         @Override
-        public boolean isState() {
-            return true;
+        public Optional<Duration> seen() {
+            return Optional.of(now.time());
         }
     }
 
@@ -125,7 +125,7 @@ public final class Backlog implements Witness {
     public void sees(Snapshot now, String hash) {
         lock.lock();
         try {
-            while (behind == Behind.WAIT && states.size() >= MOST_STATES && !abandoned) {
+            while (behind == Behind.WAIT && states.size() >= MOST_STATES && isOpen()) {
                 changed.awaitUninterruptibly();
             }
             if (states.size() >= MOST_STATES) {
@@ -133,7 +133,9 @@ public final class Backlog implements Witness {
                 dropped++;
             }
             var state = new State(now, hash);
-            states.addLast(state);
+            if (isOpen()) {
+                states.addLast(state);
+            }
             add(state);
         } finally {
             lock.unlock();
@@ -160,7 +162,7 @@ public final class Backlog implements Witness {
     private void tell(Entry entry) {
         lock.lock();
         try {
-            while (waiting.size() >= MOST_OTHERS && !abandoned) {
+            while (waiting.size() >= MOST_OTHERS && isOpen()) {
                 changed.awaitUninterruptibly();
             }
             add(entry);
@@ -171,10 +173,15 @@ public final class Backlog implements Witness {
 
     /// Under the lock.
     private void add(Entry entry) {
-        if (!abandoned) {
+        if (isOpen()) {
             waiting.addLast(entry);
             changed.signalAll();
         }
+    }
+
+    /// Under the lock. Else nobody takes what is added.
+    private boolean isOpen() {
+        return !ended && !abandoned;
     }
 
     /// The next; empty when there was none for a while, or no more come.
@@ -200,7 +207,7 @@ public final class Backlog implements Witness {
         }
     }
 
-    /// Nothing more is told; what waits is still to be taken.
+    /// What is told from now on is forgotten; what waits is still to be taken.
     public void end() {
         lock.lock();
         try {
