@@ -86,7 +86,7 @@ it("shows a run to Foxglove's own client, and takes goals from it", async () => 
   try {
     await expect.poll(() => studio.messages.has('/hunter-1/scan'), { timeout: 30_000 }).toBe(true);
     expect(studio.capabilities).toEqual(expect.arrayContaining(['time', 'clientPublish']));
-    await expect.poll(() => studio.times).toBeGreaterThan(5);
+    await expect.poll(() => studio.times, { timeout: 30_000 }).toBeGreaterThan(5);
 
     expect(studio.channels.get('/hunter-1/scan')?.schemaName).toBe('foxglove.LaserScan');
     const scan = studio.messages.get('/hunter-1/scan') as {
@@ -112,7 +112,9 @@ it("shows a run to Foxglove's own client, and takes goals from it", async () => 
       .poll(() => studio.statuses)
       .toContainEqual(expect.stringContaining('hunter-1: goes to 0.00 0.00'));
     studio.publish('/hunter-1/goal', { header: { frame_id: 'odom' }, pose });
-    await expect.poll(() => studio.statuses).toContainEqual(expect.stringMatching(/ERROR.*\(map\)/));
+    await expect
+      .poll(() => studio.statuses, { timeout: 30_000 })
+      .toContainEqual(expect.stringMatching(/ERROR.*\(map\)/));
   } finally {
     studio.close();
   }

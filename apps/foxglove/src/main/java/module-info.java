@@ -1,6 +1,5 @@
-/// Shows a run to Foxglove while it happens, and takes goals and poses from it: WebSocket, JSON, protobuf. Knows runs
-/// as
-/// recordings do, and nothing of our own page.
+/// Shows a run to Foxglove while it happens, and takes goals and poses from it: WebSocket, JSON, protobuf. Knows
+/// runs as recordings do, and nothing of our own page.
 module rsal.foxglove {
     requires transitive rsal.recordings;
     requires org.eclipse.jetty.http;

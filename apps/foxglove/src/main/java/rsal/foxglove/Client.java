@@ -43,6 +43,7 @@ final class Client implements MessageSink {
     private final Map<Integer, Integer> subscriptions = new ConcurrentHashMap<>(); // by channel
     private final Map<Integer, Integer> wanted = new ConcurrentHashMap<>(); // channels, by subscription
     private volatile boolean isNew = true; // has not been told all
+    private volatile boolean wantsMap = true; // which never changes
 
     // of the server's thread
     private final List<Offer> opened = new ArrayList<>(); // and not yet advertised
@@ -66,6 +67,7 @@ final class Client implements MessageSink {
         }
         wanted.put(subscription, channel);
         subscriptions.put(channel, subscription);
+        wantsMap = true;
         isNew = true;
         return true;
     }
@@ -84,7 +86,10 @@ final class Client implements MessageSink {
         if (isNew && line.underWay() <= MOST_UNDER_WAY) {
             isNew = false;
             encoder.writeAgain();
-            encoder.map(map);
+            if (wantsMap) {
+                wantsMap = false;
+                encoder.map(map);
+            }
             tell(state);
         }
     }

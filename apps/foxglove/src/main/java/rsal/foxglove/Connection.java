@@ -22,9 +22,8 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/// A client's socket. Jetty calls it and sends for it on threads of its own; it calls only public classes. What can't
-/// be
-/// understood is answered by a status that says why, and changes nothing.
+/// A client's socket. Jetty calls it and sends for it on threads of its own; it calls only public classes. What
+/// can't be understood is answered by a status that says why, and changes nothing.
 @SuppressWarnings("exports") // public for Jetty alone
 public final class Connection extends Session.Listener.AbstractAutoDemanding implements Client.Line {
     private static final int MOST_PUBLISHED = 1000; // channels of a client
@@ -64,7 +63,9 @@ public final class Connection extends Session.Listener.AbstractAutoDemanding imp
         super.onWebSocketOpen(session);
         send(ServerMessages.json(ServerInfo.of(showing.origin(), mayPublish, showing.session())));
         if (!server.add(this)) {
-            close(StatusCode.TRY_AGAIN_LATER, "%d are watching already.".formatted(FoxgloveServer.MAX_CLIENTS));
+            close(
+                    StatusCode.TRY_AGAIN_LATER,
+                    "%d are watching already, or another run has begun.".formatted(FoxgloveServer.MAX_CLIENTS));
         }
     }
 

@@ -6,10 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/// Who may come in. Foxglove is a page of another site, so that its origin tells nothing: whoever comes from a page
-/// must
-/// know the token, as any page in the browser can reach a loopback port. A program of this machine may look without;
-/// to change anything, it needs the token, too.
+/// Who may come in. Foxglove is a page of another site, so that its origin tells nothing: whoever comes from a
+/// page must know the token, as any page in the browser can reach a loopback port. A program of this machine may
+/// look without; to change anything, it needs the token, too.
 final class Door {
     private final List<String> hosts;
     private final byte[] token;

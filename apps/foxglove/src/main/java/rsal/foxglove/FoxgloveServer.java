@@ -69,7 +69,10 @@ public final class FoxgloveServer implements AutoCloseable {
         private final Backlog backlog;
         private final String session;
         private volatile @Nullable LiveRun run;
-        private Optional<Entry> state = Optional.empty(); // the newest, of the shower's thread
+
+        // of the shower's thread
+        private Optional<Entry> state = Optional.empty(); // the newest
+        private Duration told = Duration.ZERO; // its time
 
         Showing(Origin origin, Backlog backlog, String session) {
             this.origin = origin;
@@ -88,6 +91,20 @@ public final class FoxgloveServer implements AutoCloseable {
 
         Optional<LiveRun> run() {
             return Optional.ofNullable(run);
+        }
+
+        /// How everything stands, where that is not older than what was told.
+        private Optional<Entry> asked() {
+            return run().map(LiveRun::snapshot)
+                    .filter(now -> now.time().compareTo(told) >= 0)
+                    .map(Backlog::asked);
+        }
+
+        private void note(Optional<Entry> next) {
+            next.flatMap(Entry::seen).ifPresent(time -> {
+                state = next;
+                told = time;
+            });
         }
     }
 
@@ -213,17 +230,17 @@ public final class FoxgloveServer implements AutoCloseable {
     /// On the thread `foxglove`.
     private void show() {
         for (Showing showing = now; showing != null && !closed; showing = now) {
-            Optional<Entry> next = showing.backlog.take();
-            if (next.isEmpty() && !connections.isEmpty()) { // it is paused, or has ended
-                next = showing.run().map(LiveRun::snapshot).map(Backlog::asked);
+            Optional<Entry> taken = showing.backlog.take();
+            if (connections.isEmpty()) {
+                showing.state = Optional.empty(); // nothing newer comes while nobody looks
+                continue;
             }
+            Optional<Entry> next = taken.or(showing::asked); // it is paused, slow, or has ended
+            showing.note(next);
             for (Connection connection : connections) {
                 if (connection.showing().equals(showing)) {
                     show(showing, next, connection);
                 }
-            }
-            if (next.isPresent() && next.get().isState()) {
-                showing.state = next;
             }
         }
     }

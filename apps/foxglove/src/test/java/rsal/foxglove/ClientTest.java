@@ -24,15 +24,16 @@ class ClientTest {
         RunPlan plan = Scenario.load("hunt-and-prey")
                 .plan(RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(5)));
         List<Entry> entries = entries(plan);
-        List<Entry> states = entries.stream().filter(Entry::isState).toList();
+        List<Entry> states =
+                entries.stream().filter(entry -> entry.seen().isPresent()).toList();
         assertThat(states).hasSizeGreaterThan(10);
         var client = new Client(line, 0, plan.map());
 
         client.welcome(states.getFirst());
         assertThat(line.texts).anyMatch(text -> text.contains("\"/map\""));
-        assertThat(client.subscribe(1, 1)).isTrue();
-        assertThat(client.subscribe(1, 2)).isFalse(); // in use
-        assertThat(client.subscribe(2, 1)).isFalse(); // wanted already
+        assertThat(client.subscribe(1, 2)).isTrue();
+        assertThat(client.subscribe(1, 3)).isFalse(); // in use
+        assertThat(client.subscribe(2, 2)).isFalse(); // wanted already
         assertThat(client.subscribe(2, 10_000)).isFalse(); // no such channel
         client.welcome(states.getFirst());
         long once = line.of(1);
@@ -52,7 +53,7 @@ class ClientTest {
         client.welcome(states.getLast());
         assertThat(line.of(1)).isEqualTo(2 * once);
         client.unsubscribe(1);
-        assertThat(client.subscribe(5, 1)).isTrue();
+        assertThat(client.subscribe(5, 2)).isTrue();
     }
 
     private static List<Entry> entries(RunPlan plan) throws Exception {

@@ -72,6 +72,21 @@ class FoxgloveServerTest {
     }
 
     @Test
+    void aRunThatIsWatchedIsTheSame() throws Exception {
+        RunPlan plan = plan(4, 6);
+        LiveRun run = start(plan);
+        try (var watcher = new Watcher(server.url())) {
+            watcher.subscribe(1, "/state");
+            watcher.subscribe(2, "/messages");
+            watcher.await(1);
+            assertThat(run.result().toCompletableFuture()).isNotDone();
+            RunResult watched = end(run);
+            watcher.await(2);
+            assertThat(watched.eventHash()).isEqualTo(end(LiveRun.start(plan)).eventHash());
+        }
+    }
+
+    @Test
     void whatIsNoLongerWantedDoesNotCome() throws Exception {
         start(plan(1, 60));
         try (var watcher = new Watcher(server.url())) {
