@@ -42,7 +42,7 @@ export const commands = {
   seek: (time: number) => go({ time, playing: live.past && live.going }),
   /** The event that is marked before what is shown, or after it. */
   eventBefore: () => seekTo(live.marked.findLast(({ time }) => time < shown() - 0.05)?.time),
-  eventAfter: () => seekTo(live.marked.find(({ time }) => time > shown() + 0.05)?.time),
+  eventAfter: () => seekTo(live.marked.find(({ time }) => time > Math.max(shown() + 0.05, sought))?.time),
   toPresent: () => {
     if (live.past && !live.recording) {
       look({ live: true });
@@ -60,9 +60,13 @@ export async function send(to: RobotPose): Promise<void> {
 
 const shown = () => live.newest?.frame.time ?? 0;
 
+/** The event that was sought last: what is shown of it may be a little older. */
+let sought = -Infinity;
+
 function seekTo(time: number | undefined) {
   if (time !== undefined) {
     commands.seek(time);
+    sought = time;
   }
 }
 
@@ -74,6 +78,7 @@ function play() {
 }
 
 function go(wish: Partial<LookBack>) {
+  sought = -Infinity;
   if (live.newest) {
     const { frame } = live.newest;
     look({ time: frame.past ? null : frame.time, speed: frame.past ? nameOf(frame.speed) : '1', ...wish });

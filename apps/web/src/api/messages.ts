@@ -168,10 +168,10 @@ export interface LightInfo {
 }
 
 export interface LookBack {
-  live: boolean;
+  live: Boolean | null;
   time: number | null;
-  step: number;
-  playing: boolean;
+  step: number | null;
+  playing: Boolean | null;
   speed: string | null;
 }
 

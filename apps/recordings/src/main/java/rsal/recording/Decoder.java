@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.regex.Pattern;
 import rsal.agent.Directory;
 import rsal.agent.Society;
 import rsal.agent.bdi.Mind;
@@ -50,6 +51,7 @@ import rsal.scene.Entity;
 /// Makes snapshots of what [Encoder] wrote. What is none of its kind is left out: a file may be from anywhere. For one
 /// thread.
 final class Decoder {
+    private static final Pattern UNFIT = Pattern.compile("[/\\\\\"\\p{Cntrl}]");
     private static final long SECOND = 1_000_000_000;
 
     private final List<Teammate> planned;
@@ -177,6 +179,9 @@ final class Decoder {
     /// What it looks like is planned: by its name, else as the others of its model.
     private Teammate mate(Fields fields) {
         String id = fields.text("id");
+        if (UNFIT.matcher(id).find()) { // it becomes the name of files
+            throw new IllegalArgumentException("No robot is called (%s).".formatted(id));
+        }
         Optional<Teammate> same = planned.stream()
                 .filter(mate -> mate.spec().id().equals(id))
                 .findFirst()

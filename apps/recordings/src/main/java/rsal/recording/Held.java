@@ -40,6 +40,11 @@ final class Held {
             last = List.copyOf(last);
         }
 
+        /// At most.
+        private long bytes() {
+            return last.stream().mapToLong(words -> 2L * words.length()).sum();
+        }
+
         private Speech and(String words) {
             var all = new ArrayList<>(last);
             all.add(words);
@@ -73,8 +78,11 @@ final class Held {
 
     /// @return whether there is room for it
     boolean said(String agent, String words) {
-        speeches.put(agent, speeches.getOrDefault(agent, Speech.NONE).and(words));
-        return speeches.size() <= MOST_MESSAGES;
+        Speech before = speeches.getOrDefault(agent, Speech.NONE);
+        Speech after = before.and(words);
+        speeches.put(agent, after);
+        bytes += after.bytes() - before.bytes();
+        return bytes <= MOST_BYTES && speeches.size() <= MOST_MESSAGES;
     }
 
     Speech speech(String agent) {

@@ -61,9 +61,8 @@ public final class Recording implements Closeable {
         return run;
     }
 
-    /// How the run ended, by name: `outcome`, `simulatedSeconds`, `eventHash`, `measure.<name>`; empty when that was
-    /// not
-    /// recorded.
+    /// How the run ended, by name: `outcome`, `simulatedSeconds`, `eventHash`, `measure.<name>`; empty when that
+    /// was not recorded.
     public Map<String, String> result() {
         return file.metadata(Outcome.NAME);
     }

@@ -39,10 +39,14 @@ final class History implements Past {
         Duration newest = moments.isEmpty() ? null : moments.getLast().time();
         boolean due =
                 newest == null || time.compareTo(newest.plus(spacing)) >= 0 || (last && time.compareTo(newest) > 0);
+        var moment = new Moment(time, feed.things(), feed.details(), feed.frame());
+        if (last && time.equals(newest) && !moments.getLast().details().equals(moment.details())) {
+            bytes -= bytes(moments.size() > 1 ? moments.get(moments.size() - 2) : null, moments.removeLast());
+            due = true; // how it ended is known a little later
+        }
         if (!due) {
             return;
         }
-        var moment = new Moment(time, feed.things(), feed.details(), feed.frame());
         bytes += bytes(moments.isEmpty() ? null : moments.getLast(), moment);
         moments.add(moment);
         while (bytes > most && moments.size() > 2) {

@@ -84,6 +84,7 @@ final class Live implements AutoCloseable {
         } catch (RuntimeException e) {
             LOG.warn("Let a viewer go that could not be sent to.", e);
             viewers.remove(viewer);
+            viewer.drop();
         }
     }
 

@@ -38,12 +38,13 @@ final class Looking implements Feed {
     static Looking at(Past past, LookBack wish, Duration from) {
         double seconds = wish.time().orElse(from.toNanos() / 1e9);
         Duration wanted = Double.isFinite(seconds)
-                ? Duration.ofNanos((long) (Math.clamp(seconds, -1e9, 1e9) * 1e9))
+                ? Duration.ofNanos(Math.round(Math.clamp(seconds, -1e9, 1e9) * 1e9))
                 : past.until();
-        Duration there = wish.step() == 0 ? clamp(past, wanted) : past.near(wanted, wish.step());
+        int step = wish.step().orElse(0);
+        Duration there = step == 0 ? clamp(past, wanted) : past.near(wanted, step);
         double speed = Math.clamp(SpeedFactor.of(wish.speed().orElse("1")), 0.1, FASTEST);
         boolean ends = past.isRecording() && there.compareTo(past.until()) >= 0;
-        return new Looking(past, there, wish.playing() && !ends, speed);
+        return new Looking(past, there, wish.playing().orElse(false) && !ends, speed);
     }
 
     private static Duration clamp(Past past, Duration time) {

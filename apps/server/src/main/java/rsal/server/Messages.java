@@ -67,12 +67,18 @@ final class Messages {
 
     /// Looks back on a run, which itself goes on; or to the present again.
     ///
-    /// @param live whether to see what is now; then all else means nothing. There is none of a recording
+    /// @param live whether to see what is now, which a recording has not; then all else means nothing. Not when
+    ///     left out
     /// @param time to be seen [s of the run]; left out, that which is seen
-    /// @param step how many moments after that one; negative for before
-    /// @param playing whether to go on from there
+    /// @param step how many moments after that one; negative for before; 0 when left out
+    /// @param playing whether to go on from there; not when left out
     /// @param speed as [Speed] has it; 1 when left out
-    record LookBack(boolean live, Optional<Double> time, int step, boolean playing, Optional<String> speed) {}
+    record LookBack(
+            Optional<Boolean> live,
+            Optional<Double> time,
+            Optional<Integer> step,
+            Optional<Boolean> playing,
+            Optional<String> speed) {}
 
     /// How far back one can look.
     ///

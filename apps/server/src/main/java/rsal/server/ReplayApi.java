@@ -88,7 +88,7 @@ final class ReplayApi {
         String typed = Optional.ofNullable(request.queryParam("time")).orElse("1e9");
         try {
             double seconds = Double.parseDouble(typed);
-            return Duration.ofNanos((long) (Math.clamp(seconds, -1e9, 1e9) * 1e9));
+            return Duration.ofNanos(Math.round(Math.clamp(seconds, -1e9, 1e9) * 1e9));
         } catch (NumberFormatException _) {
             throw new Refusal(400, "A time is a number of seconds, not (%s).".formatted(Refusal.shortened(typed)));
         }

@@ -62,6 +62,11 @@ final class Viewer {
         this.line = line;
     }
 
+    /// Ends it, as it can't be shown anything; its page comes again.
+    void drop() {
+        line.cut();
+    }
+
     /// Sends what is new where it looks.
     ///
     /// @param live the present; null when there is none
@@ -80,7 +85,7 @@ final class Viewer {
         Looking here = before != null && before.past().equals(past) ? before : null; // else of a run before
         LookBack wanted = wish;
         wish = null;
-        if (wanted != null && (!wanted.live() || live == null)) {
+        if (wanted != null && (!wanted.live().orElse(false) || live == null)) {
             looking = Looking.at(past, wanted, here == null ? past.until() : here.time());
         } else if (wanted != null) {
             looking = null;

@@ -70,6 +70,28 @@ class HistoryTest {
         assertThat(history.until()).isGreaterThan(Duration.ofMinutes(80));
     }
 
+    /// As times are told as numbers of seconds, which are not exact.
+    @Test
+    void eachMomentIsFoundByItsTimeAndSteppedFrom() {
+        var history = new History(feed);
+        for (int tenth = 0; tenth <= 600; tenth++) {
+            keep(history, tenth);
+        }
+        for (int tenth = 1; tenth < 600; tenth++) {
+            double seconds = Duration.ofMillis(100L * tenth).toNanos() / 1e9;
+            assertThat(Looking.at(history, wish(seconds, 0), Duration.ZERO).time())
+                    .isEqualTo(Duration.ofMillis(100L * tenth));
+            assertThat(Looking.at(history, wish(seconds, 1), Duration.ZERO).time())
+                    .isEqualTo(Duration.ofMillis(100L * (tenth + 1)));
+            assertThat(Looking.at(history, wish(seconds, -1), Duration.ZERO).time())
+                    .isEqualTo(Duration.ofMillis(100L * (tenth - 1)));
+        }
+    }
+
+    private static LookBack wish(double time, int step) {
+        return new LookBack(Optional.empty(), Optional.of(time), Optional.of(step), Optional.empty(), Optional.empty());
+    }
+
     @Test
     void aViewerLooksBackAndIsInThePresentAgain() {
         var history = new History(feed);
@@ -80,22 +102,26 @@ class HistoryTest {
         }
         offer(viewer, history);
         assertThat(line.newest()).isEqualTo("5.0 now");
-        viewer.received(look(new LookBack(false, Optional.of(2.0), 0, false, Optional.empty())));
+        viewer.received(look(new LookBack(
+                Optional.of(false), Optional.of(2.0), Optional.of(0), Optional.of(false), Optional.empty())));
         offer(viewer, history);
         assertThat(line.newest()).isEqualTo("2.0 past");
         keep(history, 51); // the run goes on
         offer(viewer, history);
         assertThat(line.newest()).isEqualTo("2.0 past");
 
-        viewer.received(look(new LookBack(false, Optional.empty(), 0, true, Optional.of("10"))));
+        viewer.received(look(new LookBack(
+                Optional.of(false), Optional.empty(), Optional.of(0), Optional.of(true), Optional.of("10"))));
         offer(viewer, history); // there
         offer(viewer, history); // and half a second on
         assertThat(line.newest()).isEqualTo("2.5 past");
-        viewer.received(look(new LookBack(true, Optional.empty(), 0, false, Optional.empty())));
+        viewer.received(look(new LookBack(
+                Optional.of(true), Optional.empty(), Optional.of(0), Optional.of(false), Optional.empty())));
         offer(viewer, history);
         assertThat(line.newest()).isEqualTo("5.1 now");
 
-        viewer.received(look(new LookBack(false, Optional.of(4.9), 0, true, Optional.of("100"))));
+        viewer.received(look(new LookBack(
+                Optional.of(false), Optional.of(4.9), Optional.of(0), Optional.of(true), Optional.of("100"))));
         offer(viewer, history);
         offer(viewer, history); // plays up to the present
         assertThat(line.newest()).isEqualTo("5.1 now");
@@ -108,7 +134,8 @@ class HistoryTest {
         var viewer = new Viewer(line);
         keep(history, 0);
         keep(history, 7);
-        viewer.received(look(new LookBack(false, Optional.of(0.0), 0, false, Optional.empty())));
+        viewer.received(look(new LookBack(
+                Optional.of(false), Optional.of(0.0), Optional.of(0), Optional.of(false), Optional.empty())));
         offer(viewer, history);
         assertThat(line.newest()).isEqualTo("0.0 past");
         feed.number = 2;

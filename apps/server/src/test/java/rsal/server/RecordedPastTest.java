@@ -132,7 +132,8 @@ class RecordedPastTest {
     }
 
     private static LookBack wish(double time, int step, boolean playing, String speed) {
-        return new LookBack(false, Optional.of(time), step, playing, Optional.of(speed));
+        return new LookBack(
+                Optional.of(false), Optional.of(time), Optional.of(step), Optional.of(playing), Optional.of(speed));
     }
 
     private static double time(Feed feed) {
