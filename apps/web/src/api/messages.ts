@@ -168,10 +168,10 @@ export interface LightInfo {
 }
 
 export interface LookBack {
-  live: Boolean | null;
+  live: boolean | null;
   time: number | null;
   step: number | null;
-  playing: Boolean | null;
+  playing: boolean | null;
   speed: string | null;
 }
 

@@ -69,7 +69,7 @@ final class TypeScript {
         if (type == String.class) {
             return "string";
         }
-        if (type == boolean.class) {
+        if (type == boolean.class || type == Boolean.class) {
             return "boolean";
         }
         if (type.isPrimitive() || Number.class.isAssignableFrom(type)) {
