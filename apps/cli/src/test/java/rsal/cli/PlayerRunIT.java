@@ -28,6 +28,7 @@ import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import tools.jackson.databind.JsonNode;
@@ -38,6 +39,7 @@ import tools.jackson.databind.json.JsonMapper;
 @Timeout(value = 5, unit = TimeUnit.MINUTES)
 class PlayerRunIT {
     private static final int COLLECT_SEED = 1;
+    private static final Path ROOM = Path.of("../../docs/examples/room").toAbsolutePath();
 
     @TempDir
     Path folder;
@@ -153,6 +155,65 @@ class PlayerRunIT {
         assertThat(measures.get("collisions").asDouble()).isZero();
     }
 
+    /// The example: amcl, vfh and wavefront are the server's, as its file says. An emergency stop holds it on the way,
+    /// and it
+    /// goes on when it may.
+    @Test
+    @Execution(CONCURRENT)
+    void aRobotGoesByItsServersOwnLocalizerAndPlanner() throws Exception {
+        Process robots = serve(List.of(ROOM.resolve("room.cfg").toString()), 0);
+        String servers;
+        try (BufferedReader told = robots.inputReader()) {
+            servers = servers(told, 0);
+        }
+        var options = RunOptions.NONE.withArguments(Map.of("servers", servers));
+        var scenario = Scenario.load(ROOM.resolve("own-planner.yaml").toString());
+        try (LiveRun run = LiveRun.start(scenario.plan(options))) {
+            var goal = new Pose2d(2.5, -2, 0); // on the other side of the wall
+            run.rearm().toCompletableFuture().join();
+            run.goTo("robot-1", goal).toCompletableFuture().join();
+            until(run, robot -> robot.estimate().isPresent() && velocity(robot) > 0.2);
+            run.estop().toCompletableFuture().join();
+            until(run, robot -> velocity(robot) == 0);
+            Pose2d there = until(run, robot -> velocity(robot) == 0)
+                    .estimate()
+                    .orElseThrow()
+                    .value()
+                    .mapFromBase();
+            assertThat(there.distanceTo(goal)).isGreaterThan(2);
+            run.rearm().toCompletableFuture().join();
+            until( // by itself
+                    run,
+                    robot -> robot.estimate()
+                            .filter(estimate -> estimate.value().mapFromBase().distanceTo(goal) < 0.5)
+                            .isPresent());
+        } finally {
+            robots.destroy();
+        }
+    }
+
+    /// Forwards [m/s].
+    private static double velocity(RobotView robot) {
+        return robot.odometry()
+                .map(odometry -> odometry.value().velocity().vx())
+                .orElse(Double.NaN);
+    }
+
+    /// The first robot once it is as it should be.
+    private static RobotView until(LiveRun run, Predicate<RobotView> isSo) throws InterruptedException {
+        while (true) {
+            Optional<RobotView> robot = run.snapshot().robots().stream()
+                    .filter(each -> each.id().equals("robot-1"))
+                    .filter(isSo)
+                    .findFirst();
+            if (robot.isPresent()) {
+                return robot.get();
+            }
+            assertThat(run.result().toCompletableFuture()).isNotDone();
+            Thread.sleep(10);
+        }
+    }
+
     @Test
     @Execution(CONCURRENT)
     void standInsShowWhereRealRobotsAre() throws Exception {
@@ -176,18 +237,12 @@ class PlayerRunIT {
 
     /// Where that of the first robot is once it is as it should be.
     private static Pose2d standIn(LiveRun run, Predicate<Pose2d> isSo) throws InterruptedException {
-        while (true) {
-            Optional<Pose2d> mapFromBase = run.snapshot().robots().stream()
-                    .filter(robot -> robot.id().equals("robot-1"))
-                    .flatMap(robot -> robot.real().stream())
-                    .flatMap(real -> real.standIn().stream())
-                    .findFirst();
-            if (mapFromBase.filter(isSo).isPresent()) {
-                return mapFromBase.get();
-            }
-            assertThat(run.result().toCompletableFuture()).isNotDone();
-            Thread.sleep(10);
-        }
+        return standIn(until(run, robot -> standIn(robot).filter(isSo).isPresent()))
+                .orElseThrow();
+    }
+
+    private static Optional<Pose2d> standIn(RobotView robot) {
+        return robot.real().flatMap(RobotView.Real::standIn);
     }
 
     private static void until(LiveRun run, Predicate<RunEvent> isSo, int times) throws InterruptedException {

@@ -106,6 +106,9 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             drive();
         } else {
             enable(false);
+            if (trip != null) {
+                trip.sent = false; // some servers forget the goal of a base that is told to stand
+            }
         }
     }
 

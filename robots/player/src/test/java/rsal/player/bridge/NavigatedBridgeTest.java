@@ -121,6 +121,24 @@ class NavigatedBridgeTest extends BridgeBench {
                 new double[] {0.04, 0.09, 0.01, 0, 0, 0}));
     }
 
+    /// As our own client has it: it stands, motors and planner are switched off, and on again.
+    @Test
+    void afterAnEmergencyStopItGoesOn() throws Exception {
+        goal(A);
+        until(() -> truth().distanceTo(START) > 0.3);
+        command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(0, 0, 0), 1));
+        ask(Interface.POSITION2D, Position2d.MOTORS, new Position2d.Motors(0));
+        enable(0);
+        advance(2);
+        Pose2d there = truth();
+        advance(2);
+        assertThat(truth()).isEqualTo(there);
+        ask(Interface.POSITION2D, Position2d.MOTORS, new Position2d.Motors(1));
+        goal(A); // which the velocity has ended
+        enable(1);
+        until(() -> truth().isNear(A, 0.5, Math.PI));
+    }
+
     @Test
     void itGoesWhereAClientWantsItAndTellsOfIt() throws Exception {
         assertThat(state())

@@ -189,6 +189,7 @@ class OwnPlannerTest extends ScriptedBench {
         arm(false);
         assertThat(order()).isEqualTo("enable 0");
         arm(true);
+        assertThat(order()).isEqualTo("goal 5.0"); // once more, as it may have been forgotten
         assertThat(order()).isEqualTo("enable 1");
         assertThat(on(() -> going.result().toCompletableFuture().isDone())).isFalse();
         run(() -> {
