@@ -114,13 +114,13 @@ describe.skipIf(!chromium)('what people work with', () => {
 
   it('motors of one robot are switched off and on, and the space key stops all of them', async () => {
     await page.locator('tr[data-robot="courier-1"]').click();
-    await page.getByRole('button', { name: 'Motors off' }).click();
+    await page.getByRole('button', { name: 'Motors off', exact: true }).click();
     await told('Motors of courier-1 are off.');
-    await page.getByRole('button', { name: 'Motors on' }).click(); // which leaves it without the focus
+    await page.getByRole('button', { name: 'Motors on', exact: true }).click(); // which leaves it without the focus
     await eventually(async () => !(await page.locator('.banner').innerText()).includes('off'), 'all are on');
     await page.keyboard.press(' ');
     await told('no robot moves until they are armed');
-    await page.getByRole('button', { name: 'Motors on' }).click();
+    await page.getByRole('button', { name: 'Motors on', exact: true }).click();
     await told('Motors of courier-2, prey are off.');
     await picture('motors');
     await page.getByRole('button', { name: 'Arm all' }).click();
