@@ -17,22 +17,14 @@ import rsal.foxglove.ServerMessages.Status;
 import rsal.foxglove.Wish.Unclear;
 import rsal.scenario.run.Answer;
 import tools.jackson.core.JacksonException;
-import tools.jackson.core.StreamReadConstraints;
-import tools.jackson.core.json.JsonFactory;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /// A client's socket. Jetty calls it and sends for it on threads of its own; it calls only public classes. What
 /// can't be understood is answered by a status that says why, and changes nothing.
 @SuppressWarnings("exports") // public for Jetty alone
 public final class Connection extends Session.Listener.AbstractAutoDemanding implements Client.Line {
     private static final int MOST_PUBLISHED = 1000; // channels of a client
-    private static final int MAX_DEPTH = 10;
     private static final int PUBLISHED = 1; // first byte of what is published
-    private static final JsonMapper MAPPER = new JsonMapper(JsonFactory.builder()
-            .streamReadConstraints(
-                    StreamReadConstraints.builder().maxNestingDepth(MAX_DEPTH).build())
-            .build());
 
     private final FoxgloveServer server;
     private final Showing showing;
@@ -72,7 +64,7 @@ public final class Connection extends Session.Listener.AbstractAutoDemanding imp
     @Override
     public void onWebSocketText(String message) {
         try {
-            JsonNode request = MAPPER.readTree(message);
+            JsonNode request = Json.MAPPER.readTree(message);
             switch (request.path("op").asString("")) {
                 case "subscribe" -> request.path("subscriptions").forEach(this::subscribe);
                 case "unsubscribe" -> request.path("subscriptionIds").forEach(id -> client.unsubscribe(id.asInt(-1)));

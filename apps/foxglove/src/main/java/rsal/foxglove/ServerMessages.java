@@ -3,12 +3,9 @@ package rsal.foxglove;
 import java.util.List;
 import java.util.Map;
 import rsal.recording.Origin;
-import tools.jackson.databind.json.JsonMapper;
 
 /// What is sent to clients as text, with the names of the protocol.
 final class ServerMessages {
-    private static final JsonMapper MAPPER = new JsonMapper();
-
     private ServerMessages() {}
 
     /// Who this is and what it can do; the first message of each connection.
@@ -64,6 +61,6 @@ final class ServerMessages {
     record Offer(int id, String topic, String encoding, String schemaName, String schemaEncoding, String schema) {}
 
     static String json(Record message) {
-        return MAPPER.writeValueAsString(message);
+        return Json.MAPPER.writeValueAsString(message);
     }
 }

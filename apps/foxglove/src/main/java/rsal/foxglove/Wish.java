@@ -6,10 +6,7 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import tools.jackson.core.JacksonException;
-import tools.jackson.core.StreamReadConstraints;
-import tools.jackson.core.json.JsonFactory;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /// What is published to us: a robot is to go somewhere, or is somewhere. Poses may come as ROS has them
 /// (`geometry_msgs/Pose`, `PoseStamped`, `PoseWithCovarianceStamped`) or as `foxglove.PoseInFrame`, in JSON.
@@ -22,11 +19,6 @@ record Wish(Kind kind, String robot) {
     private static final Pattern OF_ROBOT = Pattern.compile("/([^/]+)/(goal|goal_pose|initialpose|pose)");
     private static final Pattern OF_ANY = Pattern.compile("/(goal_pose|move_base_simple/goal|initialpose)");
     private static final double FARTHEST = 1e6; // [m], from the map's origin
-    private static final int MAX_DEPTH = 10;
-    private static final JsonMapper MAPPER = new JsonMapper(JsonFactory.builder()
-            .streamReadConstraints(
-                    StreamReadConstraints.builder().maxNestingDepth(MAX_DEPTH).build())
-            .build());
 
     enum Kind {
         GOAL,
@@ -63,7 +55,7 @@ record Wish(Kind kind, String robot) {
     static Pose2d pose(byte[] message) throws Unclear {
         JsonNode root;
         try {
-            root = MAPPER.readTree(message);
+            root = Json.MAPPER.readTree(message);
         } catch (JacksonException e) {
             throw new Unclear("This is not JSON.");
         }

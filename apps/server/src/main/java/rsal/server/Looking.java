@@ -37,9 +37,7 @@ final class Looking implements Feed {
     /// @throws Refusal when nobody can be that fast
     static Looking at(Past past, LookBack wish, Duration from) {
         double seconds = wish.time().orElse(from.toNanos() / 1e9);
-        Duration wanted = Double.isFinite(seconds)
-                ? Duration.ofNanos(Math.round(Math.clamp(seconds, -1e9, 1e9) * 1e9))
-                : past.until();
+        Duration wanted = Double.isFinite(seconds) ? Past.time(seconds) : past.until();
         int step = wish.step().orElse(0);
         Duration there = step == 0 ? clamp(past, wanted) : past.near(wanted, step);
         double speed = Math.clamp(SpeedFactor.of(wish.speed().orElse("1")), 0.1, FASTEST);

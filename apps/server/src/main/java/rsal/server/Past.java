@@ -35,6 +35,13 @@ interface Past {
     /// When the moment was that is so many after the newest by a time, or before it.
     Duration near(Duration time, int after);
 
+    /// A time as viewers tell it, which is not exact: to the nearest ns, and at most 32 years.
+    ///
+    /// @param seconds since the run's start; no number is 0
+    static Duration time(double seconds) {
+        return Duration.ofNanos(Math.round(Math.clamp(seconds, -1e9, 1e9) * 1e9));
+    }
+
     /// What has happened after an event, oldest first; the future, too.
     ///
     /// @param sequence of that event; 0 for all

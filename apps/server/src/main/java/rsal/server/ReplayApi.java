@@ -87,8 +87,7 @@ final class ReplayApi {
     private static Duration time(Context request) {
         String typed = Optional.ofNullable(request.queryParam("time")).orElse("1e9");
         try {
-            double seconds = Double.parseDouble(typed);
-            return Duration.ofNanos(Math.round(Math.clamp(seconds, -1e9, 1e9) * 1e9));
+            return Past.time(Double.parseDouble(typed));
         } catch (NumberFormatException _) {
             throw new Refusal(400, "A time is a number of seconds, not (%s).".formatted(Refusal.shortened(typed)));
         }
