@@ -44,6 +44,10 @@ class LauncherIT {
             mkdir -p apps/cli/target/lib
             cp main.jar apps/cli/target/rsal-cli.jar
             cp main.jar apps/cli/target/lib/other.jar
+            if [ -e report.xml ]; then
+                mkdir -p apps/cli/target/surefire-reports
+                cp report.xml apps/cli/target/surefire-reports/TEST-rsal.A.xml
+            fi
             """;
 
     private static final String NPM = """
@@ -115,6 +119,27 @@ class LauncherIT {
         assertThat(ended.code()).isEqualTo(Exit.INTERNAL);
         assertThat(ended.out()).isEmpty();
         assertThat(ended.err()).contains("Building RSAL failed", "build.log", "there is no such thing");
+    }
+
+    @Test
+    void namesTheTestsThatFailedAtTheEnd() throws Exception {
+        Files.writeString(project.resolve("report.xml"), """
+                <testsuite name="rsal.A" tests="4" errors="1" skipped="1" failures="1">
+                  <testcase name="adds(int)[1]" classname="rsal.A">
+                    <failure message="&#10;expected: &lt;1&gt; &amp; &quot;x&quot;" type="Error"><![CDATA[<a>]]></failure>
+                  </testcase>
+                  <testcase name="ends" classname="rsal.A"><error type="Timeout"/></testcase>
+                  <testcase name="waits" classname="rsal.A"><skipped/></testcase>
+                  <testcase name="passes" classname="rsal.A"/>
+                </testsuite>
+                """);
+
+        Ended ended = run("test");
+
+        assertThat(ended.code()).isEqualTo(1);
+        assertThat(ended.out().strip()).isEqualTo("1 passed, 2 failed, 1 skipped");
+        assertThat(ended.err()).contains("rsal: FAILED rsal.A: adds(int)[1]:  expected: <1> & \"x\"\n");
+        assertThat(ended.err()).endsWith("rsal: FAILED rsal.A: ends\n");
     }
 
     @Test
