@@ -87,6 +87,20 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await eventually(async () => (await talks.count()) === 0, 'it is closed again');
   });
 
+  it('has a mailbox of what reached it, the newest first', async () => {
+    const page = await open(1400, 900, 'light');
+    await look(page, 'nav-1');
+    const inside = agent(page, 'nav-1');
+    await inside.getByText('What reached it').click();
+    const mailbox = inside.getByRole('list', { name: 'What reached it' });
+    await mailbox.getByText(/go to/).first().waitFor();
+    expect(await mailbox.getByText('← spread').count()).toBeGreaterThan(0);
+    expect(await mailbox.getByText('for all').count()).toBeGreaterThan(0);
+    await mailbox.scrollIntoViewIfNeeded();
+    await picture(page, 'mailbox-light');
+    await isAccessible(page);
+  });
+
   it('tells by topic what was said, heard and lost, and why', async () => {
     const page = await open(1000, 900, 'light');
     await page.getByRole('button', { name: 'By topic' }).click();

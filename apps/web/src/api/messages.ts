@@ -36,7 +36,11 @@ export interface AgentDetails {
 export interface AgentInside {
   agent: string;
   arguments: SettingInfo[];
+  status: Status | null;
+  state: string;
+  shown: BeliefInfo[];
   mind: MindInfo | null;
+  mail: MailInfo[] | null;
   talks: TalkInfo[];
   hearings: HearingInfo[];
 }
@@ -173,6 +177,14 @@ export interface LookBack {
   step: number | null;
   playing: boolean | null;
   speed: string | null;
+}
+
+export interface MailInfo {
+  time: number;
+  from: string;
+  forAll: boolean;
+  topic: string;
+  words: string;
 }
 
 export interface MapInfo {

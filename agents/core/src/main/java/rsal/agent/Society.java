@@ -167,12 +167,17 @@ public final class Society implements AutoCloseable {
         return members.values().stream().map(Member::view).toList();
     }
 
+    /// How one agent is now, as in [#views]; empty when there never was one of that name.
+    public Optional<View> view(String agent) {
+        return member(agent).map(Member::view);
+    }
+
     /// What an agent reveals of itself now, by the type of it ([AgentContext#reveal]).
     ///
     /// @return empty when it reveals nothing of that type, does not run, or never was there
     /// @throws IllegalArgumentException when it can't tell
     public <T> Optional<T> look(String agent, Class<T> type) {
-        return Optional.ofNullable(members.get(agent)).flatMap(member -> member.look(type));
+        return member(agent).flatMap(member -> member.look(type));
     }
 
     /// Stops all agents, the newest first, then the host.

@@ -1,6 +1,7 @@
 package rsal.cli;
 
 import java.util.Locale;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -21,7 +22,8 @@ final class AgentCommand extends Subcommand {
     /// `rsal agent mind`
     @Command(
             name = "mind",
-            description = "Show what an agent believes, wants and talks about now. Looking changes nothing in the run.")
+            description =
+                    "Show what an agent does, believes, wants and talks about now, and what has reached it lately.%nLooking changes nothing in the run.")
     static final class Mind extends PageCommand {
         @Parameters(paramLabel = "NAME", description = "The agent's, as the page lists it.")
         private String name = "";
@@ -41,42 +43,86 @@ final class AgentCommand extends Subcommand {
         private String text(JsonNode agent) {
             var text = new StringBuilder();
             JsonNode mind = agent.path("mind");
-            if (mind.isMissingNode() || mind.isNull()) {
-                text.append("(%s) shows no mind: it does not run, or has none.%n".formatted(name));
-            } else {
-                text.append("Believes\n");
-                var beliefs = new Table("  ");
-                mind.path("beliefs")
-                        .forEach(belief -> beliefs.row(
-                                belief.path("name").asString(),
-                                belief.path("value").asString()));
-                text.append(beliefs.isEmpty() ? "  nothing\n" : beliefs).append("Wants\n");
-                var goals = new Table("  ");
-                mind.path("goals").forEach(goal -> goals.row(goalRow(goal)));
-                text.append(goals.isEmpty() ? "  nothing\n" : goals);
+            boolean hasMind = !mind.isMissingNode() && !mind.isNull();
+            String state = agent.path("state").asString("");
+            section(text, "Does", state.isEmpty() ? "" : "  %s%n".formatted(state));
+            section(text, "Believes", beliefs(hasMind ? mind.path("beliefs") : agent.path("shown")));
+            if (hasMind) {
+                section(text, "Wants", goals(mind.path("goals")));
             }
-            var talks = new Table("  ");
-            agent.path("talks")
-                    .forEach(talk -> talks.row(
-                            String.format(
-                                    Locale.ROOT, "%.1f s", talk.path("time").asDouble()),
-                            talk.path("from").asString() + " → "
-                                    + talk.path("to").asString(),
-                            talk.path("act").asString(),
-                            talk.path("words").asString()));
-            if (!talks.isEmpty()) {
-                text.append("Talks\n").append(talks);
+            section(text, "Talks", talks(agent.path("talks")));
+            section(text, "Mailbox", mail(agent.path("mail")));
+            if (!hasMind) {
+                text.append(
+                        agent.path("status").asString("").equals("RUNNING")
+                                ? "(%s) tells no goals; what it does and believes is what it shows.%n".formatted(name)
+                                : "(%s) does not run.%n".formatted(name));
             }
             return text.toString();
         }
 
-        private static String[] goalRow(JsonNode goal) {
-            String state =
-                    goal.path("state").asString().toLowerCase(Locale.ROOT).replace('_', ' ');
-            String failure = goal.path("failure").asString();
-            return new String[] {
-                goal.path("name").asString(), state, failure.isEmpty() ? "" : "failed: " + failure,
-            };
+        private static void section(StringBuilder text, String title, String lines) {
+            if (!lines.isEmpty()) {
+                text.append(title).append('\n').append(lines);
+            }
+        }
+
+        private static String beliefs(JsonNode beliefs) {
+            var lines = new Table("  ");
+            beliefs.forEach(belief -> lines.row(
+                    belief.path("name").asString(), belief.path("value").asString()));
+            return lines.toString();
+        }
+
+        /// Each with what is done for it, the ways that it has, and why the last one failed.
+        private static String goals(JsonNode goals) {
+            var lines = new Table("  ");
+            goals.forEach(goal -> {
+                lines.row(
+                        goal.path("state").asString().toLowerCase(Locale.ROOT).replace('_', ' '),
+                        "%s (%s)"
+                                .formatted(
+                                        goal.path("name").asString(),
+                                        goal.path("urgency").asString()));
+                also(lines, "does: ", joined(goal.path("steps"), " > "));
+                also(lines, "ways: ", joined(goal.path("plans"), ", "));
+                also(lines, "failed: ", goal.path("failure").asString());
+            });
+            return lines.toString();
+        }
+
+        private static void also(Table lines, String title, String words) {
+            if (!words.isEmpty()) {
+                lines.row("", "  " + title + words);
+            }
+        }
+
+        private static String joined(JsonNode words, String between) {
+            return words.valueStream().map(JsonNode::asString).collect(Collectors.joining(between));
+        }
+
+        private static String talks(JsonNode talks) {
+            var lines = new Table("  ");
+            talks.forEach(talk -> lines.row(
+                    seconds(talk),
+                    talk.path("from").asString() + " → " + talk.path("to").asString(),
+                    talk.path("act").asString(),
+                    talk.path("words").asString()));
+            return lines.toString();
+        }
+
+        private static String mail(JsonNode mail) {
+            var lines = new Table("  ");
+            mail.forEach(one -> lines.row(
+                    seconds(one),
+                    one.path("from").asString() + (one.path("forAll").asBoolean() ? " → all" : ""),
+                    one.path("topic").asString(),
+                    one.path("words").asString()));
+            return lines.toString();
+        }
+
+        private static String seconds(JsonNode said) {
+            return String.format(Locale.ROOT, "%.1f s", said.path("time").asDouble());
         }
     }
 }

@@ -461,10 +461,14 @@ class CommandLineIT {
         String url = process.errorReader().readLine().substring("Watch it at ".length());
         String port = Integer.toString(URI.create(url).getPort());
         Ended mind = rsal.run("agent", "mind", "escape-1", "--port", port);
-        for (int look = 0; look < 20 && !mind.out().startsWith("Believes"); look++) { // it may not have begun yet
+        for (int look = 0; look < 20 && !mind.out().contains("does: "); look++) { // it may not have begun yet
             mind = rsal.run("agent", "mind", "escape-1", "--port", port);
         }
-        assertThat(mind.out()).startsWith("Believes\n").contains("\nWants\n");
+        assertThat(mind.out())
+                .startsWith("Does\n")
+                .contains("\nBelieves\n", "\nWants\n", "ways: ", "\nMailbox\n")
+                .doesNotContain("tells no goals");
+        assertThat(rsal.run("agent", "mind", "follow-1", "--port", port).out()).contains("tells no goals");
         assertThat(mind.code()).isZero();
         assertThat(JsonMapper.shared()
                         .readTree(rsal.run("agent", "mind", "escape-1", "--port", port, "--json")

@@ -25,6 +25,7 @@ import rsal.scenario.run.DeviceView;
 import rsal.scenario.run.Hearing;
 import rsal.scenario.run.Inside;
 import rsal.scenario.run.Loss;
+import rsal.scenario.run.Mail;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
@@ -46,6 +47,7 @@ import rsal.server.Messages.Ending;
 import rsal.server.Messages.EventInfo;
 import rsal.server.Messages.GoalInfo;
 import rsal.server.Messages.HearingInfo;
+import rsal.server.Messages.MailInfo;
 import rsal.server.Messages.MapInfo;
 import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.MindInfo;
@@ -165,7 +167,11 @@ final class Descriptions {
         return new AgentInside(
                 agent.agent().name(),
                 settings(agent.agent()),
+                agent.shown().map(Descriptions::status),
+                agent.shown().map(Society.View::state).orElse(""),
+                beliefs(agent.shown().map(Society.View::beliefs).orElse(Map.of())),
                 agent.mind().map(Descriptions::mind),
+                agent.mail().map(all -> all.stream().map(Descriptions::mail).toList()),
                 agent.talks().stream()
                         .map(said -> new TalkInfo(
                                 said.time().toNanos() / 1e9,
@@ -178,6 +184,21 @@ final class Descriptions {
                                 said.times()))
                         .toList(),
                 hearings(agent.hearings()));
+    }
+
+    private static MailInfo mail(Mail mail) {
+        return new MailInfo(mail.time().toNanos() / 1e9, mail.from(), mail.forAll(), mail.topic(), mail.words());
+    }
+
+    private static AgentDetails.Status status(Society.View view) {
+        return AgentDetails.Status.valueOf(view.status().name());
+    }
+
+    private static List<BeliefInfo> beliefs(Map<String, String> all) {
+        return all.entrySet().stream()
+                .limit(MOST_OF_A_MIND)
+                .map(belief -> new BeliefInfo(clip(belief.getKey()), clip(belief.getValue())))
+                .toList();
     }
 
     private static List<SettingInfo> settings(PlannedAgent agent) {
@@ -200,10 +221,7 @@ final class Descriptions {
 
     private static MindInfo mind(Mind.View mind) {
         return new MindInfo(
-                mind.beliefs().entrySet().stream()
-                        .limit(MOST_OF_A_MIND)
-                        .map(belief -> new BeliefInfo(clip(belief.getKey()), clip(belief.getValue())))
-                        .toList(),
+                beliefs(mind.beliefs()),
                 mind.goals().stream()
                         .limit(MOST_OF_A_MIND)
                         .map(Descriptions::goal)
@@ -317,7 +335,7 @@ final class Descriptions {
                 view.agent().role(),
                 view.agent().type(),
                 view.agent().robot(),
-                AgentDetails.Status.valueOf(view.status().name()),
+                status(view),
                 view.state(),
                 view.beliefs(),
                 view.sent(),

@@ -414,13 +414,22 @@ final class Messages {
     /// An agent, looked into.
     ///
     /// @param arguments all that its type takes, in the order in which that declares them
+    /// @param status how it is; absent when it has not started
+    /// @param state what it says it is doing; why it failed when it has
+    /// @param shown what it shows of itself, which those do, too, that have no mind
     /// @param mind what it believes and wants, when it has a mind and runs
+    /// @param mail what reached it lately, oldest first: at most 8 messages of each of at most 32 topics; absent
+    /// where that is not known
     /// @param talks what it and its partners said in conversations lately, oldest first; at most 100
     /// @param hearings what it heard of others and others of it, where that is recorded; at most 60
     record AgentInside(
             String agent,
             List<SettingInfo> arguments,
+            Optional<AgentDetails.Status> status,
+            String state,
+            List<BeliefInfo> shown,
             Optional<MindInfo> mind,
+            Optional<List<MailInfo>> mail,
             List<TalkInfo> talks,
             List<HearingInfo> hearings) {}
 
@@ -450,6 +459,13 @@ final class Messages {
         SUSPENDED,
         RESTING
     }
+
+    /// A message that reached an agent.
+    ///
+    /// @param time since the run's start, when it was said [s]
+    /// @param from name of the agent that said it, or `operator`
+    /// @param forAll whether it was for all who listen, else for this agent alone
+    record MailInfo(double time, String from, boolean forAll, String topic, String words) {}
 
     /// An act of a conversation.
     ///

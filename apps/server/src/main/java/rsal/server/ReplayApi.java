@@ -6,10 +6,12 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import rsal.agent.Society;
 import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
 import rsal.recording.Playback;
 import rsal.scenario.RunPlan.PlannedAgent;
+import rsal.scenario.run.AgentView;
 import rsal.scenario.run.Inside;
 import rsal.server.Messages.RunInfo;
 
@@ -72,16 +74,23 @@ final class ReplayApi {
         }
     }
 
-    /// What it was started with and what it had in mind; conversations are among the events.
+    /// What it was started with, showed and had in mind; conversations are among the events. Who heard what is not
+    /// recorded.
     private void agent(Context request) throws IOException {
         String name = String.valueOf(request.queryParam("name"));
         PlannedAgent planned = playback.plan().agents().stream()
                 .filter(agent -> agent.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new Refusal(404, "No agent (%s) was planned.".formatted(Refusal.shortened(name))));
+        Duration time = time(request);
+        Optional<Society.View> shown = playback.at(time).agents().stream()
+                .map(AgentView::view)
+                .filter(view -> view.agent().name().equals(name))
+                .findFirst();
         Api.answer(
                 request,
-                Descriptions.inside(new Inside(planned, playback.mind(time(request), name), List.of(), List.of())));
+                Descriptions.inside(
+                        new Inside(planned, shown, playback.mind(time, name), Optional.empty(), List.of(), List.of())));
     }
 
     private static Duration time(Context request) {

@@ -114,6 +114,35 @@ class CommunicationApiTest {
     }
 
     @Test
+    void tellsWhatReachedAnAgentInOrder() throws Exception {
+        advanceTo(10);
+        JsonNode nav = get("/api/agent?name=nav-1");
+        List<JsonNode> mail = each(nav.get("mail"));
+        assertThat(mail)
+                .isNotEmpty()
+                .hasSizeLessThanOrEqualTo(8 * 32)
+                .noneMatch(one -> one.get("from").asString().equals("nav-1"))
+                .anySatisfy(one -> {
+                    assertThat(one.get("from").asString()).isEqualTo("spread");
+                    assertThat(one.get("forAll").asBoolean()).isFalse();
+                    assertThat(one.get("words").asString())
+                            .startsWith("request")
+                            .contains("go to");
+                });
+        assertThat(each(get("/api/agent?name=evade").get("mail")))
+                .anyMatch(one -> one.get("forAll").asBoolean());
+    }
+
+    @Test
+    void tellsWhatAnAgentWithoutAMindShows() throws Exception {
+        advanceTo(10);
+        JsonNode spread = get("/api/agent?name=spread");
+        assertThat(spread.get("mind").isNull()).isTrue();
+        assertThat(spread.get("status").asString()).isEqualTo("RUNNING");
+        assertThat(spread.get("state").asString()).isNotEmpty();
+    }
+
+    @Test
     void tellsWhichArgumentsAnAgentHas() throws Exception {
         advanceTo(1);
         List<JsonNode> arguments = each(get("/api/agent?name=evade").get("arguments"));

@@ -58,6 +58,7 @@ final class Agents implements AutoCloseable {
     private final Map<String, Pose2d> mapFromAsked = new HashMap<>(); // where the operator wants robots
     private final Conversations conversations = new Conversations();
     private final Talks talks;
+    private final Mailboxes mailboxes;
     private Optional<Society> society = Optional.empty();
     private boolean closed;
 
@@ -80,6 +81,7 @@ final class Agents implements AutoCloseable {
         this.where = where;
         this.traffic = traffic;
         this.talks = new Talks(scheduler.instant());
+        this.mailboxes = new Mailboxes(scheduler.instant());
         this.turns = turns;
     }
 
@@ -94,7 +96,7 @@ final class Agents implements AutoCloseable {
         agents.reserve(Topics.ALL);
         agents.onMessage(this::heard);
         agents.onChange(this::changed);
-        agents.deliverBy(new Post(plan.communication().map(this::radio), faults, traffic));
+        agents.deliverBy(new Post(plan.communication().map(this::radio), faults, traffic, mailboxes));
     }
 
     private Radio radio(Communication limits) {
@@ -225,7 +227,9 @@ final class Agents implements AutoCloseable {
         return Optional.ofNullable(started.get(name))
                 .map(agent -> new Inside(
                         agent,
+                        society.orElseThrow().view(name),
                         society.orElseThrow().look(name, Mind.View.class),
+                        Optional.of(mailboxes.of(name)),
                         talks.of(name),
                         traffic.hearings(name)));
     }

@@ -2,17 +2,27 @@ package rsal.scenario.run;
 
 import java.util.List;
 import java.util.Optional;
+import rsal.agent.Society;
 import rsal.agent.bdi.Mind;
 import rsal.scenario.RunPlan.PlannedAgent;
 
 /// How an agent was started, what it believes, wants and does, and what it talks about: made for those who look into
 /// it.
 ///
+/// @param shown how it is and what it shows of itself, which any agent may; empty when it has not started
 /// @param mind empty when it has none, or has ended
+/// @param mail what reached it lately, oldest first, of each topic the newest; empty where that is not known
 /// @param talks what it and its partners said in conversations lately, oldest first
 /// @param hearings what it heard of others and others of it, where that is recorded
-public record Inside(PlannedAgent agent, Optional<Mind.View> mind, List<Spoken> talks, List<Hearing> hearings) {
+public record Inside(
+        PlannedAgent agent,
+        Optional<Society.View> shown,
+        Optional<Mind.View> mind,
+        Optional<List<Mail>> mail,
+        List<Spoken> talks,
+        List<Hearing> hearings) {
     public Inside {
+        mail = mail.map(List::copyOf);
         talks = List.copyOf(talks);
         hearings = List.copyOf(hearings);
     }

@@ -6,17 +6,21 @@ import java.util.Optional;
 import rsal.agent.Delivery;
 import rsal.agent.Message;
 
-/// Carries messages: by radio first, then through what goes wrong besides. Counts what arrives and what does not.
+/// Carries messages: by radio first, then through what goes wrong besides. Counts what arrives and what does not, and
+/// keeps
+/// the newest.
 final class Post implements Delivery {
     private final Optional<Radio> radio;
     private final Faults faults;
     private final Traffic traffic;
+    private final Mailboxes mailboxes;
 
     /// @param radio empty when all hear all
-    Post(Optional<Radio> radio, Faults faults, Traffic traffic) {
+    Post(Optional<Radio> radio, Faults faults, Traffic traffic, Mailboxes mailboxes) {
         this.radio = radio;
         this.faults = faults;
         this.traffic = traffic;
+        this.mailboxes = mailboxes;
     }
 
     @Override
@@ -46,6 +50,7 @@ final class Post implements Delivery {
     @Override
     public void heard(Message<?> message, String listener) {
         traffic.heard(message, listener);
+        mailboxes.heard(message, listener);
     }
 
     @Override

@@ -46,7 +46,20 @@ final class Words {
 
     /// What an act is about, in few words.
     static String about(Act act) {
-        String words = content(act.content());
+        return clipped(content(act.content()));
+    }
+
+    /// What a message says to the one who gets it, in few words.
+    static String clipped(Message<?> message) {
+        return clipped(
+                message.content() instanceof Act act
+                        ? "%s %s"
+                                .formatted(act.performative(), content(act.content()))
+                                .strip()
+                        : content(message.content()));
+    }
+
+    private static String clipped(String words) {
         return words.length() <= MOST ? words : words.substring(0, MOST) + "…";
     }
 
