@@ -21,6 +21,11 @@ export class Rsal {
     return Rsal.start('run', ...options);
   }
 
+  /** Lets people choose a scenario. */
+  static serve(...options: string[]): Promise<Rsal> {
+    return Rsal.start('serve', ...options);
+  }
+
   /** Shows a recording. */
   static replay(...options: string[]): Promise<Rsal> {
     return Rsal.start('replay', ...options);
@@ -43,9 +48,9 @@ export class Rsal {
     const url = await new Promise<string>((resolve, reject) => {
       const listen = (text: Buffer) => {
         output += text.toString();
-        const found = /http:\/\/127\.0\.0\.1:\d+\/#token=[\w-]+/.exec(output);
+        const found = /(http:\/\/127\.0\.0\.1:\d+\/#token=[\w&-]+)\s/.exec(output);
         if (found) {
-          resolve(found[0]);
+          resolve(found[1]!);
         }
       };
       child.stdout.on('data', listen);

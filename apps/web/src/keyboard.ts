@@ -17,6 +17,7 @@ export type Action =
         | 'drive'
         | 'fit'
         | 'menu'
+        | 'scenarios'
         | 'restart'
         | 'help'
         | 'cancel';
@@ -51,6 +52,7 @@ export const keys: [string, string][] = [
   ['I  O', 'zoom in, out'],
   ['0', 'show the whole map'],
   ['M', 'add something in the middle of the map, or remove what is there'],
+  ['N', 'choose a scenario'],
   ['R', 'restart'],
   ['Esc', 'let go, close'],
   ['?', 'this help'],
@@ -79,6 +81,7 @@ const actions: Record<string, Action> = {
   i: { kind: 'zoom', factor: ZOOM },
   o: { kind: 'zoom', factor: 1 / ZOOM },
   m: { kind: 'menu' },
+  n: { kind: 'scenarios' },
   r: { kind: 'restart' },
   '?': { kind: 'help' },
   Escape: { kind: 'cancel' },

@@ -15,14 +15,20 @@ class Access {
     return this.token !== null;
   }
 
-  /** Takes the token out of the address bar, where it could be copied along with the address, and keeps it for this tab. */
-  takeToken() {
-    const given = new URLSearchParams(location.hash.slice(1)).get('token');
+  /**
+   * Takes the token out of the address bar, where it could be copied along with the address, and keeps it for this tab.
+   *
+   * @returns whether the address asks to begin with the choice of a scenario
+   */
+  takeToken(): boolean {
+    const asked = new URLSearchParams(location.hash.slice(1));
+    const given = asked.get('token');
     if (given !== null) {
       sessionStorage.setItem(KEY, given);
       history.replaceState(null, '', location.pathname + location.search);
     }
     this.token = sessionStorage.getItem(KEY);
+    return asked.has('choose');
   }
 
   /** The server does not know the token (any more). */

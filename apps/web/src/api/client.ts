@@ -16,6 +16,7 @@ import type {
   Restart,
   RobotPose,
   RunInfo,
+  Scenarios,
   Topics,
 } from './messages';
 import { access } from './access.svelte';
@@ -50,6 +51,8 @@ export const api = {
   agent: (name: string, time: number | null = null) =>
     found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}`),
   topics: () => found<Topics>('topics'),
+  scenarios: () => found<Scenarios>('scenarios'),
+  scenarioPicture: (id: string) => `/api/scenarios/picture?scenario=${encodeURIComponent(id)}`,
   drive: (wish: Drive) => post('drive', wish),
   release: (wish: Release) => post('release', wish, true),
   behavior: (wish: Order) => post('behavior', wish),

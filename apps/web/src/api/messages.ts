@@ -165,6 +165,12 @@ export interface HearingInfo {
   lost: number;
 }
 
+export interface HostInfo {
+  key: string;
+  description: string;
+  realTime: boolean;
+}
+
 export interface LightInfo {
   x: number;
   y: number;
@@ -304,10 +310,12 @@ export interface Removal {
 }
 
 export interface Restart {
+  scenario: string | null;
   configuration: string | null;
   arguments: Record<string, string> | null;
   seed: string | null;
   speed: string | null;
+  mas: string | null;
 }
 
 export interface RobotDetails {
@@ -365,6 +373,7 @@ export interface RunInfo {
   map: MapInfo;
   robots: RobotInfo[];
   measures: MeasureInfo[];
+  mas: string;
   recording: RecordingInfo | null;
 }
 
@@ -374,6 +383,19 @@ export interface SaidInfo {
   conversation: string;
   protocol: string;
   act: string;
+}
+
+export interface ScenarioInfo {
+  id: string;
+  title: string;
+  description: string;
+  configurations: ConfigurationInfo[];
+  problem: string;
+}
+
+export interface Scenarios {
+  scenarios: ScenarioInfo[];
+  hosts: HostInfo[];
 }
 
 export interface ServerMessage {

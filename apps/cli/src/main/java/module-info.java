@@ -4,7 +4,7 @@ module rsal.cli {
     requires ch.qos.logback.classic;
     requires ch.qos.logback.core;
     requires info.picocli;
-    requires java.desktop; // draws worlds
+    requires java.desktop; // draws maps
     requires java.net.http; // asks runs
     requires jdk.management; // memory of the machine
     requires org.slf4j;

@@ -3,11 +3,13 @@
 module rsal.scenarios {
     requires transitive rsal.agents;
     requires transitive rsal.devices;
+    requires java.desktop; // draws worlds
     requires tools.jackson.databind;
     requires static org.jspecify;
 
     exports rsal.scenario;
     exports rsal.scenario.condition;
+    exports rsal.scenario.picture;
     exports rsal.scenario.run;
 
     uses rsal.agent.AgentHostProvider;

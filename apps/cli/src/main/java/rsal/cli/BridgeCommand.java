@@ -54,7 +54,7 @@ final class BridgeCommand extends Subcommand {
     @Option(
             names = "--port",
             paramLabel = "P",
-            converter = RunCommand.Port.class,
+            converter = PageChoices.Port.class,
             description = "Where to listen for the first robot, the others after it; 0: any ports that are free. Left"
                     + " out: where the protocol's programs look (player: 6665). The ports of a file move along.")
     private @Nullable Integer port;
@@ -94,13 +94,13 @@ final class BridgeCommand extends Subcommand {
             offer(run, provider, at);
             RunResult result = new Progress(err()).await(run);
             ending.checkNoSignal();
-            print(plan, result);
+            tell(plan, result);
             return result;
         }
     }
 
     private RunResult runWithPage(RunPlan plan, BridgeProvider provider, InetSocketAddress at) throws Exception {
-        return PageRuns.show(plan, null, false, err(), new PageRuns.Eye() {
+        return PageRuns.show(PageRuns.First.alone(plan), null, err(), new PageRuns.Eye() {
             @Override
             public void began(LiveRun run) throws Exception {
                 offer(run, provider, at);
@@ -108,7 +108,7 @@ final class BridgeCommand extends Subcommand {
 
             @Override
             public void ended(LiveRun run, RunResult result) {
-                print(run.plan(), result);
+                tell(run.plan(), result);
             }
         });
     }
@@ -117,10 +117,9 @@ final class BridgeCommand extends Subcommand {
         tell(at, run.bridge(provider, at).toCompletableFuture().get());
     }
 
-    private void print(RunPlan plan, RunResult result) {
-        if (!json) {
-            out().print(new ResultText(plan, result));
-            out().flush();
+    private void tell(RunPlan plan, RunResult result) {
+        if (!json) { // that is what was offered
+            print(plan, result);
         }
     }
 

@@ -39,6 +39,7 @@ import rsal.settings.Suggestion;
         },
         subcommands = {
             RunCommand.class,
+            ServeCommand.class,
             ReplayCommand.class,
             ExportCommand.class,
             SweepCommand.class,

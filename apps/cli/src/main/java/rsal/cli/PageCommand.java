@@ -23,7 +23,7 @@ abstract class PageCommand extends Subcommand {
     @Option(
             names = "--port",
             paramLabel = "P",
-            converter = RunCommand.Port.class,
+            converter = PageChoices.Port.class,
             description = "Of the run's page on this machine. Left out: " + PageRuns.DEFAULT_PORT
                     + ", or where your only page is.")
     private @Nullable Integer port;

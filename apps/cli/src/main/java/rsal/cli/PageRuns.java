@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
@@ -17,6 +18,8 @@ import rsal.server.RunServer;
 /// Runs that a page shows: a first one, and those that somebody starts there in its place.
 final class PageRuns {
     static final int DEFAULT_PORT = 8735;
+
+    private static final String CHOOSE = "&choose"; // beside the token, in the part that browsers keep to themselves
 
     private PageRuns() {}
 
@@ -37,25 +40,44 @@ final class PageRuns {
         default void close() {}
     }
 
+    /// What is shown first.
+    ///
+    /// @param scenarios files that can be chosen in the page, besides the scenarios that come with RSAL
+    record First(RunPlan plan, List<String> scenarios, Stay stay) {
+        /// A run that others of its scenario may follow.
+        static First alone(RunPlan plan) {
+            return new First(plan, List.of(), Stay.FOR_MORE);
+        }
+    }
+
+    /// How long the page is there.
+    enum Stay {
+        /// It ends with the first run.
+        FOR_THE_FIRST,
+        /// Until a signal, for further runs.
+        FOR_MORE,
+        /// Likewise, and the page begins with the choice of a scenario.
+        FOR_A_CHOICE
+    }
+
     /// Prints the page's address and shows runs until a signal ends it all, by an exception, or the first has ended.
     ///
     /// @param port of the page; null for the usual one, or any when that is in use
-    /// @param once whether the end of the first run ends it all
-    static RunResult show(RunPlan plan, @Nullable Integer port, boolean once, PrintWriter err, Eye eye)
-            throws Exception {
+    static RunResult show(First first, @Nullable Integer port, PrintWriter err, Eye eye) throws Exception {
         var runs = new LinkedBlockingQueue<LiveRun>();
         try (eye;
-                RunServer server = serve(plan, port, runs::add, eye)) {
+                RunServer server = serve(first, port, runs::add, eye)) {
             var ending = new ClosedAtExit(() -> close(server, eye));
             keepKey(server, err);
-            err.println("Watch it at " + server.url());
+            boolean isChoosing = first.stay() == Stay.FOR_A_CHOICE;
+            err.println(isChoosing ? "Choose a scenario at " + server.url() + CHOOSE : "Watch it at " + server.url());
             while (true) {
                 LiveRun run = runs.take();
                 eye.began(run);
                 RunResult result = new Progress(err).await(run);
                 ending.checkNoSignal();
                 eye.ended(run, result);
-                if (once) {
+                if (first.stay() == Stay.FOR_THE_FIRST) {
                     return result;
                 }
                 err.println("The page is still there, for another run, too; Ctrl-C ends it.");
@@ -77,12 +99,14 @@ final class PageRuns {
         }
     }
 
-    private static RunServer serve(RunPlan plan, @Nullable Integer port, Consumer<LiveRun> onStart, Eye eye)
+    private static RunServer serve(First first, @Nullable Integer port, Consumer<LiveRun> onStart, Eye eye)
             throws IOException {
         String token = RunServer.newToken();
         return serve(
                 port,
-                (free, page) -> RunServer.start(plan, new RunServer.Options(free, token, page, onStart, eye::start)));
+                (free, page) -> RunServer.start(
+                        first.plan(),
+                        new RunServer.Options(free, token, page, first.scenarios(), onStart, eye::start)));
     }
 
     /// Starts a server at a port, with the built page.

@@ -42,7 +42,7 @@ final class ReplayCommand extends Subcommand {
     @Option(
             names = "--port",
             paramLabel = "P",
-            converter = RunCommand.Port.class,
+            converter = PageChoices.Port.class,
             description = "Of the page, on this machine only; 0: any that is free. Left out: " + PageRuns.DEFAULT_PORT
                     + ", or any when that is in use.")
     private @Nullable Integer port;

@@ -1,6 +1,7 @@
 package rsal.cli;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -11,7 +12,6 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
-import rsal.foxglove.FoxgloveServer;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
@@ -73,13 +73,8 @@ final class RunCommand extends Subcommand {
                     + " which spreads the robots again and again.")
     private @Nullable String with;
 
-    @Option(
-            names = "--port",
-            paramLabel = "P",
-            converter = Port.class,
-            description = "Of the page, on this machine only; 0: any that is free. Left out: " + PageRuns.DEFAULT_PORT
-                    + ", or any when that is in use.")
-    private @Nullable Integer port;
+    @Mixin
+    private PageChoices page = new PageChoices();
 
     @Option(
             names = "--save-maps",
@@ -87,26 +82,6 @@ final class RunCommand extends Subcommand {
             description =
                     "When the run ends, write the maps that robots drew to this folder: ROBOT.yaml and ROBOT.pgm.")
     private @Nullable String saveMaps;
-
-    @Option(
-            names = "--record",
-            paramLabel = "FILE.mcap",
-            description = "Record the run, to be seen in Foxglove, run again ('rsal replay') or exported. Further runs"
-                    + " from the page go to FILE-2.mcap and so on.")
-    private @Nullable String record;
-
-    @Option(
-            names = "--foxglove",
-            description = "Let Foxglove watch, on this machine only, and publish goals and poses: its connection's"
-                    + " address is printed first.")
-    private boolean foxglove;
-
-    @Option(
-            names = "--foxglove-port",
-            paramLabel = "P",
-            converter = Port.class,
-            description = "The port for that; 0: any that is free. Left out: " + FoxgloveServer.PORT + ".")
-    private @Nullable Integer foxglovePort;
 
     @Option(names = "--force", description = "Overwrite maps and a recording that are there.")
     private boolean force;
@@ -131,25 +106,10 @@ final class RunCommand extends Subcommand {
                     "Its robots stand until somebody switches their motors on: without a page, say --arm.");
         }
         Optional<SavedMaps> maps = Optional.ofNullable(saveMaps).map(folder -> SavedMaps.to(folder, plan, force));
-        var onlookers = new Onlookers(
-                RunRecorder.to(Optional.ofNullable(record), force, headless, err()),
-                foxglove || foxglovePort != null
-                        ? Optional.of(Onlookers.foxglove(foxglovePort(), err()))
-                        : Optional.empty(),
-                typed());
+        Onlookers onlookers = page.onlookers(force, headless, typed(), err());
         RunResult result = headless ? runHeadless(plan, maps, onlookers) : runWithPage(plan, maps, onlookers);
         int code = exit(result);
         return code == Exit.SUCCESS && onlookers.hasFailed() ? Exit.UNREACHABLE : code;
-    }
-
-    private int foxglovePort() {
-        return foxglovePort == null ? FoxgloveServer.PORT : foxglovePort;
-    }
-
-    private String typed() {
-        return "rsal "
-                + String.join(
-                        " ", spec.commandLine().getParent().getParseResult().originalArgs());
     }
 
     /// What a run's end means to whoever started it.
@@ -179,7 +139,11 @@ final class RunCommand extends Subcommand {
 
     /// The maps of a later run take the place of those of an earlier one.
     private RunResult runWithPage(RunPlan plan, Optional<SavedMaps> maps, Onlookers onlookers) throws Exception {
-        return PageRuns.show(plan, port, once, err(), new PageRuns.Eye() {
+        var first = new PageRuns.First(
+                plan,
+                List.of(ScenarioReference.parse(scenario).nameOrFile()),
+                once ? PageRuns.Stay.FOR_THE_FIRST : PageRuns.Stay.FOR_MORE);
+        return PageRuns.show(first, page.port(), err(), new PageRuns.Eye() {
             @Override
             public LiveRun start(RunPlan next) {
                 return onlookers.start(next);
@@ -209,15 +173,6 @@ final class RunCommand extends Subcommand {
         onlookers.close();
     }
 
-    private void print(RunPlan plan, RunResult result) {
-        if (json) {
-            printJson(ResultJson.of(plan, result));
-        } else {
-            out().print(new ResultText(plan, result));
-            out().flush();
-        }
-    }
-
     private RunOptions options(Optional<String> configuration) {
         return new RunOptions(
                 configuration,
@@ -241,20 +196,6 @@ final class RunCommand extends Subcommand {
                 throw new TypeConversionException("(%s) is not a number of seconds above 0, like 60.".formatted(typed));
             }
             return Duration.ofNanos(Math.round(seconds * 1e9));
-        }
-    }
-
-    static final class Port implements ITypeConverter<Integer> {
-        private static final int MOST = 65535;
-
-        @Override
-        public Integer convert(String typed) {
-            double port = Words.orNaN(typed);
-            if (!(port >= 0 && port <= MOST && port == Math.rint(port))) {
-                throw new TypeConversionException(
-                        "(%s) is not a port from 0 to %d, like %d.".formatted(typed, MOST, PageRuns.DEFAULT_PORT));
-            }
-            return (int) port;
         }
     }
 }

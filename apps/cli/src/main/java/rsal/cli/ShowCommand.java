@@ -1,6 +1,7 @@
 package rsal.cli;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -17,6 +18,7 @@ import rsal.recording.Recording;
 import rsal.robot.RobotModels;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.scenario.picture.WorldPicture;
 import rsal.scene.Scene;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -29,6 +31,8 @@ import rsal.settings.Suggestion;
                 "Show what is in a scenario (arguments, configurations, robots and their devices, agents, ends"
                         + " and measures), what is in a world, with a picture of it, what is in a recording (FILE.mcap), what a map, robot model or part is, what is in the file of an agent (FILE.asl), or what can be set of an agent, a device driver (also by what it may use, as 'vfh') or a back end.")
 final class ShowCommand extends Subcommand {
+    private static final int PICTURE = 1600; // longest side [px]
+
     @Parameters(
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|AGENT|NAME",
             description =
@@ -104,7 +108,8 @@ final class ShowCommand extends Subcommand {
         Path file = Path.of(name).getFileName();
         Path drawn = image != null ? image : Path.of((file == null ? name : file) + ".png");
         try {
-            WorldPicture.write(scene, drawn);
+            System.setProperty("java.awt.headless", "true"); // a server has no screen
+            Files.write(drawn, WorldPicture.of(scene, PICTURE));
         } catch (IOException e) {
             throw new Unreachable("The picture (%s) can't be written: %s.".formatted(drawn, e));
         }

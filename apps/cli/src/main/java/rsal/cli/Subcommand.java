@@ -7,6 +7,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import rsal.scenario.RunPlan;
+import rsal.scenario.run.RunResult;
 import tools.jackson.databind.MapperFeature;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -50,6 +51,22 @@ abstract class Subcommand implements Callable<Integer> {
     final void tellNotes(RunPlan plan) {
         plan.scene().warnings().forEach(warning -> err().println(warning));
         plan.notes().forEach(note -> err().println(ValidateCommand.note(note)));
+    }
+
+    /// The command as it was typed.
+    final String typed() {
+        return "rsal "
+                + String.join(
+                        " ", spec.commandLine().getParent().getParseResult().originalArgs());
+    }
+
+    final void print(RunPlan plan, RunResult result) {
+        if (json) {
+            printJson(ResultJson.of(plan, result));
+        } else {
+            out().print(new ResultText(plan, result));
+            out().flush();
+        }
     }
 
     final PrintWriter out() {

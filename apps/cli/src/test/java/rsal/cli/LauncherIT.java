@@ -38,6 +38,7 @@ class LauncherIT {
             [ "$1" != --version ] || exit 0
             cd "$(dirname "$0")"
             echo $$ >> builds
+            echo "$@" >> arguments
             echo "[INFO] compiling"
             if [ -e slow ]; then touch began; sleep 60; fi
             if [ -e broken ]; then echo "[ERROR] Main.java: there is no such thing"; exit 1; fi
@@ -110,6 +111,28 @@ class LauncherIT {
         Files.delete(source);
         run("list");
         assertThat(builds()).hasSize(2);
+    }
+
+    @Test
+    void addsWhatPeopleAskForBesides() throws Exception {
+        run("list");
+        Ended added = with("jadex");
+        with("jadex");
+        Ended unknown = with("jade");
+
+        assertThat(added.code()).isZero();
+        List<String> builds = Files.readAllLines(project.resolve("arguments"));
+        assertThat(builds).hasSize(2);
+        assertThat(builds.getFirst()).doesNotContain("-P");
+        assertThat(builds.getLast()).contains("-Pjadex");
+        assertThat(unknown.code()).isEqualTo(Exit.USAGE);
+        assertThat(unknown.err()).contains("RSAL_WITH=(jade)", "RSAL_WITH=jadex");
+    }
+
+    private Ended with(String what) throws Exception {
+        var builder = builder(project, "./rsal", "list");
+        builder.environment().put("RSAL_WITH", what);
+        return Ended.of(builder.start());
     }
 
     @Test

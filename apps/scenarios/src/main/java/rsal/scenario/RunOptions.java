@@ -67,6 +67,12 @@ public record RunOptions(
         return new RunOptions(configuration, arguments, seed, Optional.of(key), mrs, clock, with, limit, speed);
     }
 
+    /// On the agent host and by the clock that the scenario names.
+    public RunOptions onItsHost() {
+        return new RunOptions(
+                configuration, arguments, seed, Optional.empty(), mrs, Optional.empty(), with, limit, speed);
+    }
+
     /// In real time, on another agent host.
     public RunOptions inRealTimeOn(String host) {
         return new RunOptions(

@@ -65,6 +65,7 @@ final class Api {
             "Cross-Origin-Resource-Policy", "same-origin");
 
     private final CurrentRun current;
+    private final Shelf shelf;
     private final Gate gate;
     private final Page page;
     private final AtomicReference<@Nullable PackedMap> map = new AtomicReference<>();
@@ -72,8 +73,9 @@ final class Api {
     /// The map of a run, which takes a while to draw.
     private record PackedMap(int run, byte[] bytes) {}
 
-    Api(CurrentRun current, Gate gate, Page page) {
+    Api(CurrentRun current, Shelf shelf, Gate gate, Page page) {
         this.current = current;
+        this.shelf = shelf;
         this.gate = gate;
         this.page = page;
     }
@@ -81,6 +83,11 @@ final class Api {
     void configure(RoutesConfig routes) {
         admit(routes, gate);
         routes.get("/api/run", request -> answer(request, info()));
+        routes.get("/api/scenarios", request -> answer(request, shelf.all()));
+        routes.get("/api/scenarios/picture", request -> {
+            String id = request.queryParam("scenario");
+            request.contentType("image/png").result(shelf.picture(id == null ? "" : id));
+        });
         routes.get("/api/status", this::status);
         routes.get("/api/map/{run}", this::map);
         routes.get("/api/drawn/{run}", this::drawn);
@@ -239,7 +246,7 @@ final class Api {
     /// What the wish asks for; otherwise as the run is now.
     private RunPlan plan(Restart wish) {
         LiveRun run = current.now().run();
-        return new RestartReader(run.plan(), run.snapshot().speed()).read(wish);
+        return new RestartReader(shelf, run.plan(), run.snapshot().speed()).read(wish);
     }
 
     private static Pose2d pose(RobotPose to) {

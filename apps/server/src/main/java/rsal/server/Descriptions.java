@@ -87,16 +87,21 @@ final class Descriptions {
                 scenario.title(),
                 scenario.description(),
                 plan.configuration(),
-                scenario.configurations().stream()
-                        .map(c -> new ConfigurationInfo(c.name(), c.title()))
-                        .toList(),
+                configurations(scenario),
                 arguments(plan),
                 Long.toString(plan.seed()),
                 plan.step().toNanos() / 1e9,
                 map(plan.mapName(), plan.scene()),
                 team.stream().map(Looks::robot).toList(),
                 plan.measures().stream().map(Descriptions::measure).toList(),
+                plan.options().mas().orElse(""),
                 recording);
+    }
+
+    static List<ConfigurationInfo> configurations(Scenario scenario) {
+        return scenario.configurations().stream()
+                .map(configuration -> new ConfigurationInfo(configuration.name(), configuration.title()))
+                .toList();
     }
 
     static List<ArgumentInfo> arguments(RunPlan plan) {

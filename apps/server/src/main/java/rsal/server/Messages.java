@@ -93,6 +93,7 @@ final class Messages {
     /// @param step length of a world step [s]
     /// @param robots in the order in which frames have them
     /// @param measures that its ending will have
+    /// @param mas key of the host that its agents were put on; empty for that of the scenario
     /// @param recording when it is none that goes on, but one that was recorded
     record RunInfo(
             int number,
@@ -107,6 +108,7 @@ final class Messages {
             MapInfo map,
             List<RobotInfo> robots,
             List<MeasureInfo> measures,
+            String mas,
             Optional<RecordingInfo> recording) {}
 
     /// Where a run is from that was recorded.
@@ -345,15 +347,33 @@ final class Messages {
     /// @param on left out counts as off, which is the safe side
     record Motors(String robot, boolean on) {}
 
-    /// Asks for another run; what is left out stays as it is.
+    /// What can be run.
     ///
+    /// @param scenarios those that come with the program, and a person's own
+    /// @param hosts what agents can run on
+    record Scenarios(List<ScenarioInfo> scenarios, List<HostInfo> hosts) {}
+
+    /// @param id what [Restart] calls it
+    /// @param problem why it can't be run; empty when it can
+    record ScenarioInfo(
+            String id, String title, String description, List<ConfigurationInfo> configurations, String problem) {}
+
+    /// @param realTime whether agents live in real time there, so that no run is like another
+    record HostInfo(String key, String description, boolean realTime) {}
+
+    /// Asks for another run; what is left out stays as it is, or, of another scenario, is as that one says.
+    ///
+    /// @param scenario as [ScenarioInfo] has it; read anew
     /// @param arguments as typed, by name; all others are the scenario's
     /// @param speed as [Speed] has it
+    /// @param mas key of the agents' host; empty for the scenario's
     record Restart(
+            Optional<String> scenario,
             Optional<String> configuration,
             Optional<Map<String, String>> arguments,
             Optional<String> seed,
-            Optional<String> speed) {}
+            Optional<String> speed,
+            Optional<String> mas) {}
 
     /// What another run would be, for the form.
     record Plan(String seed, List<ArgumentInfo> arguments) {}

@@ -5,41 +5,68 @@ import java.util.List;
 import java.util.Optional;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
 import rsal.server.Messages.Mistake;
 import rsal.server.Messages.Restart;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
-/// Plans another run of a scenario as somebody wishes. Goes on after a mistake, so that all are reported together,
-/// each with the field that it was typed into.
+/// Plans another run, of the same scenario or another one, as somebody wishes. Goes on after a mistake, so that all are
+/// reported together, each with the field that it was typed into.
 final class RestartReader {
+    private final Shelf shelf;
     private final RunPlan present;
     private final double speed;
     private final List<Mistake> mistakes = new ArrayList<>();
 
-    /// @param present the plan that what is left out is taken from
+    /// @param shelf where other scenarios are
+    /// @param present the plan that what is left out is taken from, when its scenario stays
     /// @param speed likewise
-    RestartReader(RunPlan present, double speed) {
+    RestartReader(Shelf shelf, RunPlan present, double speed) {
+        this.shelf = shelf;
         this.present = present;
         this.speed = speed;
     }
 
     /// @throws Refusal with every mistake
     RunPlan read(Restart wish) {
-        RunOptions options = present.options()
-                .withConfiguration(wish.configuration().orElse(present.configuration()))
-                .withArguments(wish.arguments().orElse(present.options().arguments()))
-                .withSeed(wish.seed().flatMap(this::seed).orElse(present.seed()))
-                .withSpeed(wish.speed().flatMap(this::speed).orElse(speed));
+        RunOptions options = wish.scenario().isPresent() ? RunOptions.NONE : asNow();
+        options = wish.configuration().map(options::withConfiguration).orElse(options);
+        options = wish.arguments().map(options::withArguments).orElse(options);
+        options = wish.seed().flatMap(this::seed).map(options::withSeed).orElse(options);
+        options = wish.speed().flatMap(this::speed).map(options::withSpeed).orElse(options);
+        options = onHost(options, wish.mas());
         try {
-            RunPlan plan = present.scenario().plan(options);
+            Scenario scenario = wish.scenario().map(shelf::load).orElse(present.scenario());
+            RunPlan plan = scenario.plan(options);
             if (mistakes.isEmpty()) {
                 return plan;
             }
         } catch (InvalidSettings e) {
-            e.problems().forEach(problem -> mistakes.add(mistake(problem, options)));
+            for (Problem problem : e.problems()) {
+                mistakes.add(mistake(problem, options));
+            }
         }
         throw new Refusal(422, "This can't be run as it is.", List.copyOf(mistakes));
+    }
+
+    private RunOptions asNow() {
+        return present.options()
+                .withConfiguration(present.configuration())
+                .withSeed(present.seed())
+                .withSpeed(speed);
+    }
+
+    /// In real time where the host knows no other.
+    private static RunOptions onHost(RunOptions options, Optional<String> wish) {
+        if (wish.isEmpty() || wish.equals(options.mas().or(() -> Optional.of("")))) {
+            return options;
+        }
+        String key = wish.get();
+        if (key.isEmpty()) {
+            return options.onItsHost();
+        }
+        return Shelf.livesInRealTime(key) ? options.inRealTimeOn(key) : options.withHost(key);
     }
 
     private Optional<Long> seed(String typed) {

@@ -6,6 +6,7 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Base64;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import rsal.scenario.RunPlan;
@@ -26,13 +27,24 @@ public final class RunServer implements AutoCloseable {
     /// @param port 0 for any that is free
     /// @param token what a browser must know to change anything, as from [#newToken]
     /// @param page directory of the built page
+    /// @param scenarios files, as for [rsal.scenario.Scenario#load], that can be chosen in the page besides the
+    /// scenarios that come with the program; nobody can name others there
     /// @param onStart told of each run, the first and those that replace it, when it begins
     /// @param starter starts a run
     public record Options(
-            int port, String token, Path page, Consumer<LiveRun> onStart, Function<RunPlan, LiveRun> starter) {
-        /// With runs that nobody else sees all of.
+            int port,
+            String token,
+            Path page,
+            List<String> scenarios,
+            Consumer<LiveRun> onStart,
+            Function<RunPlan, LiveRun> starter) {
+        public Options {
+            scenarios = List.copyOf(scenarios);
+        }
+
+        /// With runs that nobody else sees all of, of scenarios that come with the program.
         public Options(int port, String token, Path page, Consumer<LiveRun> onStart) {
-            this(port, token, page, onStart, LiveRun::start);
+            this(port, token, page, List.of(), onStart, LiveRun::start);
         }
     }
 
@@ -57,7 +69,8 @@ public final class RunServer implements AutoCloseable {
         try {
             var gate = new Gate(PageServer.port(door), token);
             var live = new Live(new LiveShowing(current), gate);
-            server = new PageServer(door, token, live, new Api(current, gate, page)::configure);
+            server = new PageServer(
+                    door, token, live, new Api(current, new Shelf(options.scenarios()), gate, page)::configure);
         } catch (IOException | RuntimeException e) {
             current.close();
             throw e;

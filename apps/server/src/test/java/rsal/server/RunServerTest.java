@@ -503,6 +503,45 @@ class RunServerTest {
         }
 
         @Test
+        void runsAnotherScenarioAsThatOneSays() throws IOException {
+            assertThat(post("check", "{\"scenario\":\"teleop\"}").body()).contains("\"seed\":\"");
+            post("restart", "{\"seed\":\"11\",\"arguments\":{\"couriers\":\"3\"}}");
+            Response response = post("restart", "{\"scenario\":\"hunt-and-prey\",\"configuration\":\"virtual\"}");
+            assertThat(response.status()).as(response.body()).isEqualTo(200);
+            assertThat(response.body()).contains("\"scenario\":\"hunt-and-prey\"", "\"configuration\":\"virtual\"");
+            assertThat(server.run().plan().seed()).isEqualTo(42);
+            assertThat(server.run().plan().robots()).hasSize(3);
+        }
+
+        @Test
+        void putsAgentsOnAnotherHostAndBack() throws IOException {
+            post("restart", "{\"mas\":\"other\"}");
+            assertThat(get("/api/run").body()).contains("\"mas\":\"\"");
+            Response refused = post("check", "{\"mas\":\"other\"}");
+            assertThat(refused.status()).isEqualTo(422);
+            assertThat(refused.body()).contains("(other)");
+            assertThat(post("restart", "{\"mas\":\"plain\"}").body()).contains("\"mas\":\"plain\"");
+            assertThat(post("restart", "{}").body()).contains("\"mas\":\"plain\"");
+            assertThat(post("restart", "{\"mas\":\"\"}").body()).contains("\"mas\":\"\"");
+        }
+
+        @ParameterizedTest
+        @ValueSource(strings = {"errand.yaml", "/etc/passwd", "../errand.yaml", "", "no-such"})
+        void runsNoFileThatWasNotNamedWhenItBegan(String scenario) throws IOException {
+            LiveRun before = server.run();
+            for (String command : List.of("check", "restart")) {
+                Response response = post(command, Json.write(java.util.Map.of("scenario", scenario)));
+                assertThat(response.status()).isEqualTo(404);
+                assertThat(response.body()).contains("There is no scenario");
+            }
+            assertThat(get("/api/scenarios/picture?scenario="
+                                    + java.net.URLEncoder.encode(scenario, java.nio.charset.StandardCharsets.UTF_8))
+                            .status())
+                    .isEqualTo(404);
+            assertThat(server.run()).isSameAs(before);
+        }
+
+        @Test
         void canBeTriedOutWithoutDoingIt() throws IOException {
             LiveRun before = server.run();
             assertThat(post("check", "{\"configuration\":\"pair\"}").body())

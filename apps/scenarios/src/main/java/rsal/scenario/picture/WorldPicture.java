@@ -1,5 +1,6 @@
-package rsal.cli;
+package rsal.scenario.picture;
 
+import java.awt.AWTError;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -11,12 +12,13 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
+import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
 import javax.imageio.ImageIO;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -24,6 +26,7 @@ import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
+import rsal.scenario.RunPlan;
 import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.Raster;
@@ -32,8 +35,7 @@ import rsal.scene.Surface;
 
 /// A world from above: floor plans dark, things and robots in their colors, what robots see past walls as pale
 /// fans, and a bar that tells the scale.
-final class WorldPicture {
-    private static final int LONGEST = 1600; // side [px]
+public final class WorldPicture {
     private static final int SHORTEST = 200; // side [px]
     private static final int BELOW = 40; // for the bar [px]
     private static final double MOST_PER_METER = 200; // [px]
@@ -44,17 +46,19 @@ final class WorldPicture {
     private static final Color SONAR = new Color(0, 160, 60, 90);
 
     private final Scene scene;
+    private final List<RobotSpec> robots;
     private final double perMeter;
     private final BufferedImage image;
     private final Graphics2D graphics;
     private final AffineTransform pixelsFromMap;
 
-    private WorldPicture(Scene scene) {
+    private WorldPicture(Scene scene, List<RobotSpec> robots, int longest) {
         this.scene = scene;
+        this.robots = robots;
         OccupancyGrid map = scene.map();
         double across = map.width() * map.resolution();
         double up = map.height() * map.resolution();
-        perMeter = Math.min(MOST_PER_METER, LONGEST / Math.max(across, up));
+        perMeter = Math.min(MOST_PER_METER, longest / Math.max(across, up));
         int width = Math.max(SHORTEST, (int) Math.ceil(across * perMeter));
         int height = Math.max(1, (int) Math.ceil(up * perMeter));
         image = new BufferedImage(width, height + BELOW, BufferedImage.TYPE_INT_RGB);
@@ -68,24 +72,47 @@ final class WorldPicture {
         graphics.dispose();
     }
 
-    /// @throws IOException when it can't be written
-    static void write(Scene scene, Path file) throws IOException {
-        System.setProperty("java.awt.headless", "true"); // a server has no screen
-        BufferedImage image = new WorldPicture(scene).image;
-        try (var out = Files.newOutputStream(file)) {
-            if (!ImageIO.write(image, "png", out)) {
+    /// A world as it is read.
+    ///
+    /// @param longest side [px]
+    /// @return a PNG
+    /// @throws UncheckedIOException when Java looks for a screen that is named, and can't reach it
+    public static byte[] of(Scene scene, int longest) {
+        return png(() -> new WorldPicture(scene, scene.robots(), longest));
+    }
+
+    /// A run before its first step.
+    ///
+    /// @param longest side [px]
+    /// @return a PNG
+    /// @throws UncheckedIOException when Java looks for a screen that is named, and can't reach it
+    public static byte[] of(RunPlan plan, int longest) {
+        List<RobotSpec> robots =
+                plan.robots().stream().map(RunPlan.PlannedRobot::spec).toList();
+        return png(() -> new WorldPicture(plan.scene(), robots, longest));
+    }
+
+    private static byte[] png(Supplier<WorldPicture> picture) {
+        var out = new ByteArrayOutputStream();
+        try {
+            if (!ImageIO.write(picture.get().image, "png", out)) {
                 throw new IOException("This Java writes no PNG.");
             }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } catch (AWTError e) {
+            throw new UncheckedIOException(new IOException("The screen can't be reached: " + e.getMessage(), e));
         }
+        return out.toByteArray();
     }
 
     private void draw() {
         scene.walls().forEach(this::draw);
         scene.things().forEach(this::draw);
-        if (scene.robots().size() <= MANY) {
-            scene.robots().forEach(this::drawFans);
+        if (robots.size() <= MANY) {
+            robots.forEach(this::drawFans);
         }
-        for (RobotSpec robot : scene.robots()) {
+        for (RobotSpec robot : robots) {
             bodyOf(robot).ifPresent(this::draw);
             robot.mapFromBase()
                     .ifPresent(

@@ -1,0 +1,125 @@
+import { fileURLToPath } from 'node:url';
+import { AxeBuilder } from '@axe-core/playwright';
+import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
+import { Rsal } from './rsal';
+
+const OWN = fileURLToPath(new URL('talk.yaml', import.meta.url));
+/** Where pictures go of what was tested, for people to look at; none when it is not set. */
+const PICTURES = process.env.PICTURES;
+
+describe.skipIf(!chromium)('the choice of a scenario', () => {
+  let rsal: Rsal;
+  let browser: Browser | undefined;
+  let context: BrowserContext | undefined;
+
+  beforeAll(async () => {
+    [rsal, browser] = await Promise.all([
+      Rsal.serve(OWN, '--port', '0'),
+      driver.launch({ executablePath: chromium!, args: flags }),
+    ]);
+  });
+
+  afterAll(async () => {
+    await browser?.close();
+    await Rsal.endAll();
+  });
+
+  afterEach(() => context?.close());
+
+  async function open(url: string, colorScheme: 'light' | 'dark' = 'light', width = 1280): Promise<Page> {
+    context = await browser!.newContext({ viewport: { width, height: 800 }, colorScheme });
+    const page = await context.newPage();
+    await page.goto(url);
+    return page;
+  }
+
+  const catalog = (page: Page) => page.getByRole('dialog', { name: 'Scenarios' });
+  const card = (page: Page, id: string) => catalog(page).locator(`[data-scenario="${id}"]`);
+
+  async function picture(page: Page, name: string) {
+    if (PICTURES) {
+      await page.screenshot({ path: `${PICTURES}/${name}.png` });
+    }
+  }
+
+  it('comes first, with a picture of each, while the first run waits', async () => {
+    const page = await open(rsal.url);
+    await catalog(page).waitFor();
+    await eventually(
+      async () => (await catalog(page).locator('[data-scenario]').count()) > 5,
+      'all scenarios are there',
+    );
+    expect(await catalog(page).locator('[data-scenario]').first().getAttribute('data-scenario')).toBe(OWN);
+    await eventually(
+      () =>
+        card(page, 'hunt-and-prey')
+          .locator('img')
+          .evaluate((image: HTMLImageElement) => image.complete && image.naturalWidth > 300),
+      'its picture is drawn',
+    );
+    await eventually(async () => (await page.getByTestId('rate').innerText()).includes('paused'), 'it waits');
+    await picture(page, 'scenarios-light');
+    const found = await new AxeBuilder({ page }).include('dialog[open]').analyze();
+    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+  });
+
+  it('runs another one, as it is told', async () => {
+    const page = await open(rsal.url);
+    await card(page, 'hunt-and-prey').getByRole('button').click();
+    const form = page.getByRole('dialog', { name: /^Run: Hunters/ });
+    await form.getByLabel('hunters', { exact: true }).waitFor();
+    expect(await form.getByLabel('Seed').inputValue()).toBe('42');
+    await form.getByLabel('Configuration').selectOption('advanced');
+    await eventually(
+      async () => (await form.getByLabel('hunters', { exact: true }).inputValue()) === '4',
+      'the configuration has its own arguments',
+    );
+    await form.getByLabel('hunters', { exact: true }).fill('40');
+    await form.getByRole('button', { name: 'Run', exact: true }).click();
+    await form
+      .getByText(/hunters.*20/)
+      .first()
+      .waitFor();
+    await form.getByLabel('hunters', { exact: true }).fill('3');
+    await form.getByLabel('Seed').fill('5');
+    await picture(page, 'scenarios-form');
+    await form.getByRole('button', { name: 'Run', exact: true }).click();
+    await page.locator('tr[data-robot="hunter-3"]').waitFor();
+    expect(await page.getByRole('banner').innerText()).toContain('hunt-and-prey:advanced · seed 5');
+    expect(await page.locator('tr[data-robot="hunter-4"]').count()).toBe(0);
+    await eventually(async () => !(await page.getByTestId('rate').innerText()).includes('paused'), 'it runs');
+  });
+
+  it('is there by a key, and takes another host for the agents', async () => {
+    const page = await open(rsal.url.replace('&choose', ''), 'dark', 480);
+    await page.locator('tr[data-robot]').first().waitFor();
+    await page.keyboard.press('n');
+    await card(page, OWN).waitFor();
+    await picture(page, 'scenarios-narrow-dark');
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    expect(wide).toBeLessThanOrEqual(480);
+    await card(page, OWN).getByRole('button').click();
+    const form = page.getByRole('dialog', { name: /^Run: A team/ });
+    await form.getByLabel('Agents on').selectOption('jason');
+    await form.getByRole('button', { name: 'Run', exact: true }).click();
+    await page.locator('tr[data-robot="courier-1"]').waitFor();
+    await page.keyboard.press('r');
+    const again = page.getByRole('dialog', { name: 'Restart' });
+    expect(await again.getByLabel('Agents on').inputValue()).toBe('jason');
+    await page.keyboard.press('Escape');
+  });
+
+  it('can be looked at without the token, and changes nothing then', async () => {
+    const page = await open(rsal.url.split('#')[0]!);
+    await page.getByRole('button', { name: 'Scenarios…' }).click();
+    await card(page, 'patrol').waitFor();
+    expect(
+      await catalog(page)
+        .getByRole('button', { name: /^Choose/ })
+        .count(),
+    ).toBe(0);
+  });
+});
