@@ -456,6 +456,24 @@ class CommandLineIT {
     }
 
     @Test
+    void aChoiceOfScenariosWaitsForSomebody() throws Exception {
+        Process process = rsal.withPage().start("serve", "guard.yaml", "--port", "0");
+        URI url = URI.create(process.errorReader().readLine().substring("Choose a scenario at ".length()));
+        assertThat(url.getFragment()).endsWith("&choose");
+        String port = Integer.toString(url.getPort());
+        JsonNode status = JsonMapper.shared()
+                .readTree(rsal.run("status", "--port", port, "--json").out());
+        assertThat(status.path("scenario").asString()).isEqualTo("guard");
+        assertThat(status.path("paused").asBoolean()).isTrue();
+        Ended.signal("INT", process);
+        Ended.of(process);
+
+        Ended wrong = rsal.withPage().run("serve", "nothing.yaml", "--port", "0");
+        assertThat(wrong.code()).isEqualTo(Exit.INVALID);
+        assertThat(wrong.err()).contains("nothing.yaml").doesNotContain("Choose a scenario at");
+    }
+
+    @Test
     void anAgentIsLookedIntoFromOutside() throws Exception {
         Process process = rsal.withPage().start("run", "hunt-and-prey:advanced", "--port", "0", "--speed", "2");
         String url = process.errorReader().readLine().substring("Watch it at ".length());

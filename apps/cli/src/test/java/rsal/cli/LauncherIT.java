@@ -249,6 +249,7 @@ class LauncherIT {
         assertThat(run("run", "--headless").out()).contains("page null");
         Ended watched = run("run");
         Ended again = run("run");
+        assertThat(run("serve").out()).contains("page " + project.toRealPath().resolve("target/launcher/page-"));
 
         assertThat(watched.out()).contains("page " + project.toRealPath().resolve("target/launcher/page-"));
         assertThat(again.out()).isEqualTo(watched.out());
