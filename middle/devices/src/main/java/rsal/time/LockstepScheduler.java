@@ -32,6 +32,7 @@ public final class LockstepScheduler implements Scheduler {
     private final List<FutureTask<Runnable>> work = new ArrayList<>();
     private final ArrayDeque<FutureTask<Runnable>> done = new ArrayDeque<>(); // but not completed
     private final Executor workers;
+    private final PhaseTimes times;
     private final Instant start;
     private volatile Instant now;
     private volatile @Nullable Thread thread; // none before the first advance: who made it may not be who runs it
@@ -40,9 +41,15 @@ public final class LockstepScheduler implements Scheduler {
 
     /// @param workers where [#compute] runs; `Runnable::run` for one thread
     public LockstepScheduler(Instant start, Executor workers) {
+        this(start, workers, new PhaseTimes(() -> 0));
+    }
+
+    /// @param times told what phases take; what other threads handed in counts as the first phase after it
+    public LockstepScheduler(Instant start, Executor workers, PhaseTimes times) {
         this.start = start;
         this.now = start;
         this.workers = workers;
+        this.times = times;
     }
 
     /// Starts at the epoch and computes on the caller's thread.
@@ -101,6 +108,7 @@ public final class LockstepScheduler implements Scheduler {
     /// early; the task that threw is gone, all others stay.
     public void advance(Duration by) {
         long until = Math.addExact(nanos, by.toNanos());
+        times.begin();
         while (step(until)) {
             // each step is one instant
         }
@@ -113,6 +121,7 @@ public final class LockstepScheduler implements Scheduler {
     /// @return whether something was due
     public boolean advanceToNext(Duration atMost) {
         long until = Math.addExact(nanos, atMost.toNanos());
+        times.begin();
         boolean ran = step(until);
         if (!ran) {
             moveTo(until);
@@ -138,6 +147,7 @@ public final class LockstepScheduler implements Scheduler {
         moveTo(first.nanos);
         while (first != null && first.nanos == nanos) {
             runPhase(first.phase);
+            times.ran(first.phase);
             first = due.peek();
         }
         return true;

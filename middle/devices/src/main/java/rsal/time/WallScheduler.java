@@ -33,6 +33,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     private final PriorityQueue<Entry> due = new PriorityQueue<>();
     private final Consumer<? super Throwable> onFailure;
     private final Executor workers;
+    private final PhaseTimes times;
     private final Instant start = Instant.now();
     private final long startNanos = System.nanoTime();
     private final Thread thread;
@@ -43,8 +44,15 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
     /// @param workers where [#compute] runs; not shared with tasks that wait
     /// @param onFailure told what a task threw, on the thread that ran it
     public WallScheduler(String name, Executor workers, Consumer<? super Throwable> onFailure) {
+        this(name, workers, onFailure, new PhaseTimes(() -> 0));
+    }
+
+    /// @param times told what phases take; what other threads run exclusively counts as [Phase#THINK], what they hand
+    /// in as [Phase#WORLD]
+    public WallScheduler(String name, Executor workers, Consumer<? super Throwable> onFailure, PhaseTimes times) {
         this.workers = workers;
         this.onFailure = onFailure;
+        this.times = times;
         this.thread = Thread.ofPlatform().daemon().name(name).start(this::work);
     }
 
@@ -65,7 +73,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
 
     @Override
     public void exclusively(Runnable task) {
-        run(task);
+        run(Phase.THINK, task);
     }
 
     @Override
@@ -117,7 +125,7 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
                     interrupted = true;
                 }
             }
-            run(() -> {}); // whoever runs something exclusively is done with it by then
+            run(Phase.WORLD, () -> {}); // whoever runs something exclusively is done with it by then
             if (interrupted) {
                 Thread.currentThread().interrupt();
             }
@@ -126,12 +134,16 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
 
     private void work() {
         for (Entry next = take(); next != null; next = take()) {
-            run(next::runUnlessCancelled);
+            run(next.phase, next::runUnlessCancelled);
         }
     }
 
-    private void run(Runnable task) {
+    private void run(Phase phase, Runnable task) {
         turn.lock();
+        boolean whole = turn.getHoldCount() == 1; // else it is part of a task, whose time it is
+        if (whole) {
+            times.begin();
+        }
         try {
             if (!closed) {
                 task.run();
@@ -139,6 +151,9 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
         } catch (RuntimeException | Error e) {
             report(e);
         } finally {
+            if (whole) {
+                times.ran(phase);
+            }
             turn.unlock();
         }
     }

@@ -12,12 +12,14 @@ import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future.State;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.testkit.contract.SchedulerContract;
 import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
+import rsal.time.PhaseTimes;
 import rsal.time.Scheduler;
 import rsal.time.Task;
 
@@ -147,6 +149,26 @@ class LockstepSchedulerTest extends SchedulerContract {
     }
 
     /// A random play of tasks, the same on every scheduler that keeps the order.
+    @Test
+    void tellsWhatEachPhaseTakes() {
+        var clock = new AtomicLong();
+        var times = new PhaseTimes(clock::get);
+        var timed = new LockstepScheduler(Instant.EPOCH, Runnable::run, times);
+        timed.every(millis(10), Phase.WORLD, () -> clock.addAndGet(3));
+        timed.every(millis(20), Phase.THINK, () -> {
+            clock.addAndGet(50);
+            timed.execute(() -> clock.addAndGet(7)); // part of the same phase
+        });
+        timed.every(millis(20), Phase.DEVICES, () -> timed.compute(() -> clock.addAndGet(400)));
+        timed.advance(millis(25));
+        clock.addAndGet(10_000); // between two steps, nobody's
+        timed.advance(millis(15));
+        assertThat(times.of(Phase.WORLD)).isEqualTo(Duration.ofNanos(4 * 3));
+        assertThat(times.of(Phase.DEVICES)).isEqualTo(Duration.ofNanos(2 * 400));
+        assertThat(times.of(Phase.THINK)).isEqualTo(Duration.ofNanos(2 * 57));
+        assertThat(times.of(Phase.OBSERVE)).isZero();
+    }
+
     private static final class Play {
         private static final List<Phase> PHASES = List.of(Phase.values());
 

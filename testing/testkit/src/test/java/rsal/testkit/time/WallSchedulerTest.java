@@ -15,9 +15,12 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import rsal.testkit.contract.SchedulerContract;
+import rsal.time.Phase;
+import rsal.time.PhaseTimes;
 import rsal.time.Scheduler;
 import rsal.time.WallScheduler;
 
@@ -205,5 +208,30 @@ class WallSchedulerTest extends SchedulerContract {
         scheduler.close();
         scheduler.exclusively(() -> failures.add(new AssertionError("It ran.")));
         assertThat(failures).isEmpty();
+    }
+
+    @Test
+    void tellsWhatEachPhaseTakes() {
+        var clock = new AtomicLong();
+        var times = new PhaseTimes(clock::get);
+        try (var timed = new WallScheduler("run-timed", workers, failures::add, times)) {
+            var done = new CompletableFuture<String>();
+            timed.execute(
+                    () -> { // as what comes from outside
+                        clock.addAndGet(3);
+                        timed.exclusively(() -> clock.addAndGet(20)); // within a task, its own
+                        timed.after(Duration.ZERO, Phase.DEVICES, () -> {
+                            clock.addAndGet(400);
+                            throw new IllegalStateException("a slip that takes time, too");
+                        });
+                        timed.after(millis(1), Phase.OBSERVE, () -> done.complete("done"));
+                    });
+            await(done);
+            timed.exclusively(() -> clock.addAndGet(5_000));
+        }
+        assertThat(times.of(Phase.WORLD)).isEqualTo(Duration.ofNanos(23));
+        assertThat(times.of(Phase.DEVICES)).isEqualTo(Duration.ofNanos(400));
+        assertThat(times.of(Phase.THINK)).isEqualTo(Duration.ofNanos(5_000));
+        assertThat(times.of(Phase.OBSERVE)).isZero();
     }
 }
