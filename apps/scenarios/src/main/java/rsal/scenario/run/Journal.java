@@ -7,8 +7,10 @@ import java.security.NoSuchAlgorithmException;
 import java.time.Duration;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.Supplier;
 import rsal.agent.Message;
@@ -28,6 +30,7 @@ final class Journal {
     private static final Set<String> COUNT_MOST = Set.of("operator", "fault", "run");
 
     private final ConcurrentSkipListMap<Long, RunEvent> events = new ConcurrentSkipListMap<>();
+    private final Map<String, Long> kinds = new ConcurrentHashMap<>(); // how many events of each
     private final ByteBuffer numbers = ByteBuffer.allocate(4 * Long.BYTES);
     private final MessageDigest digest;
     private final Supplier<Duration> time;
@@ -66,6 +69,7 @@ final class Journal {
 
     private void event(String kind, String subject, String text, Optional<Said> said) {
         hash(kind, subject, text);
+        kinds.merge(kind, 1L, Long::sum);
         if (sequence == MOST_EVENTS - 1) {
             keep("run", "", "Too many events: of some kinds no more are kept.", Optional.empty());
         }
@@ -133,6 +137,11 @@ final class Journal {
     /// The hash so far, in hexadecimal. Begins a new one.
     String finish() {
         return HexFormat.of().formatHex(digest.digest());
+    }
+
+    /// How many events there were of each kind, those too that were not kept.
+    Map<String, Long> kinds() {
+        return Map.copyOf(kinds);
     }
 
     List<RunEvent> after(long sequence) {

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -36,6 +37,7 @@ import rsal.system.BridgeProvider;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
+import rsal.time.PhaseTimes;
 import rsal.time.Scheduler;
 import rsal.time.WallScheduler;
 
@@ -62,12 +64,15 @@ public final class LiveRun implements AutoCloseable {
             new Requests(result.handle((_, _) -> new Answer.Refused("The run has ended.")));
     private final Viewers eventViewers = new Viewers();
     private final ExecutorService helpers;
+    private final PhaseTimes phaseTimes = new PhaseTimes(System::nanoTime);
+    private final StepTimes stepTimes = new StepTimes();
     private final Scheduler scheduler;
     private final Instant began;
     private final long beganNanos = System.nanoTime();
     private final LongSupplier handClock;
     private final Journal journal;
     private final Observer observer;
+    private final Traffic traffic;
     private final Pace pace;
     private final Snapshots snapshots;
     private final Turns turns = new Turns();
@@ -91,12 +96,13 @@ public final class LiveRun implements AutoCloseable {
         this.helpers = Executors.newFixedThreadPool(
                 helpers, Thread.ofPlatform().daemon().name(name + "-helper-", 1).factory());
         this.scheduler = switch (plan.clock()) {
-            case SIMULATED -> new LockstepScheduler(Instant.EPOCH, this.helpers);
-            case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread);
+            case SIMULATED -> new LockstepScheduler(Instant.EPOCH, this.helpers, phaseTimes);
+            case WALL -> new WallScheduler(name, this.helpers, this::breaksOnItsThread, phaseTimes);
         };
         this.began = scheduler.instant();
         this.journal = new Journal(this::elapsed, eventViewers::tell, witness);
         this.observer = new Observer(plan, journal, scheduler);
+        this.traffic = new Traffic(journal, observer, plan.communication().isPresent());
         this.pace = new Pace(System::nanoTime, plan.clock() == RunPlan.Clock.WALL ? 1 : plan.speed());
         this.snapshots = new Snapshots(System::nanoTime, this::snapshot);
     }
@@ -326,6 +332,15 @@ public final class LiveRun implements AutoCloseable {
         return journal.after(sequence);
     }
 
+    /// What it has counted so far; also when it has ended. Never waits for the run.
+    public Metrics metrics() {
+        var phases = new EnumMap<Phase, Duration>(Phase.class);
+        for (Phase phase : Phase.values()) {
+            phases.put(phase, phaseTimes.of(phase));
+        }
+        return new Metrics(snapshot().time(), stepTimes.soFar(), phases, traffic.topics(), journal.kinds());
+    }
+
     /// Tells when there is a new event. A listener that throws is told no more.
     public Subscription onEvents(Runnable listener) {
         return eventViewers.add(listener);
@@ -437,7 +452,7 @@ public final class LiveRun implements AutoCloseable {
 
     private void begin() {
         thread = Thread.currentThread();
-        var everything = new Stage(plan, scheduler, journal, observer, turns);
+        var everything = new Stage(plan, scheduler, journal, observer, traffic, turns);
         stage = everything;
         everything.begin();
         scheduler.every(plan.step(), Phase.OBSERVE, () -> {
@@ -511,7 +526,9 @@ public final class LiveRun implements AutoCloseable {
             return;
         }
         stepsWanted = Math.max(0, stepsWanted - 1);
+        long from = System.nanoTime();
         time.advance(plan.step());
+        stepTimes.took(System.nanoTime() - from);
         snapshots.makeIfDue();
     }
 

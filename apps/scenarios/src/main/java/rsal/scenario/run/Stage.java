@@ -44,8 +44,9 @@ final class Stage implements AutoCloseable {
 
     /// Makes the robot systems; nothing moves yet.
     ///
+    /// @param traffic where is counted what agents say
     /// @param turns where is counted which agents are at work
-    Stage(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Turns turns) {
+    Stage(RunPlan plan, Scheduler scheduler, Journal journal, Observer observer, Traffic traffic, Turns turns) {
         this.plan = plan;
         this.scheduler = scheduler;
         this.journal = journal;
@@ -54,7 +55,7 @@ final class Stage implements AutoCloseable {
         this.systems = new RobotSystems(plan, scheduler);
         this.where = new Whereabouts(systems, team);
         this.breaker = new RobotBreaker(systems, plan.faults());
-        this.traffic = new Traffic(journal, observer, plan.communication().isPresent());
+        this.traffic = traffic;
         this.faults = new Faults(plan, scheduler, journal, observer, traffic, breaker);
         this.world = new SimulatedWorld(plan, systems, scheduler, journal, observer, newcomers, team, faults);
         this.proxies = new Proxies(systems, team, where, scheduler, journal);

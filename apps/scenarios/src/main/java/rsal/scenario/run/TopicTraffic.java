@@ -16,4 +16,12 @@ public record TopicTraffic(String topic, long said, long heard, Map<Loss, Long> 
         copy.putAll(lost);
         lost = Collections.unmodifiableMap(copy);
     }
+
+    /// This and what was said about the topic elsewhere.
+    TopicTraffic plus(TopicTraffic other) {
+        var all = new EnumMap<Loss, Long>(Loss.class);
+        all.putAll(lost);
+        other.lost.forEach((why, times) -> all.merge(why, times, Long::sum));
+        return new TopicTraffic(topic, said + other.said, heard + other.heard, all);
+    }
 }

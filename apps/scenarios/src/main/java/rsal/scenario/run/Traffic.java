@@ -2,15 +2,18 @@ package rsal.scenario.run;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
 import rsal.agent.Message;
 
 /// Counts what agents say and hear, by topic. Who heard what is recorded, and part of the event hash, where
-/// communication is limited: else all hear all, and the counts are enough. All calls on the run's thread.
+/// communication is limited: else all hear all, and the counts are enough. All calls on the run's thread, but for
+/// [#topics], which any may ask for.
 final class Traffic {
     private static final int MOST_TOPICS = 500;
     private static final String OTHERS = "…";
@@ -18,12 +21,41 @@ final class Traffic {
     private final Journal journal;
     private final Observer observer;
     private final Optional<Hearings> hearings;
-    private final Map<String, Counts> topics = new HashMap<>();
+    private final Map<String, Counts> topics = new ConcurrentHashMap<>();
 
     private static final class Counts {
-        private final Map<Loss, Long> lost = new EnumMap<>(Loss.class);
-        private long said;
-        private long heard;
+        private final AtomicLong said = new AtomicLong();
+        private final AtomicLong heard = new AtomicLong();
+        private final Map<Loss, AtomicLong> lost = new EnumMap<>(Loss.class);
+
+        Counts() {
+            for (Loss why : Loss.values()) {
+                lost.put(why, new AtomicLong());
+            }
+        }
+
+        void said() {
+            addOne(said);
+        }
+
+        void heard() {
+            addOne(heard);
+        }
+
+        void lost(Loss why) {
+            addOne(Objects.requireNonNull(lost.get(why))); // each has one
+        }
+
+        private static void addOne(AtomicLong count) {
+            count.setRelease(count.getPlain() + 1); // nobody else writes
+        }
+
+        TopicTraffic of(String topic) {
+            var happened = new EnumMap<Loss, Long>(Loss.class);
+            lost.forEach((why, count) -> happened.put(why, count.get()));
+            happened.values().removeIf(times -> times == 0);
+            return new TopicTraffic(topic, said.get(), heard.get(), happened);
+        }
     }
 
     Traffic(Journal journal, Observer observer, boolean isLimited) {
@@ -34,12 +66,12 @@ final class Traffic {
 
     void said(Message<?> message) {
         observer.messageSaid();
-        of(message).said++;
+        of(message).said();
     }
 
     void heard(Message<?> message, String listener) {
         observer.messageHeard();
-        of(message).heard++;
+        of(message).heard();
         if (hearings.isPresent()) {
             String topic = message.topic().name();
             journal.hash("heard", message.sender(), topic, listener);
@@ -59,7 +91,7 @@ final class Traffic {
 
     private void count(Message<?> message, String listener, Loss why) {
         observer.messageLost();
-        of(message).lost.merge(why, 1L, Long::sum);
+        of(message).lost(why);
         hearings.ifPresent(
                 all -> all.lost(message.sender(), listener, message.topic().name()));
     }
@@ -76,8 +108,7 @@ final class Traffic {
     /// What was said so far, by topic.
     List<TopicTraffic> topics() {
         var all = new ArrayList<TopicTraffic>();
-        new TreeMap<>(topics)
-                .forEach((topic, counts) -> all.add(new TopicTraffic(topic, counts.said, counts.heard, counts.lost)));
+        new TreeMap<>(topics).forEach((topic, counts) -> all.add(counts.of(topic)));
         return all;
     }
 

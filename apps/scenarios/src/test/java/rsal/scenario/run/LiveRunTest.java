@@ -14,6 +14,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.time.Phase;
 
 @Timeout(60)
 class LiveRunTest {
@@ -64,6 +66,46 @@ class LiveRunTest {
                 run.snapshot();
             }
             assertThat(Runs.result(run).eventHash()).isEqualTo(unwatched.eventHash());
+        }
+    }
+
+    @Test
+    void countsWhatItHasDone() {
+        try (var run = LiveRun.start(plan())) {
+            RunResult result = Runs.result(run);
+            Metrics metrics = run.metrics();
+            assertThat(metrics.time()).isEqualTo(run.snapshot().time()).isPositive();
+            assertThat(metrics.steps().count())
+                    .isEqualTo(metrics.time().dividedBy(run.plan().step()));
+            assertThat(metrics.steps().sum()).isPositive();
+            assertThat(metrics.phases()).containsOnlyKeys(Phase.values());
+            assertThat(metrics.phases().get(Phase.WORLD)).isPositive();
+            assertThat(metrics.phases().get(Phase.OBSERVE)).isPositive();
+            Duration inPhases = metrics.phases().values().stream().reduce(Duration.ZERO, Duration::plus);
+            assertThat(inPhases).isLessThanOrEqualTo(metrics.steps().sum());
+            assertThat(metrics.topics()).isEqualTo(result.topics());
+            assertThat(metrics.events())
+                    .isEqualTo(run.events(0).stream()
+                            .collect(Collectors.groupingBy(RunEvent::kind, Collectors.counting())));
+        }
+    }
+
+    @Test
+    void tellsWhatItHasCountedWhileItGoesOn() {
+        try (var run = LiveRun.start(plan())) {
+            Metrics before = Metrics.NONE;
+            while (!run.result().toCompletableFuture().isDone()) {
+                Metrics now = run.metrics();
+                assertThat(now.time()).isGreaterThanOrEqualTo(before.time());
+                assertThat(now.steps().count())
+                        .isGreaterThanOrEqualTo(before.steps().count());
+                assertThat(now.steps().sum())
+                        .isGreaterThanOrEqualTo(before.steps().sum());
+                before = now;
+            }
+            assertThat(before.steps().count()).isPositive();
+            assertThat(Runs.result(run).eventHash())
+                    .isEqualTo(Runs.result(plan()).eventHash());
         }
     }
 

@@ -47,7 +47,8 @@ class OverlaidRunTest {
     private Stage stage(String scenario) {
         RunPlan plan = Runs.plan(folder, scenario, RunOptions.NONE);
         var journal = new Journal(() -> Duration.between(Instant.EPOCH, time.instant()), () -> {});
-        var stage = new Stage(plan, time, journal, new Observer(plan, journal, time), new Turns());
+        var observer = new Observer(plan, journal, time);
+        var stage = new Stage(plan, time, journal, observer, new Traffic(journal, observer, false), new Turns());
         stage.begin();
         time.advance(Duration.ofSeconds(1));
         return stage;

@@ -1,0 +1,62 @@
+package rsal.scenario.run;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.BinaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import rsal.time.Phase;
+
+/// What a run has counted so far, for those who watch over the machine. All of it only grows. Different numbers may be
+/// of different instants, some ms apart while the run goes on.
+///
+/// @param time that has passed in the run
+/// @param steps how much real time steps of simulated time took, without waiting; empty in real time
+/// @param phases real time that went into each, all of them
+/// @param topics what was said, by topic
+/// @param events how many there were of each kind, those too that are not kept
+public record Metrics(
+        Duration time,
+        Histogram steps,
+        Map<Phase, Duration> phases,
+        List<TopicTraffic> topics,
+        Map<String, Long> events) {
+    /// Of no run.
+    public static final Metrics NONE = new Metrics(Duration.ZERO, Histogram.EMPTY, Map.of(), List.of(), Map.of());
+
+    public Metrics {
+        var all = new EnumMap<Phase, Duration>(Phase.class);
+        for (Phase phase : Phase.values()) {
+            all.put(phase, phases.getOrDefault(phase, Duration.ZERO));
+        }
+        phases = Collections.unmodifiableMap(all);
+        topics = List.copyOf(topics);
+        events = Collections.unmodifiableMap(new TreeMap<>(events));
+    }
+
+    /// Those of both runs together.
+    public Metrics plus(Metrics other) {
+        return new Metrics(
+                time.plus(other.time),
+                steps.plus(other.steps),
+                both(phases, other.phases, Duration::plus),
+                new ArrayList<>(both(byTopic(topics), byTopic(other.topics), TopicTraffic::plus)
+                        .values()),
+                both(events, other.events, Long::sum));
+    }
+
+    private static Map<String, TopicTraffic> byTopic(List<TopicTraffic> topics) {
+        return topics.stream().collect(Collectors.toMap(TopicTraffic::topic, topic -> topic));
+    }
+
+    private static <K extends Comparable<K>, V> Map<K, V> both(Map<K, V> one, Map<K, V> other, BinaryOperator<V> plus) {
+        return Stream.of(one, other)
+                .flatMap(map -> map.entrySet().stream())
+                .collect(Collectors.toMap(Map.Entry::getKey, Map.Entry::getValue, plus, TreeMap::new));
+    }
+}

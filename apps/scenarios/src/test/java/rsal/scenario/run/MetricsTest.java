@@ -1,0 +1,61 @@
+package rsal.scenario.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import rsal.time.Phase;
+
+class MetricsTest {
+    @Test
+    void thoseOfTwoRunsAreAddedUp() {
+        var one = new Metrics(
+                Duration.ofSeconds(10),
+                times(3_000, 10_000, 10_001, 6_000_000_000L),
+                Map.of(Phase.WORLD, Duration.ofMillis(1), Phase.THINK, Duration.ofMillis(5)),
+                List.of(
+                        new TopicTraffic("hello", 3, 2, Map.of(Loss.CHANCE, 1L)),
+                        new TopicTraffic("pose", 7, 7, Map.of())),
+                Map.of("agent", 4L));
+        var other = new Metrics(
+                Duration.ofSeconds(1),
+                times(4_000),
+                Map.of(Phase.WORLD, Duration.ofMillis(2)),
+                List.of(
+                        new TopicTraffic("alarm", 1, 1, Map.of()),
+                        new TopicTraffic("hello", 10, 1, Map.of(Loss.CHANCE, 4L, Loss.RANGE, 5L))),
+                Map.of("agent", 1L, "fault", 1L));
+        Metrics both = one.plus(other);
+        assertThat(both.time()).isEqualTo(Duration.ofSeconds(11));
+        assertThat(both.steps().counts()).startsWith(3L, 1L, 0L).endsWith(0L, 1L);
+        assertThat(both.steps().count()).isEqualTo(5);
+        assertThat(both.steps().sum()).isEqualTo(Duration.ofNanos(6_000_027_001L));
+        assertThat(both.phases())
+                .isEqualTo(Map.of(
+                        Phase.WORLD,
+                        Duration.ofMillis(3),
+                        Phase.DEVICES,
+                        Duration.ZERO,
+                        Phase.THINK,
+                        Duration.ofMillis(5),
+                        Phase.OBSERVE,
+                        Duration.ZERO));
+        assertThat(both.topics())
+                .containsExactly(
+                        new TopicTraffic("alarm", 1, 1, Map.of()),
+                        new TopicTraffic("hello", 13, 3, Map.of(Loss.CHANCE, 5L, Loss.RANGE, 5L)),
+                        new TopicTraffic("pose", 7, 7, Map.of()));
+        assertThat(both.events()).isEqualTo(Map.of("agent", 5L, "fault", 1L));
+        assertThat(Metrics.NONE.plus(one)).isEqualTo(one);
+    }
+
+    private static Histogram times(long... nanos) {
+        var times = new StepTimes();
+        for (long one : nanos) {
+            times.took(one);
+        }
+        return times.soFar();
+    }
+}
