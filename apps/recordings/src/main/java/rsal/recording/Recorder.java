@@ -23,6 +23,22 @@ public final class Recorder implements AutoCloseable {
     private final Thread writer;
     private volatile @Nullable RunResult result;
     private volatile @Nullable IOException failure;
+    private volatile long bytes; // in the file
+
+    /// What came of recordings so far.
+    ///
+    /// @param bytes that were written
+    /// @param dropped states of the run that were not, as the file was too slow
+    /// @param failed how many recordings are not whole
+    public record Tally(long bytes, long dropped, int failed) {
+        /// Of no recording.
+        public static final Tally NONE = new Tally(0, 0, 0);
+
+        /// Of these and those together.
+        public Tally plus(Tally other) {
+            return new Tally(bytes + other.bytes, dropped + other.dropped, failed + other.failed);
+        }
+    }
 
     private Recorder(McapWriter file, Encoder encoder, Backlog.Behind behind) {
         this.file = file;
@@ -74,6 +90,11 @@ public final class Recorder implements AutoCloseable {
         return backlog.dropped();
     }
 
+    /// What came of it so far. From any thread, without waiting for the file.
+    public Tally tally() {
+        return new Tally(bytes, dropped(), failure().isPresent() ? 1 : 0);
+    }
+
     /// Why nothing more was written; empty while all is well.
     public Optional<IOException> failure() {
         return Optional.ofNullable(failure);
@@ -88,6 +109,7 @@ public final class Recorder implements AutoCloseable {
                     next.get().write(encoder);
                 }
                 file.tick();
+                bytes = file.size();
             }
             Outcome.write(file, Optional.ofNullable(result), dropped());
         } catch (IOException e) {
@@ -95,6 +117,7 @@ public final class Recorder implements AutoCloseable {
         } catch (RuntimeException e) {
             fail(new IOException("Recording failed: " + e, e));
         }
+        bytes = file.size();
     }
 
     private void fail(IOException why) {

@@ -69,6 +69,22 @@ class RecorderTest {
     }
 
     @Test
+    void tellsHowMuchItHasWritten() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        RunPlan plan = Recorded.plan(HUNT, 3, 5);
+        Recorder recorder = Recorded.begin(plan, file);
+        try (recorder) {
+            LiveRun.start(plan, recorder.witness())
+                    .result()
+                    .toCompletableFuture()
+                    .get(100, TimeUnit.SECONDS);
+        }
+        assertThat(recorder.tally()).isEqualTo(new Recorder.Tally(Files.size(file), 0, 0));
+        assertThat(recorder.tally().plus(new Recorder.Tally(1, 2, 3)))
+                .isEqualTo(new Recorder.Tally(Files.size(file) + 1, 2, 3));
+    }
+
+    @Test
     void whatIsCutOffIsComparedUpToThere() throws Exception {
         Path file = folder.resolve("run.mcap");
         Recorded.run(Recorded.plan(HUNT, 3, 20), file);

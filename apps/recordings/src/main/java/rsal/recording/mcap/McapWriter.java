@@ -117,6 +117,11 @@ public final class McapWriter implements Closeable {
         return channel.id();
     }
 
+    /// How much of the file there is [B], without the chunk that is open.
+    public long size() {
+        return position;
+    }
+
     private static void checkRoom(int count, String what) {
         if (count == MOST) {
             throw new IllegalStateException("A file has at most %d %s.".formatted(MOST, what));
