@@ -5,6 +5,10 @@ module rsal.server {
     requires transitive rsal.recordings;
     requires transitive rsal.scenarios;
     requires io.javalin;
+    requires io.prometheus.metrics.model;
+    requires io.prometheus.writer.text;
+    requires java.management; // memory and threads of this process
+    requires jdk.management; // its processor time
     requires org.eclipse.jetty.ee10.servlet;
     requires org.eclipse.jetty.ee10.websocket.jetty.server;
     requires org.eclipse.jetty.server;

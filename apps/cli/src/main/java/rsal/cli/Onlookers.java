@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Optional;
 import rsal.foxglove.FoxgloveServer;
 import rsal.recording.Origin;
+import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Witness;
@@ -60,6 +61,11 @@ final class Onlookers implements AutoCloseable {
     /// A run has ended: ends its recording, and tells what became of that.
     void end(LiveRun run) {
         recorder.end(run);
+    }
+
+    /// What came of all recordings so far; empty when nothing is recorded. Does not wait.
+    Optional<Recorder.Tally> recorded() {
+        return recorder.tally();
     }
 
     /// Whether any recording is not whole.

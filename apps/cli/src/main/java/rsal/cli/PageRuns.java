@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunResult;
@@ -28,6 +29,12 @@ final class PageRuns {
         /// Starts a run; on a thread of the page, too.
         default LiveRun start(RunPlan plan) {
             return LiveRun.start(plan);
+        }
+
+        /// What came of recordings so far; empty when nothing is recorded. Called on threads of the page; must not
+        /// wait.
+        default Optional<Recorder.Tally> recorded() {
+            return Optional.empty();
         }
 
         /// A run has begun.
@@ -106,7 +113,8 @@ final class PageRuns {
                 port,
                 (free, page) -> RunServer.start(
                         first.plan(),
-                        new RunServer.Options(free, token, page, first.scenarios(), onStart, eye::start)));
+                        new RunServer.Options(
+                                free, token, page, first.scenarios(), onStart, eye::start, eye::recorded)));
     }
 
     /// Starts a server at a port, with the built page.

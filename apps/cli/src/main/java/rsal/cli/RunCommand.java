@@ -12,6 +12,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
+import rsal.recording.Recorder;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
@@ -147,6 +148,11 @@ final class RunCommand extends Subcommand {
             @Override
             public LiveRun start(RunPlan next) {
                 return onlookers.start(next);
+            }
+
+            @Override
+            public Optional<Recorder.Tally> recorded() {
+                return onlookers.recorded();
             }
 
             @Override

@@ -28,6 +28,7 @@ final class RunRecorder implements AutoCloseable {
     private final boolean force;
     private final boolean headless;
     private final PrintWriter err;
+    private volatile Counted counted = new Counted(Recorder.Tally.NONE, Optional.empty());
 
     // under the lock of this
     private int runs;
@@ -35,6 +36,16 @@ final class RunRecorder implements AutoCloseable {
     private @Nullable LiveRun run;
     private @Nullable Path recorded;
     private boolean failed;
+
+    /// What recordings have come to.
+    ///
+    /// @param ended all that have ended
+    /// @param open the one that is under way
+    private record Counted(Recorder.Tally ended, Optional<Recorder> open) {
+        Recorder.Tally all() {
+            return open.map(under -> ended.plus(under.tally())).orElse(ended);
+        }
+    }
 
     private RunRecorder(Optional<Path> file, boolean force, boolean headless, PrintWriter err) {
         this.file = file;
@@ -70,6 +81,7 @@ final class RunRecorder implements AutoCloseable {
                     waits ? Backlog.Behind.WAIT : Backlog.Behind.DROP,
                     System::nanoTime);
             recorder = next;
+            counted = new Counted(counted.ended(), Optional.of(next));
             recorded = path;
             return Optional.of(next.witness());
         } catch (FileAlreadyExistsException _) {
@@ -130,6 +142,11 @@ final class RunRecorder implements AutoCloseable {
         }
     }
 
+    /// What came of all recordings so far; empty when nothing is to be recorded. Does not wait for one that ends.
+    Optional<Recorder.Tally> tally() {
+        return file.map(_ -> counted.all());
+    }
+
     /// Whether any recording is not whole.
     synchronized boolean hasFailed() {
         return failed;
@@ -153,6 +170,7 @@ final class RunRecorder implements AutoCloseable {
         }
         open.close();
         failed |= open.failure().isPresent();
+        counted = new Counted(counted.all(), Optional.empty());
         recorder = null;
         run = null;
     }

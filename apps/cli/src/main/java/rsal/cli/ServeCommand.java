@@ -1,10 +1,12 @@
 package rsal.cli;
 
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import rsal.recording.Recorder;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -58,6 +60,11 @@ final class ServeCommand extends Subcommand {
                     hasBegun = true;
                 }
                 return run;
+            }
+
+            @Override
+            public Optional<Recorder.Tally> recorded() {
+                return onlookers.recorded();
             }
 
             @Override

@@ -68,16 +68,19 @@ final class Api {
     private final Shelf shelf;
     private final Gate gate;
     private final Page page;
+    private final Exposition exposition;
     private final AtomicReference<@Nullable PackedMap> map = new AtomicReference<>();
 
     /// The map of a run, which takes a while to draw.
     private record PackedMap(int run, byte[] bytes) {}
 
-    Api(CurrentRun current, Shelf shelf, Gate gate, Page page) {
+    /// @param exposition what monitors are shown
+    Api(CurrentRun current, Shelf shelf, Gate gate, Page page, Exposition exposition) {
         this.current = current;
         this.shelf = shelf;
         this.gate = gate;
         this.page = page;
+        this.exposition = exposition;
     }
 
     void configure(RoutesConfig routes) {
@@ -112,6 +115,8 @@ final class Api {
             String name = request.queryParam("name");
             answerWhenDone(request, running().inside(name == null ? "" : name));
         });
+
+        routes.get("/metrics", exposition::answer);
 
         command(routes, "pause", request -> running().pause());
         command(routes, "resume", request -> running().resume());

@@ -7,6 +7,7 @@ import java.util.function.Function;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.Metrics;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
 import rsal.scene.Entity;
@@ -19,7 +20,13 @@ final class CurrentRun implements AutoCloseable {
     private boolean closed;
 
     /// @param number counts this server's runs, from 1
-    record Numbered(int number, LiveRun run) {
+    /// @param before what all before it have counted
+    record Numbered(int number, LiveRun run, Metrics before) {
+        /// What all runs have counted so far: it goes on when another run begins.
+        Metrics metrics() {
+            return before.plus(run.metrics());
+        }
+
         boolean isOver() {
             return run.result().toCompletableFuture().isDone();
         }
@@ -45,7 +52,7 @@ final class CurrentRun implements AutoCloseable {
     CurrentRun(RunPlan first, Consumer<LiveRun> onStart, Function<RunPlan, LiveRun> starter) {
         this.onStart = onStart;
         this.starter = starter;
-        now = begin(1, first);
+        now = begin(1, first, Metrics.NONE);
     }
 
     Numbered now() {
@@ -58,13 +65,13 @@ final class CurrentRun implements AutoCloseable {
             throw new Refusal(503, "The server is ending.");
         }
         now.run().close();
-        now = begin(now.number() + 1, next);
+        now = begin(now.number() + 1, next, now.metrics());
     }
 
-    private Numbered begin(int number, RunPlan plan) {
+    private Numbered begin(int number, RunPlan plan, Metrics before) {
         LiveRun run = starter.apply(plan);
         onStart.accept(run);
-        return new Numbered(number, run);
+        return new Numbered(number, run, before);
     }
 
     @Override

@@ -54,6 +54,11 @@ final class History implements Past {
         }
     }
 
+    /// Of all moments together.
+    long bytes() {
+        return bytes;
+    }
+
     private void thin() {
         spacing = spacing.multipliedBy(2);
         var some = new ArrayList<Moment>(moments.size() / 2 + 1);

@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.server.Messages.Receipt;
+import rsal.server.ViewerCounts.Reason;
 
 /// Shows a run over WebSockets, 20 times a second. Each snapshot of one that goes on is encoded once, whoever looks;
 /// while nobody looks, twice a second, to look back on.
@@ -34,6 +35,7 @@ final class Live implements AutoCloseable {
     private final Showing showing;
     private final Gate gate;
     private final Set<Viewer> viewers = ConcurrentHashMap.newKeySet();
+    private final ViewerCounts counts = new ViewerCounts();
     private final ScheduledExecutorService clock;
     private long periods; // the clock's thread only
 
@@ -84,8 +86,19 @@ final class Live implements AutoCloseable {
         } catch (RuntimeException e) {
             LOG.warn("Let a viewer go that could not be sent to.", e);
             viewers.remove(viewer);
+            counts.letGo(Reason.FAILED);
             viewer.drop();
         }
+    }
+
+    /// How many there are now. For any thread.
+    int viewers() {
+        return viewers.size();
+    }
+
+    /// What they were sent. For any thread.
+    ViewerCounts counts() {
+        return counts;
     }
 
     /// No viewer is offered anything any more. Their connections end with the server.
@@ -101,16 +114,20 @@ final class Live implements AutoCloseable {
 
     /// One viewer's socket. Jetty calls it and sends for it on threads of its own; it calls only public classes.
     public final class Connection extends Session.Listener.AbstractAutoDemanding implements Viewer.Line {
-        private final Viewer viewer = new Viewer(this);
+        private final Viewer viewer = new Viewer(this, counts);
         private final AtomicInteger underWay = new AtomicInteger();
 
         @Override
         public void onWebSocketOpen(Session session) {
             super.onWebSocketOpen(session);
             if (viewers.size() >= MAX_VIEWERS) {
-                close(StatusCode.TRY_AGAIN_LATER, "%d browsers are watching already.".formatted(MAX_VIEWERS));
+                close(
+                        Reason.FULL,
+                        StatusCode.TRY_AGAIN_LATER,
+                        "%d browsers are watching already.".formatted(MAX_VIEWERS));
             } else {
                 viewers.add(viewer);
+                counts.addViewer();
             }
         }
 
@@ -119,14 +136,14 @@ final class Live implements AutoCloseable {
             try {
                 viewer.received(Json.read(message, Receipt.class));
             } catch (Refusal _) {
-                close(StatusCode.POLICY_VIOLATION, RECEIPTS);
+                close(Reason.NONSENSE, StatusCode.POLICY_VIOLATION, RECEIPTS);
             }
         }
 
         @Override
         public void onWebSocketBinary(ByteBuffer message, Callback taken) {
             taken.succeed();
-            close(StatusCode.BAD_DATA, RECEIPTS);
+            close(Reason.NONSENSE, StatusCode.BAD_DATA, RECEIPTS);
         }
 
         @Override
@@ -140,9 +157,10 @@ final class Live implements AutoCloseable {
             viewers.remove(viewer);
         }
 
-        private void close(int status, String reason) {
+        private void close(Reason why, int status, String words) {
             viewers.remove(viewer);
-            getSession().close(status, reason, Callback.NOOP);
+            counts.letGo(why);
+            getSession().close(status, words, Callback.NOOP);
         }
 
         @Override

@@ -1,10 +1,11 @@
 package rsal.server;
 
-/// Shows the run that goes on, and what has been of it. For one thread.
+/// Shows the run that goes on, and what has been of it. For one thread, but for [#bytesKept].
 final class LiveShowing implements Showing {
     private final CurrentRun current;
     private RunFeed feed;
     private History history;
+    private volatile long bytesKept;
 
     LiveShowing(CurrentRun current) {
         this.current = current;
@@ -14,12 +15,18 @@ final class LiveShowing implements Showing {
 
     @Override
     public void look() {
-        if (!feed.run().equals(current.now())) {
+        if (feed.number() != current.now().number()) {
             feed = new RunFeed(current.now());
             history = new History(feed);
         }
         feed.look();
         history.keep(feed.time(), feed.isLast());
+        bytesKept = history.bytes();
+    }
+
+    /// What looking back takes. For any thread.
+    long bytesKept() {
+        return bytesKept;
     }
 
     @Override

@@ -7,8 +7,11 @@ import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
+import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 
@@ -31,20 +34,22 @@ public final class RunServer implements AutoCloseable {
     /// scenarios that come with the program; nobody can name others there
     /// @param onStart told of each run, the first and those that replace it, when it begins
     /// @param starter starts a run
+    /// @param recorded what came of recordings so far; empty when nothing is recorded. Must not wait, on any thread
     public record Options(
             int port,
             String token,
             Path page,
             List<String> scenarios,
             Consumer<LiveRun> onStart,
-            Function<RunPlan, LiveRun> starter) {
+            Function<RunPlan, LiveRun> starter,
+            Supplier<Optional<Recorder.Tally>> recorded) {
         public Options {
             scenarios = List.copyOf(scenarios);
         }
 
         /// With runs that nobody else sees all of, of scenarios that come with the program.
         public Options(int port, String token, Path page, Consumer<LiveRun> onStart) {
-            this(port, token, page, List.of(), onStart, LiveRun::start);
+            this(port, token, page, List.of(), onStart, LiveRun::start, Optional::empty);
         }
     }
 
@@ -68,9 +73,11 @@ public final class RunServer implements AutoCloseable {
         current = new CurrentRun(plan, options.onStart(), options.starter());
         try {
             var gate = new Gate(PageServer.port(door), token);
-            var live = new Live(new LiveShowing(current), gate);
-            server = new PageServer(
-                    door, token, live, new Api(current, new Shelf(options.scenarios()), gate, page)::configure);
+            var showing = new LiveShowing(current);
+            var live = new Live(showing, gate);
+            var shelf = new Shelf(options.scenarios());
+            var exposition = new Exposition(current, live, showing::bytesKept, options.recorded());
+            server = new PageServer(door, token, live, new Api(current, shelf, gate, page, exposition)::configure);
         } catch (IOException | RuntimeException e) {
             current.close();
             throw e;

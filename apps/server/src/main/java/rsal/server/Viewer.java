@@ -1,5 +1,6 @@
 package rsal.server;
 
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -15,6 +16,8 @@ import rsal.server.Messages.Reach;
 import rsal.server.Messages.Receipt;
 import rsal.server.Messages.ServerMessage;
 import rsal.server.Messages.Things;
+import rsal.server.ViewerCounts.Kind;
+import rsal.server.ViewerCounts.Reason;
 
 /// One browser that watches. It is sent no more than it takes: at most [#FRAMES] frames and one batch of events
 /// are under way, the rest waits where it is anyway, frames as the newest snapshot and events in the run's log.
@@ -41,6 +44,7 @@ final class Viewer {
     }
 
     private final Line line;
+    private final ViewerCounts counts;
     private final Deque<Long> framesUnderWay = new ArrayDeque<>();
     private int run; // 0 is none
     private long newestFrame;
@@ -58,8 +62,10 @@ final class Viewer {
     private @Nullable Reach reach; // as it was told
     private long offers;
 
-    Viewer(Line line) {
+    /// @param counts where is counted what it was sent
+    Viewer(Line line, ViewerCounts counts) {
         this.line = line;
+        this.counts = counts;
     }
 
     /// Ends it, as it can't be shown anything; its page comes again.
@@ -106,13 +112,16 @@ final class Viewer {
         offers++;
         if (due && run == past.number() && !now.equals(reach) && line.isClear()) {
             reach = now;
-            line.send(Json.write(ServerMessage.of(now)));
+            send(Kind.REACH, Json.write(ServerMessage.of(now)));
         }
     }
 
     /// Sends what is new of the run, as far as the viewer has taken what it was sent before.
     synchronized void offer(Feed feed) {
         if (isWaitedFor() && ++offersWaited > PATIENCE) {
+            if (offersWaited == PATIENCE + 1) { // it is not gone at once
+                counts.letGo(Reason.SILENT);
+            }
             line.cut();
         } else if (line.isClear()) {
             if (run != feed.number()) {
@@ -131,13 +140,13 @@ final class Viewer {
     /// Who and what has come, before the frame that has them.
     private void sendNews(Feed feed) {
         if (robots < feed.robots()) {
-            line.send(feed.newcomers(robots));
+            send(Kind.NEWCOMERS, feed.newcomers(robots));
             robots = feed.robots();
         }
         Roster roster = feed.things();
         if (!roster.equals(told)) {
             Optional<Things> news = roster.news(things);
-            news.ifPresent(some -> line.send(Json.write(ServerMessage.of(some))));
+            news.ifPresent(some -> send(Kind.THINGS, Json.write(ServerMessage.of(some))));
             told = news.isPresent() ? null : roster;
         }
     }
@@ -148,11 +157,20 @@ final class Viewer {
         }
         if (!details.equals(feed.details())) {
             details = feed.details();
-            line.send(details);
+            send(Kind.DETAILS, details);
+        }
+        if (newestFrame > 0) {
+            counts.skipped(feed.sequence() - newestFrame - 1);
         }
         newestFrame = feed.sequence();
         framesUnderWay.add(newestFrame);
         line.send(feed.frame());
+        counts.sent(Kind.FRAME, feed.frame().length);
+    }
+
+    private void send(Kind kind, String text) {
+        line.send(text);
+        counts.sent(kind, text.getBytes(StandardCharsets.UTF_8).length);
     }
 
     private void begin(Feed feed) {
@@ -165,7 +183,7 @@ final class Viewer {
         told = null;
         eventsSent = 0;
         eventsTaken = 0;
-        line.send(feed.info());
+        send(Kind.RUN, feed.info());
     }
 
     private void sendEvents(Feed feed) {
@@ -179,7 +197,7 @@ final class Viewer {
         List<RunEvent> batch = news.subList(0, Math.min(EVENTS, news.size()));
         eventsSent = batch.getLast().sequence();
         var events = new Events(run, batch.stream().map(Descriptions::event).toList());
-        line.send(Json.write(ServerMessage.of(events)));
+        send(Kind.EVENTS, Json.write(ServerMessage.of(events)));
     }
 
     /// The viewer says what it has taken. What it was not sent, it can't have taken.

@@ -96,7 +96,7 @@ class HistoryTest {
     void aViewerLooksBackAndIsInThePresentAgain() {
         var history = new History(feed);
         var line = new Times();
-        var viewer = new Viewer(line);
+        var viewer = new Viewer(line, new ViewerCounts());
         for (int tenth = 0; tenth <= 50; tenth++) {
             keep(history, tenth);
         }
@@ -131,7 +131,7 @@ class HistoryTest {
     void whoLooksBackSeesTheNextRunWhenThatBegins() {
         var history = new History(feed);
         var line = new Times();
-        var viewer = new Viewer(line);
+        var viewer = new Viewer(line, new ViewerCounts());
         keep(history, 0);
         keep(history, 7);
         viewer.received(look(new LookBack(

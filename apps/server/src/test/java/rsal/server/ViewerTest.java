@@ -14,10 +14,13 @@ import org.junit.jupiter.api.Test;
 import rsal.scenario.run.RunEvent;
 import rsal.server.Messages.Receipt;
 import rsal.server.Messages.ThingInfo;
+import rsal.server.ViewerCounts.Kind;
+import rsal.server.ViewerCounts.Reason;
 
 class ViewerTest {
     private final FakeLine line = new FakeLine();
-    private final Viewer viewer = new Viewer(line);
+    private final ViewerCounts counts = new ViewerCounts();
+    private final Viewer viewer = new Viewer(line, counts);
     private int robots = 2;
     private Roster roster = new Roster(1, Map.of(), 0);
 
@@ -76,6 +79,24 @@ class ViewerTest {
     }
 
     @Test
+    void isCountedWithWhatItWasSentAndWhatNot() {
+        viewer.offer(feed(1, 1, 3));
+        viewer.offer(feed(1, 2, 3));
+        viewer.offer(feed(1, 5, 3)); // two are under way
+        assertThat(counts.skippedFrames()).isZero();
+        viewer.received(frame(2));
+        viewer.offer(feed(1, 9, 3));
+        assertThat(counts.skippedFrames()).isEqualTo(9 - 2 - 1);
+        assertThat(counts.messages(Kind.FRAME)).isEqualTo(3);
+        assertThat(counts.bytes(Kind.FRAME)).isEqualTo(3);
+        assertThat(counts.messages(Kind.RUN)).isEqualTo(1);
+        assertThat(counts.bytes(Kind.RUN)).isEqualTo("run 1".length());
+        assertThat(counts.messages(Kind.EVENTS)).isEqualTo(1);
+        viewer.offer(feed(2, 4, 0)); // counted anew
+        assertThat(counts.skippedFrames()).isEqualTo(6);
+    }
+
+    @Test
     void isShownAnotherRunFromItsBeginning() {
         viewer.offer(feed(1, 70, 2));
         line.takeAll();
@@ -101,8 +122,11 @@ class ViewerTest {
             viewer.offer(feed(1, 1, 0));
             assertThat(line.cut).isFalse();
         }
+        assertThat(counts.gone(Reason.SILENT)).isZero();
         viewer.offer(feed(1, 1, 0));
         assertThat(line.cut).isTrue();
+        viewer.offer(feed(1, 1, 0)); // its connection has yet to end
+        assertThat(counts.gone(Reason.SILENT)).isEqualTo(1);
     }
 
     @Test
