@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -12,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.recording.Origin;
+import rsal.recording.Recorder;
 import rsal.recording.Recording;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -40,6 +42,7 @@ class RunRecorderTest {
             assertThat(told.toString()).doesNotContain(next.toString());
             recorder.end(second);
             assertThat(told.toString()).contains("Recorded to " + next);
+            assertThat(recorder.tally()).contains(new Recorder.Tally(Files.size(file) + Files.size(next), 0, 0));
         }
         for (Path each : new Path[] {file, next}) {
             try (Recording recording = Recording.open(each.toString(), true)) {

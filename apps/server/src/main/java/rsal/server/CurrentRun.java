@@ -20,7 +20,7 @@ final class CurrentRun implements AutoCloseable {
     private boolean closed;
 
     /// @param number counts this server's runs, from 1
-    /// @param before what all before it have counted
+    /// @param before what all before it had counted when their successors began
     record Numbered(int number, LiveRun run, Metrics before) {
         /// What all runs have counted so far: it goes on when another run begins.
         Metrics metrics() {
