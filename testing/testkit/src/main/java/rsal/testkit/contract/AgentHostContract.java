@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,14 +16,12 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
-import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentType;
 import rsal.agent.Capability;
 import rsal.agent.Directory;
 import rsal.agent.Society.Status;
 import rsal.agent.Topic;
 import rsal.agent.protocol.Auction;
-import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.Conversation;
 import rsal.agent.protocol.Ending;
 import rsal.agent.protocol.Propose;
@@ -41,28 +38,13 @@ import rsal.time.Task;
 /// What every agent host owes to agents and to the run: they start, hear, wait, talk and end alike, each on its lane,
 /// one at a time, and when all is over nothing of the host is left. Tested in simulated time where the host follows
 /// that, else in real time, in which only orders count, not instants.
-public abstract class AgentHostContract {
-    private static final Topic<String> WORDS = new Topic<>("words", String.class);
+public abstract class AgentHostContract extends ContractNetContract {
     private static final Topic<Integer> NUMBERS = new Topic<>("numbers", Integer.class);
     private static final int MANY = 1000;
-
-    /// The host under test, set up with its fallbacks.
-    protected abstract AgentHostProvider provider();
 
     /// Whether the multi-agent system lets go of a thread by itself, but later than a test waits.
     protected boolean endsLater(Thread thread) {
         return false;
-    }
-
-    /// Written by agents, in turn.
-    private final List<String> log = new ArrayList<>();
-
-    private HostRun run() {
-        return new HostRun(provider());
-    }
-
-    private boolean isLogged(int lines) {
-        return log.size() >= lines;
     }
 
     @Test
@@ -516,71 +498,6 @@ public abstract class AgentHostContract {
             run.until("it wants no more", () -> log.contains("unwanted"));
         }
         assertThat(log).startsWith("number 1", "number 2", "number 3", "number 4", "number 5");
-    }
-
-    @Test
-    void theCheapestGetsTheTask() {
-        try (var run = run()) {
-            for (int i = 1; i <= 20; i++) {
-                double bid = 100 - i;
-                run.start("worker-" + i, self -> net(self).answer(new Worker(bid)));
-            }
-            run.untilAllHaveBegun();
-            run.start(
-                    "boss",
-                    self -> self.scheduler()
-                            .after(
-                                    Duration.ofMillis(300),
-                                    () -> net(self)
-                                            .call(
-                                                    IntStream.rangeClosed(1, 20)
-                                                            .mapToObj(i -> "worker-" + i)
-                                                            .toList(),
-                                                    "dig",
-                                                    Duration.ofSeconds(20),
-                                                    new Boss())));
-            run.until("it is done", () -> log.contains("Informed[result=dug]"));
-        }
-        assertThat(log).containsExactly("20 bids", "80.0 digs", "Informed[result=dug]");
-    }
-
-    private static ContractNet<String, Double, String> net(AgentContext self) {
-        return new ContractNet<>(self, "work", String.class, Double.class, String.class);
-    }
-
-    private final class Worker implements ContractNet.Contractor<String, Double, String> {
-        private final double bid;
-
-        Worker(double bid) {
-            this.bid = bid;
-        }
-
-        @Override
-        public void called(ContractNet.Call<String, Double> call) {
-            call.propose(bid);
-        }
-
-        @Override
-        public void accepted(ContractNet.Contract<String, String> contract) {
-            log.add(bid + " digs");
-            contract.inform("dug");
-        }
-    }
-
-    private final class Boss implements ContractNet.Manager<String, Double, String> {
-        @Override
-        public ContractNet.Verdict<String> decide(ContractNet.Round<Double> round) {
-            log.add(round.proposals().size() + " bids");
-            return round.proposals().stream()
-                    .min(Comparator.comparingDouble(ContractNet.Proposal::bid))
-                    .map(ContractNet.Verdict::<String>award)
-                    .orElseGet(ContractNet.Verdict::none);
-        }
-
-        @Override
-        public void ended(ContractNet.Proposal<Double> accepted, Ending<String> how) {
-            log.add(how.toString());
-        }
     }
 
     @Test

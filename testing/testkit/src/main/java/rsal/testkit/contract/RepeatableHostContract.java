@@ -6,15 +6,10 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import rsal.agent.Topic;
 
 /// What an agent host that follows simulated time owes besides: all happens in one order, at exact instants, and equal
 /// runs are equal.
 public abstract class RepeatableHostContract extends AgentHostContract {
-    private static final Topic<String> WORDS = new Topic<>("words", String.class);
-
-    private final List<String> log = new ArrayList<>();
-
     private static long millis(HostRun run) {
         return run.scheduler().instant().toEpochMilli();
     }
@@ -26,7 +21,7 @@ public abstract class RepeatableHostContract extends AgentHostContract {
 
     @Test
     void agentsBeginInTheOrderInWhichTheyAreStarted() {
-        try (var run = new HostRun(provider())) {
+        try (var run = run()) {
             run.start("zoe", self -> log.add(self.name()));
             run.start("amy", self -> log.add(self.name()));
             run.pass(0);
@@ -36,7 +31,7 @@ public abstract class RepeatableHostContract extends AgentHostContract {
 
     @Test
     void tasksRunAtTheInstantAtWhichTheyAreDue() {
-        try (var run = new HostRun(provider())) {
+        try (var run = run()) {
             long begin = millis(run);
             run.start("amy", self -> {
                 self.scheduler().after(Duration.ofMillis(200), () -> log.add("200 at " + (millis(run) - begin)));
@@ -51,7 +46,7 @@ public abstract class RepeatableHostContract extends AgentHostContract {
 
     @Test
     void allHearInTheOrderInWhichTheySubscribedAtTheInstantItIsSaid() {
-        try (var run = new HostRun(provider())) {
+        try (var run = run()) {
             long begin = millis(run);
             for (String name : List.of("zoe", "amy", "bob")) {
                 run.start(name, self -> {
@@ -72,7 +67,7 @@ public abstract class RepeatableHostContract extends AgentHostContract {
 
     private List<String> talkOfAHundred() {
         var said = new ArrayList<String>();
-        try (var run = new HostRun(provider())) {
+        try (var run = run()) {
             run.act(() -> run.society().onMessage(m -> said.add(millis(run) + " " + m.sender() + " " + m.content())));
             for (int i = 0; i < 100; i++) {
                 run.start("agent-" + i, self -> {
