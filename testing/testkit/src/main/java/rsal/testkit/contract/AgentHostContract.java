@@ -21,6 +21,9 @@ import rsal.agent.Capability;
 import rsal.agent.Directory;
 import rsal.agent.Society.Status;
 import rsal.agent.Topic;
+import rsal.agent.bdi.Mind;
+import rsal.agent.bdi.Mind.GoalState;
+import rsal.agent.bdi.Mind.GoalView;
 import rsal.agent.protocol.Auction;
 import rsal.agent.protocol.Conversation;
 import rsal.agent.protocol.Ending;
@@ -553,6 +556,73 @@ public abstract class AgentHostContract extends ContractNetContract {
                     assertThat(run.society().directory().capabilities("bob")).containsExactly(Capability.of("lift")));
         }
         assertThat(log).containsExactly("bob", "withdrew gripper");
+    }
+
+    @Test
+    void itsMindCanBeLookedInto() {
+        try (var run = run()) {
+            run.start("amy", self -> {
+                var mind = new Mind(self);
+                var deep = mind.belief("deep", false);
+                mind.goal("dig")
+                        .priority(() -> 2)
+                        .until(deep::get)
+                        .plan("by spade", digging -> digging.fail("no spade"))
+                        .plan("by hand", _ -> {});
+                mind.goal("rest").priority(() -> 1).plan("lie down", _ -> {});
+                self.subscribe(WORDS, _ -> deep.set(true));
+                mind.begin();
+            });
+            List<String> ways = List.of("by spade", "by hand");
+            List<String> rest = List.of("lie down");
+            String failure = "by spade: no spade";
+            untilItShows(
+                    run,
+                    new Mind.View(
+                            Map.of("deep", "false"),
+                            List.of(
+                                    new GoalView("dig", GoalState.PURSUED, 2, ways, List.of("dig: by hand"), failure),
+                                    new GoalView("rest", GoalState.WAITING, 1, rest, List.of(), ""))));
+            run.act(() -> run.society().publish("operator", WORDS, "deep enough"));
+            untilItShows(
+                    run,
+                    new Mind.View(
+                            Map.of("deep", "true"),
+                            List.of(
+                                    new GoalView("dig", GoalState.REACHED, 2, ways, List.of(), failure),
+                                    new GoalView("rest", GoalState.PURSUED, 1, rest, List.of("rest: lie down"), ""))));
+            run.stop("amy");
+            assertThat(run.ask(() -> run.society().look("amy", Mind.View.class)))
+                    .isEmpty();
+        }
+    }
+
+    private static void untilItShows(HostRun run, Mind.View mind) {
+        run.until(
+                "it shows " + mind,
+                () -> run.society().look("amy", Mind.View.class).equals(Optional.of(mind)));
+    }
+
+    @Test
+    void whoCantBeLookedIntoTakesNoHarm() {
+        try (var run = run()) {
+            run.start("amy", self -> self.reveal(Integer.class, () -> 42));
+            run.start(
+                    "bob",
+                    self -> self.reveal(Integer.class, () -> {
+                        throw new IllegalStateException("a secret");
+                    }));
+            run.untilAllHaveBegun();
+            run.act(() -> {
+                assertThat(run.society().look("amy", Integer.class)).contains(42);
+                assertThat(run.society().look("amy", Mind.View.class)).isEmpty();
+                assertThat(run.society().look("nobody", Mind.View.class)).isEmpty();
+                assertThatThrownBy(() -> run.society().look("bob", Integer.class))
+                        .isInstanceOf(IllegalArgumentException.class)
+                        .hasMessage("Agent (bob) can't be looked into: a secret");
+            });
+            assertThat(run.status("bob")).isEqualTo(Status.RUNNING);
+        }
     }
 
     @Test
