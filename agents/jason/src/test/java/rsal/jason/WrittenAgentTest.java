@@ -31,11 +31,14 @@ import rsal.agent.message.GoalReached;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.Text;
 import rsal.behavior.PilotDriver;
+import rsal.data.BatteryState;
+import rsal.data.BatteryState.Charging;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.data.Solid;
+import rsal.device.Battery;
 import rsal.device.Navigator;
 import rsal.device.SimulationControl.Thing;
 import rsal.robot.DeviceDriver;
@@ -44,6 +47,7 @@ import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
 import rsal.system.RobotSystemProvider;
 import rsal.testkit.contract.RobotBench;
+import rsal.testkit.fake.FakeBattery;
 import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
 import rsal.testkit.fake.FakeProvider;
@@ -64,7 +68,7 @@ class WrittenAgentTest extends RobotBench {
 
     @Override
     protected Map<String, String> parts() {
-        return Map.of("camera", "blob-camera", "gripper", "pioneer-gripper");
+        return Map.of("battery", "pioneer-battery", "camera", "blob-camera", "gripper", "pioneer-gripper");
     }
 
     @Override
@@ -176,6 +180,27 @@ class WrittenAgentTest extends RobotBench {
         assertThat(Double.parseDouble(words[1])).isCloseTo(1, within(0.15));
         assertThat(Double.parseDouble(words[2])).isCloseTo(0, within(0.1));
         assertThat(Double.parseDouble(view("a").beliefs().get("front"))).isPositive();
+    }
+
+    @Test
+    void itKnowsWhatIsInItsBattery() {
+        var battery = (FakeBattery) robot().require(Battery.class);
+        startOnRobot("""
+                +battery(L) <- state(L).
+                -battery(_) : not battery(_) <- state(unknown).
+                """);
+        advance(1);
+        double level = battery.latest().orElseThrow().value().level();
+        assertThat(Double.parseDouble(view("a").state())).isCloseTo(level, within(0.0005));
+        battery.show(BatteryState.of(43_210, 100_000, -10, Charging.DISCHARGING));
+        advance(1);
+        assertThat(view("a").state()).isEqualTo("0.432");
+        battery.show(BatteryState.of(0, 100_000, 0, Charging.DISCHARGING));
+        advance(1);
+        assertThat(view("a").state()).isEqualTo("0");
+        battery.show(BatteryState.of(Double.NaN, 100_000, -10, Charging.UNKNOWN));
+        advance(1);
+        assertThat(view("a").state()).isEqualTo("unknown");
     }
 
     // ── Actions ──────────────────────────────────────────────────────────────────────────────────────────────────
