@@ -29,48 +29,18 @@ import rsal.robot.Robot;
 /// one before. SI units and radians.
 enum Percept {
     /// `pose(X,Y,Th)`: where the robot believes to be in the map [m, m, rad].
-    POSE("pose", 3, Localizer.class) {
-        @Override
-        void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now) {
-            tell(self, robot.require(Localizer.class), Percept::pose, now);
-        }
-    },
+    POSE("pose", 3, Localizer.class, Percept::pose),
     /// `scan_min(Front,Left,Right)`: how far the nearest thing is that its laser sees [m], within 30° of ahead and
     /// between there and 100° to the left and right; as far as the laser sees where there is nothing.
-    SCAN_MIN("scan_min", 3, LaserScanner.class) {
-        @Override
-        void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now) {
-            tell(self, robot.require(LaserScanner.class), Percept::nearest, now);
-        }
-    },
+    SCAN_MIN("scan_min", 3, LaserScanner.class, Percept::nearest),
     /// `blob(Color,X,Y)`: each patch of color whose distance its camera knows; ahead and to the left of the robot [m].
-    BLOB("blob", 3, BlobFinder.class) {
-        @Override
-        void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now) {
-            tell(self, robot.require(BlobFinder.class), Percept::blobs, now);
-        }
-    },
+    BLOB("blob", 3, BlobFinder.class, Percept::blobs),
     /// `battery(Level)`: from 0 to 1.
-    BATTERY("battery", 1, Battery.class) {
-        @Override
-        void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now) {
-            tell(self, robot.require(Battery.class), Percept::level, now);
-        }
-    },
+    BATTERY("battery", 1, Battery.class, Percept::level),
     /// `between`: something is between the paddles of its gripper.
-    BETWEEN("between", 0, Gripper.class) {
-        @Override
-        void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now) {
-            tell(self, robot.require(Gripper.class), state -> flag("between", state.innerBeamBroken()), now);
-        }
-    },
+    BETWEEN("between", 0, Gripper.class, state -> flag("between", state.innerBeamBroken())),
     /// `holding`: its gripper holds something.
-    HOLDING("holding", 0, Gripper.class) {
-        @Override
-        void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now) {
-            tell(self, robot.require(Gripper.class), state -> flag("holding", state.holding()), now);
-        }
-    };
+    HOLDING("holding", 0, Gripper.class, state -> flag("holding", state.holding()));
 
     private static final double AHEAD = Math.toRadians(30);
     private static final double ASIDE = Math.toRadians(100);
@@ -80,10 +50,15 @@ enum Percept {
     private final int arity;
     private final Class<? extends Device> device;
 
-    Percept(String functor, int arity, Class<? extends Device> device) {
+    @SuppressWarnings("ImmutableEnumChecker") // it holds nothing but a class and a function
+    private final Watch watch;
+
+    /// @param literals what a reading says
+    <T> Percept(String functor, int arity, Class<? extends Sensor<T>> device, Function<T, List<Literal>> literals) {
         this.functor = functor;
         this.arity = arity;
         this.device = device;
+        this.watch = (self, robot, now) -> tell(self, robot.require(device), literals, now);
     }
 
     /// What a formula asks for; empty when it names a source that is not the robot, as `holding[source(amy)]`.
@@ -105,7 +80,13 @@ enum Percept {
     }
 
     /// Tells what is so from now on, on the agent's lane.
-    abstract void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now);
+    void watch(AgentContext self, Robot robot, Consumer<List<Literal>> now) {
+        watch.begin(self, robot, now);
+    }
+
+    private interface Watch {
+        void begin(AgentContext self, Robot robot, Consumer<List<Literal>> now);
+    }
 
     private static <T> void tell(
             AgentContext self, Sensor<T> sensor, Function<T, List<Literal>> literals, Consumer<List<Literal>> now) {
