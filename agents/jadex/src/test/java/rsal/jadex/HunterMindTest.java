@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,10 +21,12 @@ import rsal.jadex.hunt.mind.Thinking;
 class HunterMindTest {
     private final IExternalAccess platform = LonelyPlatform.start();
     private final Deeds deeds = new Deeds();
+    private final IExternalAccess mind = platform.createComponent(
+                    new CreationInfo().setFilename(HunterBDI.FILE).addArgument(HunterBDI.BODY, deeds))
+            .get();
 
     @BeforeEach
     void think() throws Exception {
-        platform.createComponent(new CreationInfo().setFilename(HunterBDI.FILE).addArgument(HunterBDI.BODY, deeds));
         assertThat(deeds.next()).isEqualTo("look out");
     }
 
@@ -39,7 +40,7 @@ class HunterMindTest {
         deeds.mind.get().knowsPrey(true);
         for (int i = 0; i < 5; i++) {
             assertThat(deeds.next()).isEqualTo("approach");
-            assertThat(deeds.none()).isTrue();
+            assertNothingMoreToDo(true);
             deeds.end();
         }
         untilItWants(true, "find SUSPENDED", "catch ACTIVE");
@@ -55,7 +56,7 @@ class HunterMindTest {
         }
         untilItWants(false, "find ACTIVE", "catch SUSPENDED");
         deeds.end(); // too late
-        assertThat(deeds.none()).isTrue();
+        assertNothingMoreToDo(false);
     }
 
     @Test
@@ -65,7 +66,53 @@ class HunterMindTest {
         deeds.mind.get().preyIsCaught();
         deeds.end();
         untilItWants(true);
-        assertThat(deeds.none()).isTrue();
+        assertNothingMoreToDo(true);
+    }
+
+    @Test
+    void tellsOfFaultsOfItsThoughts() throws Exception {
+        deeds.slips = true;
+        deeds.mind.get().knowsPrey(false);
+        assertThat(deeds.faults.take())
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("a slip");
+    }
+
+    /// Jadex would try one that fails again and again.
+    @Test
+    void tellsOfFaultsOfItsPlans() throws Exception {
+        deeds.stumbles = true;
+        deeds.mind.get().knowsPrey(true);
+        assertThat(deeds.faults.take())
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("approach");
+        deeds.mind.get().knowsPrey(false);
+        Throwable fault = deeds.faults.take();
+        while (!"look out".equals(fault.getMessage())) { // those of before
+            fault = deeds.faults.take();
+        }
+    }
+
+    @Test
+    void itsEndIsNoFault() throws Exception {
+        var end = mind.killComponent();
+        for (int i = 0; i < 1000; i++) {
+            deeds.mind.get().knowsPrey(i % 2 == 0);
+        }
+        end.get();
+        deeds.mind.get().knowsPrey(true);
+        assertThat(deeds.faults).isEmpty();
+    }
+
+    /// It does what it has begun in a few steps of its own, so none is left after many that bring nothing new.
+    private void assertNothingMoreToDo(boolean known) throws Exception {
+        for (int i = 0; i < 50; i++) {
+            deeds.wants.clear();
+            deeds.mind.get().knowsPrey(known);
+            deeds.wants.take();
+        }
+        assertThat(deeds.done).isEmpty();
+        assertThat(deeds.faults).isEmpty();
     }
 
     /// Tells it the same again and again, as it says what it wants whenever it has been told something.
@@ -81,6 +128,9 @@ class HunterMindTest {
         private final BlockingQueue<String> done = new LinkedBlockingQueue<>();
         private final BlockingQueue<Runnable> ends = new LinkedBlockingQueue<>();
         private final BlockingQueue<List<String>> wants = new LinkedBlockingQueue<>();
+        private final BlockingQueue<Throwable> faults = new LinkedBlockingQueue<>();
+        private volatile boolean slips; // when it is told what is wanted
+        private volatile boolean stumbles; // when it is to do something
 
         @Override
         public void begun(Thinking thinking) {
@@ -89,17 +139,32 @@ class HunterMindTest {
 
         @Override
         public void lookOut() {
-            done.add("look out");
+            begin("look out");
         }
 
         @Override
         public void approach(Runnable over) {
             ends.add(over);
-            done.add("approach");
+            begin("approach");
+        }
+
+        private void begin(String deed) {
+            if (stumbles) {
+                throw new IllegalStateException(deed);
+            }
+            done.add(deed);
+        }
+
+        @Override
+        public void failed(Throwable fault) {
+            faults.add(fault);
         }
 
         @Override
         public void wants(List<Desire> desires) {
+            if (slips) {
+                throw new IllegalStateException("a slip");
+            }
             wants.add(desires.stream()
                     .map(desire -> desire.name() + " " + desire.state())
                     .toList());
@@ -111,10 +176,6 @@ class HunterMindTest {
 
         String next() throws InterruptedException {
             return done.take();
-        }
-
-        boolean none() throws InterruptedException {
-            return done.poll(100, TimeUnit.MILLISECONDS) == null;
         }
     }
 }

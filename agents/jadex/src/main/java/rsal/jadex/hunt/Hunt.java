@@ -64,9 +64,7 @@ final class Hunt implements Hunting {
         self.subscribe(Caught.TOPIC, message -> hear(message.content()));
         self.scheduler().every(period, this::beat);
         body.createComponent(new CreationInfo().setFilename(HunterBDI.FILE).addArgument(HunterBDI.BODY, this))
-                .catchEx(e -> self.scheduler().execute(() -> {
-                    throw new IllegalStateException("Jadex could not make the mind of (%s).".formatted(self.name()), e);
-                }));
+                .catchEx(e -> end("Jadex could not make the mind of (%s).".formatted(self.name()), e));
     }
 
     private void beat() {
@@ -121,6 +119,18 @@ final class Hunt implements Hunting {
                 drive = navigator.goTo(goal.mapFromBase(), tolerance);
             }
             self.scheduler().after(updateInterval, over);
+        });
+    }
+
+    /// Ends the agent, as what it throws itself does.
+    @Override
+    public void failed(Throwable fault) {
+        end("The mind of (%s) failed: %s".formatted(self.name(), fault), fault);
+    }
+
+    private void end(String why, Throwable cause) {
+        self.scheduler().execute(() -> {
+            throw new IllegalStateException(why, cause);
         });
     }
 

@@ -2,31 +2,56 @@ package rsal.jadex.hunt;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.agent.AgentSpec;
+import rsal.agent.AgentType;
 import rsal.agent.Society;
 import rsal.agent.plain.PlainHostProvider;
+import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
-import rsal.time.LockstepScheduler;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.contract.RobotBench;
+import rsal.testkit.fake.FakeLocalizer;
+import rsal.testkit.fake.FakeNavigator;
+import rsal.testkit.fake.FakeProvider;
+import rsal.testkit.fake.TestedType;
 
-class JadexHunterTest {
+class JadexHunterTest extends RobotBench {
+    private static final Arguments ARGUMENTS = Arguments.defaults(new JadexHunter().parameters());
+
+    @Override
+    protected RobotSystemProvider provider() {
+        return new FakeProvider();
+    }
+
+    @Override
+    protected List<DeviceDriver> drivers() {
+        return List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver());
+    }
+
     @Test
     void saysWhereItBelongsWhenItIsOnAnotherHost() {
-        var time = new LockstepScheduler();
-        var host = new PlainHostProvider().create(Arguments.defaults(List.of()), time);
-        var society = new Society(time, host, Optional.empty());
-        var type = new JadexHunter();
-        society.start(
-                new AgentSpec("follow-1", "follow", type, Arguments.defaults(type.parameters()), Optional.empty(), 1));
-        time.advance(Duration.ofSeconds(1));
-        assertThat(society.views()).singleElement().satisfies(view -> {
-            assertThat(view.status()).isEqualTo(Society.Status.FAILED);
-            assertThat(view.state())
-                    .isEqualTo("Agent (follow-1) thinks by Jadex and needs its host."
-                            + " Maybe run it by '--mas jadex --clock wall'.");
-        });
+        assertThat(failureOf(new JadexHunter()))
+                .isEqualTo("Agent (follow-1) thinks by Jadex and needs its host."
+                        + " Maybe run it by '--mas jadex --clock wall'.");
+    }
+
+    @Test
+    void endsByFaultsOfItsMind() {
+        var slip = new IllegalStateException("a slip");
+        assertThat(failureOf(new TestedType(self -> new Hunt(self, ARGUMENTS).failed(slip))))
+                .isEqualTo("The mind of (follow-1) failed: java.lang.IllegalStateException: a slip");
+    }
+
+    private String failureOf(AgentType type) {
+        var host = new PlainHostProvider().create(Arguments.defaults(List.of()), run);
+        var society = new Society(run, host, Optional.empty());
+        society.start(new AgentSpec("follow-1", "follow", type, ARGUMENTS, Optional.of(robot()), 1));
+        advance(1);
+        Society.View view = society.views().getFirst();
+        assertThat(view.status()).isEqualTo(Society.Status.FAILED);
+        return view.state();
     }
 }

@@ -7,9 +7,11 @@ import jadex.bdiv3.annotation.GoalContextCondition;
 import jadex.bdiv3.annotation.GoalTargetCondition;
 import jadex.bdiv3.annotation.Plan;
 import jadex.bdiv3.annotation.PlanBody;
+import jadex.bdiv3.annotation.PlanFailed;
 import jadex.bdiv3.annotation.Trigger;
 import jadex.bdiv3.features.IBDIAgentFeature;
 import jadex.bdiv3.runtime.IGoal;
+import jadex.bridge.ComponentTerminatedException;
 import jadex.bridge.IInternalAccess;
 import jadex.bridge.component.IArgumentsResultsFeature;
 import jadex.bridge.service.annotation.OnStart;
@@ -61,7 +63,8 @@ public class HunterBDI implements Thinking {
         think(() -> caught = true);
     }
 
-    /// In a step of its own, as its beliefs, goals and plans are its thread's alone. Dropped when it has ended.
+    /// In a step of its own, as its beliefs, goals and plans are its thread's alone. Dropped when it has ended; what
+    /// else goes wrong is told.
     private void think(Runnable thought) {
         agent.getExternalAccess()
                 .scheduleStep(component -> {
@@ -69,7 +72,11 @@ public class HunterBDI implements Thinking {
                     tell();
                     return IFuture.DONE;
                 })
-                .catchEx(gone -> {});
+                .catchEx(fault -> {
+                    if (!(fault instanceof ComponentTerminatedException)) {
+                        hunting.failed(fault);
+                    }
+                });
     }
 
     /// To know where the prey is. As soon as it is known Jadex suspends it, and its plan.
@@ -107,6 +114,11 @@ public class HunterBDI implements Thinking {
             hunting.lookOut();
             return new Future<>(); // until it is known
         }
+
+        @PlanFailed // by a fault; Jadex would try it again without end
+        protected void failed(Exception fault) {
+            hunting.failed(fault);
+        }
     }
 
     /// Jadex tries it again and again, until the goal is reached or suspended.
@@ -117,6 +129,11 @@ public class HunterBDI implements Thinking {
             Future<Void> over = new Future<>();
             hunting.approach(() -> think(() -> over.setResultIfUndone(null)));
             return over;
+        }
+
+        @PlanFailed // by a fault; Jadex would try it again without end
+        protected void failed(Exception fault) {
+            hunting.failed(fault);
         }
     }
 

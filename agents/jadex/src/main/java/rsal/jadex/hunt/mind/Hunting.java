@@ -15,6 +15,9 @@ public interface Hunting {
     /// @param over told on any thread once it is worth to look where the prey is now
     void approach(Runnable over);
 
+    /// Its mind can't go on.
+    void failed(Throwable fault);
+
     /// What it wants now, for people.
     void wants(List<Desire> desires);
 
