@@ -3,7 +3,15 @@ import { describe, expect, it } from 'vitest';
 import { actionOf, isModified, keys } from './keyboard';
 
 function press(key: string, more: object = {}) {
-  return actionOf({ key, ctrlKey: false, metaKey: false, altKey: false, target: null, ...more });
+  return actionOf({
+    key,
+    shiftKey: false,
+    ctrlKey: false,
+    metaKey: false,
+    altKey: false,
+    target: null,
+    ...more,
+  });
 }
 
 describe('a key', () => {
@@ -24,6 +32,12 @@ describe('a key', () => {
   it('moves the map as a hand would push the view', () => {
     expect(press('ArrowLeft')).toMatchObject({ kind: 'pan', dx: 60 });
     expect(press('ArrowUp')).toMatchObject({ kind: 'pan', dy: 60 });
+  });
+
+  it('turns the map when it moves it otherwise', () => {
+    expect(press('ArrowLeft', { shiftKey: true })).toEqual({ kind: 'turn', by: Math.PI / 12 });
+    expect(press('ArrowRight', { shiftKey: true })).toEqual({ kind: 'turn', by: -Math.PI / 12 });
+    expect(press('N')).toEqual({ kind: 'upright' });
   });
 
   it('without a meaning does nothing', () => {

@@ -16,6 +16,7 @@ export type Action =
         | 'measure'
         | 'drive'
         | 'fit'
+        | 'upright'
         | 'menu'
         | 'scenarios'
         | 'restart'
@@ -24,10 +25,12 @@ export type Action =
     }
   | { kind: 'select'; robot: number }
   | { kind: 'zoom'; factor: number }
+  | { kind: 'turn'; by: number }
   | { kind: 'pan'; dx: number; dy: number };
 
 const ZOOM = 1.25;
 const PAN = 60;
+const TURN = Math.PI / 12;
 
 /** Shown in the help. */
 export const keys: [string, string][] = [
@@ -49,6 +52,8 @@ export const keys: [string, string][] = [
     'while driving: ahead, left, back, right; the arrows do the same, Q and E go sideways, Shift goes fast',
   ],
   ['← ↑ ↓ →', 'move the map'],
+  ['Shift ← →', 'turn the map, unless a robot is driven'],
+  ['N', 'turn it back, so that y is up'],
   ['I  O', 'zoom in, out'],
   ['0', 'show the whole map'],
   ['M', 'add something in the middle of the map, or remove what is there'],
@@ -78,6 +83,7 @@ const actions: Record<string, Action> = {
   t: { kind: 'measure' },
   k: { kind: 'drive' },
   '0': { kind: 'fit' },
+  n: { kind: 'upright' },
   i: { kind: 'zoom', factor: ZOOM },
   o: { kind: 'zoom', factor: 1 / ZOOM },
   m: { kind: 'menu' },
@@ -91,7 +97,12 @@ const actions: Record<string, Action> = {
   ArrowDown: { kind: 'pan', dx: 0, dy: -PAN },
 };
 
-type Pressed = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'target'>;
+const withShift: Record<string, Action> = {
+  ArrowLeft: { kind: 'turn', by: TURN },
+  ArrowRight: { kind: 'turn', by: -TURN },
+};
+
+type Pressed = Pick<KeyboardEvent, 'key' | 'shiftKey' | 'ctrlKey' | 'metaKey' | 'altKey' | 'target'>;
 
 export function actionOf(event: Pressed): Action | null {
   if (!isOurs(event)) {
@@ -99,6 +110,9 @@ export function actionOf(event: Pressed): Action | null {
   }
   if (event.key >= '1' && event.key <= '9' && event.key.length === 1) {
     return { kind: 'select', robot: Number(event.key) - 1 };
+  }
+  if (event.shiftKey && withShift[event.key]) {
+    return withShift[event.key]!;
   }
   return actions[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;
 }

@@ -94,6 +94,7 @@ export const texts = {
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
     fit: 'Show all',
+    upright: 'Turn back, y up',
     loading: 'Loading the map…',
     goalHint: (robot: string) => `Click where ${robot} shall go; drag to set its heading. Esc cancels.`,
     place: (x: string, y: string, heading: string) => `${x}, ${y} m, ${heading}`,
@@ -330,6 +331,7 @@ export const texts = {
     mouseHelp: [
       ['Drag the floor', 'move the map'],
       ['Wheel, pinch', 'zoom'],
+      ['Alt and drag, twist', 'turn the map'],
       ['Click a robot', 'select it'],
       ['Drag a robot', 'put it somewhere else (simulation and localizer)'],
       ['Drag its handle', 'turn it'],

@@ -21,6 +21,8 @@ class FakeStage implements Stage {
 
   view = () => this.shown;
   show = (view: View) => void (this.shown = view);
+  turn = (view: View) => void (this.shown = view);
+  middle = (): Pixel => ({ px: 200, py: 200 });
   bodyAt = (at: Pixel): Target | null =>
     at === onRobot ? { robot: 0 } : at === onThing ? { thing: 7 } : null;
   handleAt = (at: Pixel): Target | null => (at === onHandle ? { robot: 0 } : null);
@@ -135,6 +137,41 @@ describe('a pointer', () => {
     gestures.up(2);
     gestures.up(1);
     expect(stage.selected).toEqual([]);
+  });
+
+  it('turns the map under it, around the middle', () => {
+    const middle = stage.shown.toMap(stage.middle());
+    const grabbed = stage.shown.toMap({ px: 300, py: 200 });
+    gestures.down(1, { px: 300, py: 200 }, 'turn');
+    gestures.move(1, { px: 280, py: 130 });
+    gestures.move(1, { px: 200, py: 100 }); // from the right to above
+    gestures.up(1);
+    expect(stage.shown.turn).toBeCloseTo(Math.PI / 2);
+    expect(stage.shown.toPixel(middle).px).toBeCloseTo(200);
+    expect(stage.shown.toPixel(grabbed).px).toBeCloseTo(200);
+    expect(stage.shown.toPixel(grabbed).py).toBeCloseTo(100);
+    expect(stage.selected).toEqual([]);
+  });
+
+  it('turns with two fingers that twist enough', () => {
+    gestures.down(1, { px: 100, py: 100 });
+    gestures.down(2, { px: 200, py: 100 });
+    gestures.move(2, { px: 200, py: 110 });
+    expect(stage.shown.turn).toBe(0);
+    gestures.move(2, { px: 190, py: 140 });
+    const before = stage.shown.turn;
+    gestures.move(2, { px: 100, py: 200 });
+    expect(stage.shown.turn).toBeLessThan(before - 0.8);
+    gestures.up(2);
+    gestures.up(1);
+    expect(stage.asked).toEqual([]);
+  });
+
+  it('places a robot where it is dragged on a turned map', () => {
+    stage.shown = new View(20, 0, 0, Math.PI / 2); // x is up, y to the left
+    drag(onRobot, { px: onRobot.px + 40, py: onRobot.py });
+    const { x, y, heading } = stage.asked[0]!.pose;
+    expect([x, y, heading]).toEqual([1, -1, 0.5].map((value) => expect.closeTo(value) as number));
   });
 
   it('wheels to zoom where it is', () => {

@@ -1,4 +1,5 @@
 import type { Pose } from '../live/frame';
+import { wrap } from '../live/motion';
 import type { Draft, Target } from './draft';
 import type { Tape } from './scene';
 import type { Pixel, Point, View } from './view';
@@ -7,6 +8,10 @@ import type { Pixel, Point, View } from './view';
 export interface Stage {
   view(): View;
   show(view: View): void;
+  /** The same place, turned. */
+  turn(view: View): void;
+  /** Around which the map is turned. */
+  middle(): Pixel;
   bodyAt(at: Pixel): Target | null;
   /** What has its handle for turning there. */
   handleAt(at: Pixel): Target | null;
@@ -23,8 +28,12 @@ export interface Stage {
   ask(draft: Draft): void;
 }
 
+/** What a button means: take hold of what is there, or turn the map. */
+export type Wish = 'hold' | 'turn';
+
 type Gesture =
   | { kind: 'pan'; from: Pixel; moved: boolean }
+  | { kind: 'rotate' }
   | { kind: 'measure'; from: Point }
   | { kind: 'body'; from: Pixel; target: Target; start: Pose; draft: Draft | null }
   | { kind: 'turn'; draft: Draft; moved: boolean }
@@ -33,20 +42,24 @@ type Gesture =
 /** Farther than this is a drag, not a click [px]. */
 const DRAG = 5;
 const WHEEL = 0.0015;
+/** Two fingers that turn less than this only zoom and move [rad]. */
+const TWIST = 0.2;
 
-/** Understands pointers: clicks, drags, pinches. */
+/** Understands pointers: clicks, drags, pinches, twists. */
 export class Gestures {
   private gesture: Gesture | null = null;
   private readonly pointers = new Map<number, Pixel>();
+  private twisted = 0; // by the two fingers that are down [rad]
 
   constructor(private readonly stage: Stage) {}
 
-  down(pointer: number, at: Pixel) {
+  down(pointer: number, at: Pixel, wish: Wish = 'hold') {
     this.pointers.set(pointer, at);
+    this.twisted = 0;
     if (this.pointers.size > 1) {
       this.cancel(); // a second finger: pinch
     } else {
-      this.gesture = this.begin(at);
+      this.gesture = wish === 'turn' ? { kind: 'rotate' } : this.begin(at);
     }
   }
 
@@ -101,6 +114,11 @@ export class Gestures {
           stage.show(stage.view().panned(at.px - before.px, at.py - before.py));
         }
         break;
+      case 'rotate':
+        stage.turn(
+          stage.view().turned(angleAround(stage.view(), stage.middle(), before, at), stage.middle()),
+        );
+        break;
       case 'measure':
         stage.tape({ from: gesture.from, to: stage.view().toMap(at) });
         break;
@@ -128,11 +146,16 @@ export class Gestures {
   }
 
   private pinch(pointer: number, before: Pixel, at: Pixel) {
+    const { stage } = this;
     const [, other] = [...this.pointers].find(([id]) => id !== pointer)!;
     const factor = distance(at, other) / Math.max(1, distance(before, other));
     const middle = { px: (at.px + other.px) / 2, py: (at.py + other.py) / 2 };
-    const panned = this.stage.view().panned((at.px - before.px) / 2, (at.py - before.py) / 2);
-    this.stage.show(panned.zoomed(factor, middle));
+    const twist = angleAround(stage.view(), other, before, at);
+    const isTurning = Math.abs(this.twisted) > TWIST;
+    this.twisted += twist;
+    const panned = stage.view().panned((at.px - before.px) / 2, (at.py - before.py) / 2);
+    const zoomed = panned.zoomed(factor, middle);
+    stage.show(isTurning ? zoomed.turned(twist, middle) : zoomed);
   }
 
   up(pointer: number) {
@@ -177,6 +200,13 @@ export class Gestures {
 function facing(pose: Pose, view: View, at: Pixel): Pose {
   const to = view.toMap(at);
   return { ...pose, heading: Math.atan2(to.y - pose.y, to.x - pose.x) };
+}
+
+/** How far one turns counter-clockwise on the floor, around a pixel from one to another [rad]. */
+function angleAround(view: View, middle: Pixel, from: Pixel, to: Pixel): number {
+  const centre = view.toMap(middle);
+  const [a, b] = [view.toMap(from), view.toMap(to)];
+  return wrap(Math.atan2(b.y - centre.y, b.x - centre.x) - Math.atan2(a.y - centre.y, a.x - centre.x));
 }
 
 function distance(a: Pixel, b: Pixel): number {

@@ -45,4 +45,62 @@ describe('a view', () => {
     const view = new View(20, 0, 0).centred({ x: 3, y: 4 }, 800, 600);
     expect(view.toPixel({ x: 3, y: 4 })).toEqual({ px: 400, py: 300 });
   });
+
+  describe('that is turned', () => {
+    const quarter = new View(20, 100, 50, Math.PI / 2);
+
+    it('has the x axis up, a quarter turn counter-clockwise', () => {
+      expect(quarter.toPixel({ x: 1, y: 0 }).px).toBeCloseTo(100);
+      expect(quarter.toPixel({ x: 1, y: 0 }).py).toBeCloseTo(30);
+      expect(quarter.toPixel({ x: 0, y: 1 }).px).toBeCloseTo(80);
+    });
+
+    it.each([0.3, 2, -3, Math.PI / 2])('by %s finds the places of its pixels', (turn) => {
+      const view = new View(33, 100, 50, turn);
+      const { x, y } = view.toMap(view.toPixel({ x: -3.2, y: 7.1 }));
+      expect(x).toBeCloseTo(-3.2);
+      expect(y).toBeCloseTo(7.1);
+    });
+
+    it('keeps what it is turned around, zoomed at and put around', () => {
+      const at = { px: 333, py: 77 };
+      const view = new View(20, 100, 50, 0.4);
+      const place = view.toMap(at);
+      for (const next of [view.turned(1, at), view.zoomed(2, at), view.turned(-2, at).zoomed(0.5, at)]) {
+        expect(next.toPixel(place).px).toBeCloseTo(at.px);
+        expect(next.toPixel(place).py).toBeCloseTo(at.py);
+      }
+      expect(view.turned(1, at).turn).toBeCloseTo(1.4);
+      expect(view.turned(3, at).turn).toBeCloseTo(3.4 - 2 * Math.PI);
+      expect(view.centred({ x: 3, y: 4 }, 800, 600).toPixel({ x: 3, y: 4 })).toEqual({ px: 400, py: 300 });
+    });
+
+    it('fits all corners of the map', () => {
+      const view = View.fit(office, 800, 600, 0.7);
+      const pixels = [office.minX, office.maxX].flatMap((x) =>
+        [office.minY, office.maxY].map((y) => view.toPixel({ x, y })),
+      );
+      const across = pixels.map(({ px }) => px);
+      const down = pixels.map(({ py }) => py);
+      expect(Math.min(...down)).toBeCloseTo(16);
+      expect(Math.max(...down)).toBeCloseTo(584);
+      expect(Math.min(...across)).toBeGreaterThan(16);
+      expect(Math.min(...across) + Math.max(...across)).toBeCloseTo(800);
+    });
+
+    it('leads a canvas to the map and back', () => {
+      const view = new View(20, 100, 50, 0.4);
+      const steps: number[][] = [];
+      const canvas = { transform: (...matrix: number[]) => steps.push(matrix) };
+      view.enter(canvas as unknown as CanvasRenderingContext2D);
+      view.leave(canvas as unknown as CanvasRenderingContext2D);
+      const apply = ([a, b, c, d, e, f]: number[], [x, y]: [number, number]): [number, number] => [
+        a! * x + c! * y + e!,
+        b! * x + d! * y + f!,
+      ];
+      const { px, py } = view.toPixel({ x: 2, y: 3 });
+      expect(apply(steps[0]!, [2, 3])).toEqual([px, py].map((value) => expect.closeTo(value) as number));
+      expect(apply(steps[1]!, [px, py])).toEqual([2, 3].map((value) => expect.closeTo(value) as number));
+    });
+  });
 });

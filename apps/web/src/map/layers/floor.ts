@@ -93,9 +93,13 @@ export function poolCells(cells: Uint8Array, width: number, height: number, pool
 
 /** Draws a floor in canvas coordinates. */
 export function drawFloor(context: CanvasRenderingContext2D, { picture, map, pool }: Floor, view: View) {
-  const pixel = pool * map.resolution * view.scale;
-  const { px, py } = view.toPixel({ x: map.originX, y: map.originY });
-  context.imageSmoothingEnabled = pixel < 3; // close up, cells are cells
+  const pixel = pool * map.resolution;
+  context.save();
+  context.imageSmoothingEnabled = pixel * view.scale < 3 || view.turn !== 0; // close up, cells are cells
   context.imageSmoothingQuality = 'high';
-  context.drawImage(picture, px, py - picture.height * pixel, picture.width * pixel, picture.height * pixel);
+  view.enter(context);
+  context.translate(map.originX, map.originY);
+  context.scale(pixel, -pixel); // rows of pictures go down
+  context.drawImage(picture, 0, -picture.height);
+  context.restore();
 }

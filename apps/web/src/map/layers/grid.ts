@@ -1,5 +1,5 @@
 import type { Palette } from '../palette';
-import type { View } from '../view';
+import type { Point, View } from '../view';
 
 const LEAST_PIXELS = 40;
 const STEPS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
@@ -18,20 +18,29 @@ export function drawGrid(
   height: number,
 ) {
   const step = gridStep(view.scale);
-  const { x: left, y: top } = view.toMap({ px: 0, py: 0 });
-  const { x: right, y: bottom } = view.toMap({ px: width, py: height });
+  const corners = [0, width].flatMap((px) => [0, height].map((py) => view.toMap({ px, py })));
+  const xs = corners.map(({ x }) => x);
+  const ys = corners.map(({ y }) => y);
+  const [left, right] = [Math.min(...xs), Math.max(...xs)];
+  const [bottom, top] = [Math.min(...ys), Math.max(...ys)];
+  const line = (from: Point, to: Point) => {
+    const [a, b] = [view.toPixel(from), view.toPixel(to)];
+    context.moveTo(sharp(a.px), sharp(a.py));
+    context.lineTo(sharp(b.px), sharp(b.py));
+  };
   context.beginPath();
   for (let x = Math.ceil(left / step) * step; x <= right; x += step) {
-    const px = Math.round(view.toPixel({ x, y: 0 }).px) + 0.5;
-    context.moveTo(px, 0);
-    context.lineTo(px, height);
+    line({ x, y: bottom }, { x, y: top });
   }
   for (let y = Math.ceil(bottom / step) * step; y <= top; y += step) {
-    const py = Math.round(view.toPixel({ x: 0, y }).py) + 0.5;
-    context.moveTo(0, py);
-    context.lineTo(width, py);
+    line({ x: left, y }, { x: right, y });
   }
   context.strokeStyle = palette.grid;
   context.lineWidth = 1;
   context.stroke();
+}
+
+/** In the middle of a pixel, so that a line of one pixel is not two. */
+function sharp(pixel: number): number {
+  return Math.round(pixel) + 0.5;
 }

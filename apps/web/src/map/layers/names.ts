@@ -32,14 +32,15 @@ export const drawNames: Layer = (context, { info, poses, real, view, palette, se
       : [];
   });
   context.save();
-  context.scale(1 / view.scale, -1 / view.scale); // text stands upright and keeps its size
+  view.leave(context); // text stands upright and keeps its size
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   const boxes = placeLabels(
     named.map(({ name, pose, reach, bold }) => {
       context.font = font(bold);
       const width = context.measureText(name).width + 2 * PADDING;
-      return { x: pose.x * view.scale, y: -pose.y * view.scale, reach, width, height: HEIGHT };
+      const { px, py } = view.toPixel(pose);
+      return { x: px, y: py, reach, width, height: HEIGHT };
     }),
   );
   named.forEach(({ name, color, bold }, i) => {

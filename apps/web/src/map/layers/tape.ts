@@ -14,21 +14,22 @@ export const drawTape: Layer = (context, { tape, view, palette }) => {
   const length = Math.hypot(to.x - from.x, to.y - from.y);
   const direction = Math.atan2(to.y - from.y, to.x - from.x);
   context.save();
-  context.scale(1 / view.scale, -1 / view.scale); // in pixels, so that text stands upright
-  const [x, y] = [from.x * view.scale, -from.y * view.scale];
-  context.translate(x, y);
+  view.leave(context); // text stands upright
+  const [start, end] = [view.toPixel(from), view.toPixel(to)];
+  const across = Math.hypot(end.px - start.px, end.py - start.py);
   context.save();
-  context.rotate(-direction);
+  context.translate(start.px, start.py);
+  context.rotate(Math.atan2(end.py - start.py, end.px - start.px));
   for (const [color, width] of [
     [palette.halo, 4],
     [palette.accent, 2],
   ] as const) {
     context.beginPath();
     context.moveTo(0, 0);
-    context.lineTo(length * view.scale, 0);
-    for (const end of [0, length * view.scale]) {
-      context.moveTo(end, -TICK);
-      context.lineTo(end, TICK);
+    context.lineTo(across, 0);
+    for (const tick of [0, across]) {
+      context.moveTo(tick, -TICK);
+      context.lineTo(tick, TICK);
     }
     context.strokeStyle = color;
     context.lineWidth = width;
@@ -40,7 +41,7 @@ export const drawTape: Layer = (context, { tape, view, palette }) => {
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   const half = context.measureText(text).width / 2 + PADDING;
-  context.translate((to.x - from.x) * view.scale, -(to.y - from.y) * view.scale - 18);
+  context.translate(end.px, end.py - 18);
   context.beginPath();
   context.roundRect(-half, -10, 2 * half, 20, 5);
   context.fillStyle = palette.halo;

@@ -70,8 +70,7 @@ export function drawStillThings(
   worldSide: number,
 ) {
   context.save();
-  context.translate(view.originX, view.originY);
-  context.scale(view.scale, -view.scale);
+  view.enter(context);
   for (const thing of byHeight(things)) {
     const { px, py } = view.toPixel(thing.pose);
     const reach = thing.reach * view.scale;

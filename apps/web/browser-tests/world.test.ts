@@ -1,0 +1,178 @@
+import { fileURLToPath } from 'node:url';
+import { AxeBuilder } from '@axe-core/playwright';
+import { chromium as driver, type Browser, type Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
+import { Rsal } from './rsal';
+
+const HALL = fileURLToPath(new URL('driving.world', import.meta.url));
+const PICTURES = process.env.PICTURES;
+
+interface Place {
+  x: number;
+  y: number;
+}
+
+describe.skipIf(!chromium)('the view of the world', () => {
+  let rsal: Rsal;
+  let browser: Browser | undefined;
+  let page: Page;
+  let faults: string[] = [];
+
+  beforeAll(async () => {
+    [rsal, browser] = await Promise.all([
+      Rsal.run(HALL, '--port', '0'),
+      driver.launch({ executablePath: chromium!, args: flags }),
+    ]);
+  });
+
+  afterAll(async () => {
+    await browser?.close();
+    await Rsal.endAll();
+  });
+
+  beforeEach(async () => {
+    faults = [];
+    await rsal.post('restart', {});
+    page = await open(1280, 800);
+  });
+
+  afterEach(async () => {
+    await page.context().close();
+    expect(faults).toEqual([]);
+  });
+
+  async function open(width: number, height: number, colorScheme: 'light' | 'dark' = 'light'): Promise<Page> {
+    const context = await browser!.newContext({ viewport: { width, height }, colorScheme });
+    const opened = await context.newPage();
+    opened.on('pageerror', (error) => faults.push(error.message));
+    opened.on('console', (message) => {
+      if (message.type() === 'error' && !message.text().includes('status of 409')) {
+        faults.push(message.text());
+      }
+    });
+    await opened.goto(rsal.url);
+    await opened.locator('tr[data-robot][data-x]').first().waitFor();
+    return opened;
+  }
+
+  async function picture(name: string) {
+    if (PICTURES) {
+      await page.screenshot({ path: `${PICTURES}/${name}.png` });
+    }
+  }
+
+  const map = () => page.locator('#map');
+  const numberOf = async (name: string) => Number(await map().getAttribute(`data-${name}`));
+
+  /** Where a place of the floor is on the screen: by the numbers that the page tells of its view. */
+  async function onScreen({ x, y }: Place): Promise<Place> {
+    const box = (await map().boundingBox())!;
+    const [scale, originX, originY, turn] = await Promise.all(
+      ['scale', 'origin-x', 'origin-y', 'turn'].map(numberOf),
+    );
+    return {
+      x: box.x + originX! + scale! * (x * Math.cos(turn!) - y * Math.sin(turn!)),
+      y: box.y + originY! - scale! * (x * Math.sin(turn!) + y * Math.cos(turn!)),
+    };
+  }
+
+  async function pose(robot: string) {
+    const row = page.locator(`tr[data-robot="${robot}"]`);
+    const [x, y, heading] = await Promise.all(
+      ['data-x', 'data-y', 'data-heading'].map(async (name) => Number(await row.getAttribute(name))),
+    );
+    return { x: x!, y: y!, heading: heading! };
+  }
+
+  async function isAt(robot: string, { x, y }: Place): Promise<boolean> {
+    const now = await pose(robot);
+    return Math.hypot(now.x - x, now.y - y) < 0.15;
+  }
+
+  async function drag(from: Place, to: Place, button: 'left' | 'right' = 'left') {
+    const [start, end] = [await onScreen(from), await onScreen(to)];
+    await page.mouse.move(start.x, start.y);
+    await page.mouse.down({ button });
+    await page.mouse.move((start.x + end.x) / 2, (start.y + end.y) / 2);
+    await page.mouse.move(end.x, end.y);
+    await page.mouse.up({ button });
+  }
+
+  /** Red, green and blue of what is drawn at a place of the floor. */
+  async function colorAt(at: Place): Promise<number[]> {
+    const { x, y } = await onScreen(at);
+    const bytes = await page.screenshot({
+      clip: { x: Math.round(x) - 1, y: Math.round(y) - 1, width: 3, height: 3 },
+    });
+    return page.evaluate(
+      async (data) => {
+        const image = await createImageBitmap(new Blob([new Uint8Array(data)], { type: 'image/png' }));
+        const context = new OffscreenCanvas(3, 3).getContext('2d')!;
+        context.drawImage(image, 0, 0);
+        return [...context.getImageData(1, 1, 1, 1).data].slice(0, 3);
+      },
+      [...bytes],
+    );
+  }
+
+  const WHITE = [255, 255, 255];
+
+  async function isAccessible() {
+    const found = await new AxeBuilder({ page }).analyze();
+    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+  }
+
+  it('is turned by keys and back, and all stays where it is drawn', async () => {
+    await page.getByRole('button', { name: 'Grid' }).click();
+    await page.getByRole('button', { name: 'Laser scans' }).click();
+    const back = page.getByRole('button', { name: 'Turn back' });
+    expect(await back.isDisabled()).toBe(true);
+    for (let press = 0; press < 3; press++) {
+      await page.keyboard.press('Shift+ArrowLeft');
+    }
+    expect(await numberOf('turn')).toBeCloseTo(Math.PI / 4);
+    // the pillar in the middle, to its corners, and the floor beside it
+    for (const place of [
+      { x: 0.4, y: 0.4 },
+      { x: -0.4, y: 0.4 },
+      { x: 0.4, y: -0.4 },
+    ]) {
+      expect(await colorAt(place)).not.toEqual(WHITE);
+    }
+    expect(await colorAt({ x: 0.8, y: 0 })).toEqual(WHITE);
+    await page.keyboard.press('0');
+    await picture('turned');
+    expect(await numberOf('turn')).toBeCloseTo(Math.PI / 4);
+    await drag(await pose('idle'), { x: -3, y: 2 });
+    await eventually(() => isAt('idle', { x: -3, y: 2 }), 'it is where it was dragged');
+    const at = await onScreen(await pose('idle'));
+    await page.mouse.click(at.x, at.y);
+    await page.locator('tr.card').waitFor();
+    await isAccessible();
+    await back.click();
+    expect(await numberOf('turn')).toBe(0);
+  });
+
+  it('is turned by dragging with Alt, around the robot that is followed, too', async () => {
+    await page.locator('tr[data-robot="idle"]').click();
+    await page.keyboard.press('f');
+    const box = (await map().boundingBox())!;
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.keyboard.down('Alt');
+    await page.mouse.move(x + 150, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 140, y - 60);
+    await page.mouse.move(x, y - 150);
+    await page.mouse.up();
+    await page.keyboard.up('Alt');
+    expect(await numberOf('turn')).toBeCloseTo(Math.PI / 2);
+    await eventually(async () => {
+      const at = await onScreen(await pose('idle'));
+      return Math.hypot(at.x - x, at.y - y) < 2;
+    }, 'it is still in the middle');
+    await page.keyboard.press('n');
+    expect(await numberOf('turn')).toBe(0);
+  });
+});
