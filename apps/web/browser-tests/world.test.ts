@@ -175,4 +175,57 @@ describe.skipIf(!chromium)('the view of the world', () => {
     await page.keyboard.press('n');
     expect(await numberOf('turn')).toBe(0);
   });
+
+  it('sends the selected robot by the right button, headed as it is dragged', async () => {
+    const goal = page.locator('li', { hasText: 'operator' });
+    const sent: unknown[] = [];
+    page.on('request', (request) => {
+      if (request.url().endsWith('/api/run/goal')) {
+        sent.push(request.postDataJSON());
+      }
+    });
+    await page.keyboard.press('Shift+ArrowLeft'); // on a turned map, as on any
+    await page.locator('tr[data-robot="idle"]').click();
+    const [start, end] = [await onScreen({ x: -3, y: -2 }), await onScreen({ x: -3, y: 1 })];
+    await page.mouse.move(start.x, start.y);
+    await page.mouse.down({ button: 'right' });
+    await page.mouse.move(start.x, start.y - 20);
+    await page.mouse.move(end.x, end.y);
+    await page.getByText(/^-(3\.0|2\.9)\d, -(2\.0|1\.9)\d m, (89|90|91)°$/).waitFor();
+    await picture('right-drag');
+    await page.keyboard.press('Escape');
+    await page.mouse.up({ button: 'right' });
+    expect(sent).toEqual([]);
+    expect(await page.getByRole('menu').count()).toBe(0);
+
+    await drag({ x: -3, y: -2 }, { x: -3, y: 1 }, 'right');
+    await eventually(() => Promise.resolve(sent.length === 1), 'it was sent');
+    const told = sent[0] as { robot: string; x: number; y: number; heading: number };
+    expect(told.robot).toBe('idle');
+    expect(told.x).toBeCloseTo(-3, 1);
+    expect(told.y).toBeCloseTo(-2, 1);
+    expect(told.heading).toBeCloseTo(Math.PI / 2, 1);
+    expect(await page.getByRole('menu').count()).toBe(0);
+    await goal.first().waitFor();
+    await eventually(async () => {
+      const now = await pose('idle');
+      return Math.hypot(now.x + 3, now.y + 2) < 0.5 && Math.abs(now.heading - Math.PI / 2) < 0.4;
+    }, 'it has arrived, and looks where it was to look');
+
+    const aside = await onScreen({ x: 3, y: -2 });
+    await page.mouse.click(aside.x, aside.y, { button: 'right' });
+    await eventually(() => Promise.resolve(sent.length === 2), 'it was sent by a click');
+    expect((sent[1] as { heading: number }).heading).toBeCloseTo(0, 0); // as it comes
+    expect(await page.getByRole('menu').count()).toBe(0);
+  });
+
+  it('says why the right button cannot send a robot, and opens a menu when none is selected', async () => {
+    await page.locator('tr[data-robot="blind"]').click();
+    const { x, y } = await onScreen({ x: 3, y: -2 });
+    await page.mouse.click(x, y, { button: 'right' });
+    await page.getByRole('alert').getByText(/./).first().waitFor();
+    await page.keyboard.press('Escape');
+    await page.mouse.click(x, y, { button: 'right' });
+    await page.getByRole('menuitem', { name: 'Add a box here' }).waitFor();
+  });
 });

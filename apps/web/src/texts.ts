@@ -89,7 +89,8 @@ export const texts = {
     measure: 'Measure',
     measureHint: 'Drag from one place to another to measure how far it is. T or Esc ends it.',
     measureButton: 'Measure distances on the map (T)',
-    addHint: 'Add or remove something in the simulated world (M, or a right click on the map)',
+    addHint:
+      'Add or remove something in the simulated world (M; a right click, with Ctrl while a robot is selected)',
     layers: 'Layers',
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
@@ -336,7 +337,11 @@ export const texts = {
       ['Drag a robot', 'put it somewhere else (simulation and localizer)'],
       ['Drag its handle', 'turn it'],
       ['Click, drag a thing', 'the same: select, put somewhere else, turn'],
-      ['Right click', 'add something there, or remove what is there'],
+      ['Right click', 'send the selected robot there; drag for its heading'],
+      [
+        'Ctrl, right click',
+        'add something there, or remove what is there; without Ctrl if no robot is selected',
+      ],
     ] as [string, string][],
   },
   dismiss: 'Dismiss',

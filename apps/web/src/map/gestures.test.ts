@@ -15,7 +15,7 @@ class FakeStage implements Stage {
   shown = new View(20, 0, 0);
   aimed: number | null = null;
   allowed = true;
-  selected: (Target | null)[] = [];
+  selects: (Target | null)[] = [];
   drafts: (Draft | null)[] = [];
   asked: Draft[] = [];
 
@@ -28,12 +28,14 @@ class FakeStage implements Stage {
   handleAt = (at: Pixel): Target | null => (at === onHandle ? { robot: 0 } : null);
   poseOf = (target: Target) => (target.thing === undefined ? robot : thing);
   aiming = () => this.aimed;
+  sent: number | null = null;
+  selected = () => this.sent;
   mayAct = () => this.allowed;
   isMeasuring = false;
   tapes: Tape[] = [];
   measuring = () => this.isMeasuring;
   tape = (tape: Tape) => void this.tapes.push(tape);
-  select = (target: Target | null) => void this.selected.push(target);
+  select = (target: Target | null) => void this.selects.push(target);
   draft = (draft: Draft | null) => void this.drafts.push(draft);
   ask = (draft: Draft) => void this.asked.push(draft);
 }
@@ -57,7 +59,7 @@ describe('a pointer', () => {
     stage.isMeasuring = true;
     drag(onRobot, { px: 80, py: -100 });
     expect(stage.tapes.at(-1)).toEqual({ from: { x: 1, y: 1 }, to: { x: 4, y: 5 } });
-    expect(stage.selected).toEqual([]);
+    expect(stage.selects).toEqual([]);
     expect(stage.asked).toEqual([]);
     expect(stage.shown.originX).toBe(0);
   });
@@ -65,14 +67,14 @@ describe('a pointer', () => {
   it('clicks a robot to select it, and the floor to let go', () => {
     drag(onRobot, { px: 22, py: -21 });
     drag(onFloor, { px: 201, py: -200 });
-    expect(stage.selected).toEqual([{ robot: 0 }, null]);
+    expect(stage.selects).toEqual([{ robot: 0 }, null]);
     expect(stage.asked).toEqual([]);
   });
 
   it('drags the floor to move the map', () => {
     drag(onFloor, { px: 230, py: -190 });
     expect(stage.shown).toEqual(new View(20, 30, 10));
-    expect(stage.selected).toEqual([]);
+    expect(stage.selects).toEqual([]);
   });
 
   it('drags a robot to place it, heading as it was', () => {
@@ -85,7 +87,7 @@ describe('a pointer', () => {
 
   it('clicks and drags things as it does robots', () => {
     drag(onThing, { px: 62, py: -60 });
-    expect(stage.selected).toEqual([{ thing: 7 }]);
+    expect(stage.selects).toEqual([{ thing: 7 }]);
     drag(onThing, { px: 80, py: -60 });
     expect(stage.asked).toEqual([{ kind: 'place', target: { thing: 7 }, pose: { x: 4, y: 3, heading: 1 } }]);
   });
@@ -120,6 +122,52 @@ describe('a pointer', () => {
     ]);
   });
 
+  it('sends the selected robot by the other button, facing as it comes or as it is dragged', () => {
+    const send = (from: Pixel, to: Pixel) => {
+      gestures.down(1, from, 'send');
+      gestures.move(1, to);
+      gestures.up(1);
+    };
+    stage.sent = 0;
+    send({ px: 80, py: -80 }, { px: 81, py: -80 });
+    send({ px: 80, py: -80 }, { px: 80, py: 0 });
+    send(onThing, { px: 20, py: -60 }); // over a thing, too
+    const goal = (x: number, heading: number) => ({
+      kind: 'goal',
+      target: { robot: 0 },
+      pose: { x, y: x, heading },
+    });
+    expect(stage.asked).toEqual([goal(4, Math.PI / 4), goal(4, -Math.PI / 2), goal(3, Math.PI)]);
+    expect(stage.selects).toEqual([]);
+    expect(stage.shown.originX).toBe(0);
+  });
+
+  it('sends nobody when nobody is selected, or when it may only watch', () => {
+    for (const [sent, allowed] of [
+      [null, true],
+      [0, false],
+    ] as const) {
+      stage.sent = sent;
+      stage.allowed = allowed;
+      gestures.down(1, onFloor, 'send');
+      gestures.move(1, { px: 300, py: -300 });
+      gestures.up(1);
+    }
+    expect(stage.asked).toEqual([]);
+    expect(stage.drafts.every((draft) => draft === null)).toBe(true);
+  });
+
+  it('sends nobody when it was cancelled meanwhile', () => {
+    stage.sent = 0;
+    gestures.down(1, onFloor, 'send');
+    gestures.move(1, { px: 300, py: -300 });
+    gestures.cancel();
+    gestures.move(1, { px: 350, py: -300 });
+    gestures.up(1);
+    expect(stage.asked).toEqual([]);
+    expect(stage.drafts.at(-1)).toBeNull();
+  });
+
   it('asks for nothing that was cancelled', () => {
     gestures.down(1, onRobot);
     gestures.move(1, { px: 60, py: -40 });
@@ -136,7 +184,7 @@ describe('a pointer', () => {
     expect(stage.shown.scale).toBeCloseTo(40);
     gestures.up(2);
     gestures.up(1);
-    expect(stage.selected).toEqual([]);
+    expect(stage.selects).toEqual([]);
   });
 
   it('turns the map under it, around the middle', () => {
@@ -150,7 +198,7 @@ describe('a pointer', () => {
     expect(stage.shown.toPixel(middle).px).toBeCloseTo(200);
     expect(stage.shown.toPixel(grabbed).px).toBeCloseTo(200);
     expect(stage.shown.toPixel(grabbed).py).toBeCloseTo(100);
-    expect(stage.selected).toEqual([]);
+    expect(stage.selects).toEqual([]);
   });
 
   it('turns with two fingers that twist enough', () => {

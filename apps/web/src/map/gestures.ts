@@ -18,6 +18,8 @@ export interface Stage {
   poseOf(target: Target): Pose | null;
   /** The robot that the next click sends somewhere. */
   aiming(): number | null;
+  /** The robot that is selected. */
+  selected(): number | null;
   mayAct(): boolean;
   /** Whether distances are measured now. */
   measuring(): boolean;
@@ -28,8 +30,8 @@ export interface Stage {
   ask(draft: Draft): void;
 }
 
-/** What a button means: take hold of what is there, or turn the map. */
-export type Wish = 'hold' | 'turn';
+/** What a button means: take hold of what is there, send the selected robot there, or turn the map. */
+export type Wish = 'hold' | 'send' | 'turn';
 
 type Gesture =
   | { kind: 'pan'; from: Pixel; moved: boolean }
@@ -59,12 +61,19 @@ export class Gestures {
     if (this.pointers.size > 1) {
       this.cancel(); // a second finger: pinch
     } else {
-      this.gesture = wish === 'turn' ? { kind: 'rotate' } : this.begin(at);
+      this.gesture = this.begin(at, wish);
     }
   }
 
-  private begin(at: Pixel): Gesture {
+  private begin(at: Pixel, wish: Wish): Gesture | null {
     const { stage } = this;
+    if (wish === 'turn') {
+      return { kind: 'rotate' };
+    }
+    if (wish === 'send') {
+      const robot = stage.selected();
+      return robot === null || !stage.mayAct() ? null : this.aim(robot, at);
+    }
     if (stage.measuring()) {
       const from = stage.view().toMap(at);
       stage.tape({ from, to: from });
@@ -72,14 +81,7 @@ export class Gestures {
     }
     const sent = stage.aiming();
     if (sent !== null && stage.mayAct()) {
-      const target: Target = { robot: sent };
-      const draft: Draft = { kind: 'goal', target, pose: { ...stage.view().toMap(at), heading: 0 } };
-      const from = stage.poseOf(target);
-      if (from !== null) {
-        draft.pose.heading = Math.atan2(draft.pose.y - from.y, draft.pose.x - from.x); // arrives as it came
-      }
-      stage.draft(draft);
-      return { kind: 'aim', from: at, draft };
+      return this.aim(sent, at);
     }
     const turned = stage.handleAt(at);
     const held = turned ?? stage.bodyAt(at);
@@ -90,6 +92,18 @@ export class Gestures {
     return turned === null
       ? { kind: 'body', from: at, target: held, start, draft: null }
       : { kind: 'turn', draft: { kind: 'place', target: held, pose: start }, moved: false };
+  }
+
+  private aim(robot: number, at: Pixel): Gesture {
+    const { stage } = this;
+    const target: Target = { robot };
+    const draft: Draft = { kind: 'goal', target, pose: { ...stage.view().toMap(at), heading: 0 } };
+    const from = stage.poseOf(target);
+    if (from !== null) {
+      draft.pose.heading = Math.atan2(draft.pose.y - from.y, draft.pose.x - from.x); // arrives as it came
+    }
+    stage.draft(draft);
+    return { kind: 'aim', from: at, draft };
   }
 
   move(pointer: number, at: Pixel) {
