@@ -66,15 +66,16 @@ describe.skipIf(!chromium)('the view of the world', () => {
   const map = () => page.locator('#map');
   const numberOf = async (name: string) => Number(await map().getAttribute(`data-${name}`));
 
-  /** Where a place of the floor is on the screen: by the numbers that the page tells of its view. */
-  async function onScreen({ x, y }: Place): Promise<Place> {
+  /** Where a place is on the screen, some metres above the floor: by the numbers that the page tells of its view. */
+  async function onScreen({ x, y }: Place, z = 0): Promise<Place> {
     const box = (await map().boundingBox())!;
-    const [scale, originX, originY, turn] = await Promise.all(
-      ['scale', 'origin-x', 'origin-y', 'turn'].map(numberOf),
-    );
+    const [scale, originX, originY, turn, squeeze, rise] = (await Promise.all(
+      ['scale', 'origin-x', 'origin-y', 'turn', 'squeeze', 'rise'].map(numberOf),
+    )) as [number, number, number, number, number, number];
+    const away = squeeze * (x * Math.sin(turn) + y * Math.cos(turn)) + rise * z;
     return {
-      x: box.x + originX! + scale! * (x * Math.cos(turn!) - y * Math.sin(turn!)),
-      y: box.y + originY! - scale! * (x * Math.sin(turn!) + y * Math.cos(turn!)),
+      x: box.x + originX + scale * (x * Math.cos(turn) - y * Math.sin(turn)),
+      y: box.y + originY - scale * away,
     };
   }
 
@@ -100,9 +101,9 @@ describe.skipIf(!chromium)('the view of the world', () => {
     await page.mouse.up({ button });
   }
 
-  /** Red, green and blue of what is drawn at a place of the floor. */
-  async function colorAt(at: Place): Promise<number[]> {
-    const { x, y } = await onScreen(at);
+  /** Red, green and blue of what is drawn at a place. */
+  async function colorAt(at: Place, z = 0): Promise<number[]> {
+    const { x, y } = await onScreen(at, z);
     const bytes = await page.screenshot({
       clip: { x: Math.round(x) - 1, y: Math.round(y) - 1, width: 3, height: 3 },
     });
@@ -227,5 +228,64 @@ describe.skipIf(!chromium)('the view of the world', () => {
     await page.keyboard.press('Escape');
     await page.mouse.click(x, y, { button: 'right' });
     await page.getByRole('menuitem', { name: 'Add a box here' }).waitFor();
+  });
+
+  it('is looked at from an angle: heights are seen, and what is behind them shines through', async () => {
+    for (const layer of ['Grid', 'Laser scans', 'Names', 'Trails']) {
+      await page.getByRole('button', { name: layer }).click();
+    }
+    await rsal.post('pause');
+    const button = page.getByRole('button', { name: 'Look at an angle' });
+    const behind = { x: 0, y: 1 }; // the pillar, 1 m each way, hides it: its top is seen there
+    expect(await colorAt(behind)).toEqual(WHITE);
+    await page.keyboard.press('v');
+    expect(await button.getAttribute('aria-pressed')).toBe('true');
+    expect(await numberOf('squeeze')).toBeLessThan(0.9);
+    const top = await colorAt({ x: 0, y: 0.3 }, 1);
+    const side = await colorAt({ x: 0, y: -0.5 }, 0.5);
+    expect(top).not.toEqual(WHITE);
+    expect(await colorAt(behind)).toEqual(top);
+    expect(side[0]!).toBeLessThan(top[0]! - 10); // in less light
+    expect(await colorAt({ x: 0, y: 1.6 })).toEqual(WHITE);
+    expect(await colorAt({ x: 0, y: -0.7 })).toEqual(WHITE); // nothing stands before it
+    await picture('oblique');
+
+    const before = { x: -0.7, y: 1.2 };
+    await drag(await pose('blind'), before); // from its foot to a foot
+    await eventually(() => isAt('blind', before), 'it is where it was dragged');
+    await rsal.post('place', { robot: 'blind', x: 0, y: 0.85, heading: 0 });
+    await eventually(() => isAt('blind', { x: 0, y: 0.85 }), 'it is behind the pillar');
+    await eventually(async () => {
+      const [red, green, blue] = await colorAt({ x: 0.2, y: 0.7 }, 0.1);
+      return red! > green! + 15 && red! > blue! + 15 && red! < 230;
+    }, 'it is red behind gray');
+    const hidden = await onScreen({ x: 0, y: 0.85 }, 0.15);
+    await page.mouse.click(hidden.x, hidden.y);
+    await page.locator('tr.card', { hasText: 'Drive by keys' }).waitFor();
+    await picture('hidden');
+    await page.keyboard.press('Escape');
+
+    await page.keyboard.press('Shift+ArrowLeft');
+    await page.keyboard.press('Shift+ArrowLeft');
+    await page.keyboard.press('0');
+    await picture('oblique-turned');
+    await page.keyboard.press('n');
+    await isAccessible();
+    await button.click();
+    expect(await numberOf('rise')).toBe(0);
+    await eventually(async () => (await colorAt({ x: 0, y: 1.6 })).join() === WHITE.join(), 'it is flat');
+  });
+
+  it('fits a narrow screen, at an angle and in the dark', async () => {
+    await page.context().close();
+    page = await open(480, 900, 'dark');
+    await page.keyboard.press('v');
+    await picture('narrow');
+    for (const name of ['Look at an angle', 'Turn back', 'Show all']) {
+      const box = (await page.getByRole('button', { name }).boundingBox())!;
+      expect(box.x >= 0 && box.x + box.width <= 480, name).toBe(true);
+    }
+    expect((await map().boundingBox())!.height).toBeGreaterThan(120);
+    await isAccessible();
   });
 });

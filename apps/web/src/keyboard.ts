@@ -17,6 +17,7 @@ export type Action =
         | 'drive'
         | 'fit'
         | 'upright'
+        | 'oblique'
         | 'menu'
         | 'scenarios'
         | 'restart'
@@ -54,6 +55,7 @@ export const keys: [string, string][] = [
   ['← ↑ ↓ →', 'move the map'],
   ['Shift ← →', 'turn the map, unless a robot is driven'],
   ['N', 'turn it back, so that y is up'],
+  ['V', 'look at it from above, or at an angle, with heights'],
   ['I  O', 'zoom in, out'],
   ['0', 'show the whole map'],
   ['M', 'add something in the middle of the map, or remove what is there'],
@@ -84,6 +86,7 @@ const actions: Record<string, Action> = {
   k: { kind: 'drive' },
   '0': { kind: 'fit' },
   n: { kind: 'upright' },
+  v: { kind: 'oblique' },
   i: { kind: 'zoom', factor: ZOOM },
   o: { kind: 'zoom', factor: 1 / ZOOM },
   m: { kind: 'menu' },

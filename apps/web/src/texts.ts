@@ -95,6 +95,7 @@ export const texts = {
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
     fit: 'Show all',
+    oblique: 'Look at an angle, with heights',
     upright: 'Turn back, y up',
     loading: 'Loading the map…',
     goalHint: (robot: string) => `Click where ${robot} shall go; drag to set its heading. Esc cancels.`,

@@ -216,7 +216,7 @@ describe('a pointer', () => {
   });
 
   it('places a robot where it is dragged on a turned map', () => {
-    stage.shown = new View(20, 0, 0, Math.PI / 2); // x is up, y to the left
+    stage.shown = new View(20, 0, 0, { turn: Math.PI / 2, oblique: false }); // x is up, y to the left
     drag(onRobot, { px: onRobot.px + 40, py: onRobot.py });
     const { x, y, heading } = stage.asked[0]!.pose;
     expect([x, y, heading]).toEqual([1, -1, 0.5].map((value) => expect.closeTo(value) as number));

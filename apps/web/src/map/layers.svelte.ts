@@ -7,6 +7,7 @@ import { drawParticles } from './layers/particles';
 import { drawPaths } from './layers/paths';
 import { drawRobots } from './layers/robots';
 import { drawScans } from './layers/scans';
+import { drawStanding } from './layers/standing';
 import { drawMovedThings, drawThingsOverhead } from './layers/things';
 import { drawTape } from './layers/tape';
 import { drawTrails } from './layers/trails';
@@ -32,6 +33,11 @@ const order: [Switchable | null, Layer][] = [
   [null, drawTape],
 ];
 
+/** What of it lies on the floor, seen through walls in an oblique view; all else is drawn over what stands. */
+const lying = new Set<Layer>([drawScans, drawCones, drawTrails, drawPaths, drawGoals]);
+/** In an oblique view these are drawn together, by their depth. */
+const bodies = new Set<Layer>([drawMovedThings, drawRobots]);
+
 class Layers {
   shown = $state<Record<Switchable, boolean>>({
     grid: true,
@@ -48,6 +54,16 @@ class Layers {
 
   get visible(): Layer[] {
     return order.filter(([name]) => name === null || this.shown[name]).map(([, layer]) => layer);
+  }
+
+  /** Of an oblique view, on the floor. */
+  get lying(): Layer[] {
+    return this.visible.filter((layer) => lying.has(layer));
+  }
+
+  /** Of an oblique view, over that. */
+  get standing(): Layer[] {
+    return [drawStanding, ...this.visible.filter((layer) => !lying.has(layer) && !bodies.has(layer))];
   }
 }
 

@@ -2,6 +2,8 @@
 export interface Palette {
   free: string;
   occupied: string;
+  /** Of what is occupied, in an oblique view: its sides are darker. */
+  standing: string;
   unknown: string;
   /** Of maps that robots draw. */
   drawn: string;
@@ -21,6 +23,7 @@ export function readPalette(element: Element): Palette {
   return {
     free: color('free'),
     occupied: color('occupied'),
+    standing: color('standing'),
     unknown: color('unknown'),
     drawn: color('drawn'),
     drawnWall: color('drawn-wall'),
@@ -39,4 +42,28 @@ export function rgb(color: string): [number, number, number] {
   context.fillRect(0, 0, 1, 1);
   const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
   return [red!, green!, blue!];
+}
+
+const STEPS = 32;
+const shades = new Map<string, string[]>();
+
+/**
+ * A color in less light, as sides of bodies have it.
+ *
+ * @param color `#rrggbb`
+ * @param light 1 for all, 0 for none
+ */
+export function shaded(color: string, light: number): string {
+  let all = shades.get(color);
+  if (!all) {
+    all = [];
+    shades.set(color, all);
+  }
+  const step = Math.round(light * STEPS);
+  return (all[step] ??= dimmed(color, step / STEPS));
+}
+
+function dimmed(color: string, light: number): string {
+  const channels = [1, 3, 5].map((at) => Math.round(parseInt(color.slice(at, at + 2), 16) * light));
+  return `#${channels.map((channel) => channel.toString(16).padStart(2, '0')).join('')}`;
 }

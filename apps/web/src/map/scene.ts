@@ -3,6 +3,7 @@ import type { Frame, MovedThing, Pose } from '../live/frame';
 import type { Things } from '../live/things';
 import type { Trails } from '../live/trails';
 import type { Draft } from './draft';
+import type { Uprights } from './layers/uprights';
 import type { Palette } from './palette';
 import type { Point, View } from './view';
 
@@ -30,6 +31,8 @@ export interface Scene {
   palette: Palette;
   selected: number | null;
   selectedThing: number | null;
+  /** What stands still and hides others, in an oblique view. */
+  uprights: Uprights | null;
   draft: Draft | null;
   tape: Tape | null;
 }

@@ -1,6 +1,9 @@
 import type { PieceInfo } from '../../api/messages';
 import type { Pose } from '../../live/frame';
+import { shaded } from '../palette';
+import type { Point, View } from '../view';
 import { enter } from './frames';
+import { lightOf } from './relief';
 
 /** Outlines in a body's own frame, made once. */
 const outlines = new WeakMap<PieceInfo, Path2D>();
@@ -31,14 +34,13 @@ export interface Ink {
   /** Of pieces that have none. */
   color: string;
   line: string;
-  /** Of what is seen of the line, outside of the body [px]. */
+  /** Of what is seen of the line, outside of the body [px]; 0 for none. */
   lineWidth: number;
 }
 
 /**
- * Draws a body as seen from above: its pieces, the lowest first.
+ * Draws a body: its pieces, the lowest first; as seen from above or, in an oblique view, with their sides.
  *
- * @param scale pixels per metre
  * @param grown how much larger than it is
  */
 export function drawBody(
@@ -46,23 +48,109 @@ export function drawBody(
   pose: Pose,
   pieces: readonly PieceInfo[],
   ink: Ink,
-  scale: number,
+  view: View,
   grown = 1,
 ) {
+  const up = upIn(pose, view);
   context.save();
   enter(context, pose);
   context.scale(grown, grown);
   context.lineJoin = 'round';
-  context.lineWidth = (2 * ink.lineWidth) / (scale * grown);
+  context.lineWidth = (2 * ink.lineWidth) / (view.scale * grown);
   context.strokeStyle = ink.line;
   for (let from = 0, to = 0; from < pieces.length; from = to) {
     while (to < pieces.length && isLevel(pieces[from]!, pieces[to]!)) {
-      context.stroke(outlineOf(pieces[to++]!));
+      to++;
     }
-    context.fillStyle = pieces[from]!.color ?? ink.color;
-    pieces.slice(from, to).forEach((piece) => context.fill(outlineOf(piece)));
+    const { color, high } = pieces[from]!;
+    if (view.oblique) {
+      for (let i = from; i < to; i++) {
+        drawSides(context, pieces[i]!, up, color ?? ink.color, ink.lineWidth > 0);
+      }
+    }
+    context.translate(high * up.x, high * up.y);
+    for (let i = from; ink.lineWidth > 0 && i < to; i++) {
+      context.stroke(outlineOf(pieces[i]!));
+    }
+    context.fillStyle = color ?? ink.color;
+    for (let i = from; i < to; i++) {
+      context.fill(outlineOf(pieces[i]!));
+    }
+    context.translate(-high * up.x, -high * up.y);
   }
   context.restore();
+}
+
+/** Where a metre of height is drawn, in a body's own frame. */
+function upIn({ heading }: Pose, { up }: View): Point {
+  const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
+  return { x: cos * up.x + sin * up.y, y: cos * up.y - sin * up.x };
+}
+
+/** Draws what is seen of a piece below its top, in the body's frame: first what the light falls on least. */
+function drawSides(
+  context: CanvasRenderingContext2D,
+  piece: PieceInfo,
+  up: Point,
+  color: string,
+  line: boolean,
+) {
+  if (piece.radius > 0) {
+    traceRound(context, piece, up);
+    drawTraced(context, shaded(color, lightOf(-up.x, -up.y, up)), line);
+    return;
+  }
+  const { corners, low, high } = piece;
+  const turning = isCounterClockwise(piece) ? 1 : -1;
+  for (let b = 0, a = corners.length - 1; b < corners.length; a = b++) {
+    const [ax, ay] = corners[a] as [number, number];
+    const [bx, by] = corners[b] as [number, number];
+    const [nx, ny] = [turning * (by - ay), turning * (ax - bx)];
+    const length = Math.hypot(nx, ny);
+    if (nx * up.x + ny * up.y < -1e-9 * length) {
+      context.beginPath();
+      context.moveTo(ax + low * up.x, ay + low * up.y);
+      context.lineTo(bx + low * up.x, by + low * up.y);
+      context.lineTo(bx + high * up.x, by + high * up.y);
+      context.lineTo(ax + high * up.x, ay + high * up.y);
+      context.closePath();
+      drawTraced(context, shaded(color, lightOf(nx / length, ny / length, up)), line);
+    }
+  }
+}
+
+function drawTraced(context: CanvasRenderingContext2D, color: string, line: boolean) {
+  if (line) {
+    context.stroke();
+  }
+  context.fillStyle = color;
+  context.fill();
+}
+
+function traceRound(context: CanvasRenderingContext2D, { corners, radius, low, high }: PieceInfo, up: Point) {
+  const [x, y] = corners[0] as [number, number];
+  const direction = Math.atan2(up.y, up.x);
+  context.beginPath();
+  context.arc(x + low * up.x, y + low * up.y, radius, direction + Math.PI / 2, direction - Math.PI / 2);
+  context.arc(x + high * up.x, y + high * up.y, radius, direction - Math.PI / 2, direction + Math.PI / 2);
+  context.closePath();
+}
+
+const turnings = new WeakMap<PieceInfo, boolean>();
+
+function isCounterClockwise(piece: PieceInfo): boolean {
+  let turning = turnings.get(piece);
+  if (turning === undefined) {
+    const { corners } = piece;
+    let area = 0;
+    corners.forEach(([x, y], i) => {
+      const [nextX, nextY] = corners[(i + 1) % corners.length] as [number, number];
+      area += x! * nextY - nextX * y!;
+    });
+    turning = area > 0;
+    turnings.set(piece, turning);
+  }
+  return turning;
 }
 
 /** The outline around a body's pieces, as a line. */
@@ -72,7 +160,7 @@ export function traceBody(
   pieces: readonly PieceInfo[],
   color: string,
   pixels: number,
-  scale: number,
+  view: View,
 ) {
-  drawBody(context, pose, pieces, { color, line: color, lineWidth: pixels }, scale);
+  drawBody(context, pose, pieces, { color, line: color, lineWidth: pixels }, view);
 }

@@ -13,12 +13,12 @@ export const drawDraft: Layer = (context, { info, things, draft, view, palette }
   if (target.thing !== undefined) {
     const thing = things.all.get(target.thing);
     if (thing) {
-      drawThing(context, { ...thing, pose }, view.scale, palette);
+      drawThing(context, { ...thing, pose }, view, palette);
     }
   } else if (draft.kind === 'goal') {
     drawGoal(context, pose, info.robots[target.robot]!.color, view.scale);
   } else {
-    drawRobot(context, pose, info.robots[target.robot]!, view.scale, palette);
+    drawRobot(context, pose, info.robots[target.robot]!, view, palette);
   }
   context.globalAlpha = 1;
 };

@@ -10,6 +10,7 @@ const COLORFUL = 0.05;
 const UNKNOWN = 255;
 
 type Rgba = [number, number, number, number];
+const NOTHING: Rgba = [0, 0, 0, 0];
 
 /** A picture of a map; of a map seen from afar, one pixel is `pool` × `pool` cells. */
 export interface Floor {
@@ -31,15 +32,35 @@ export function isColorful(color: string): boolean {
 
 /** Pictures a map, upper row first. */
 export function paintFloor(map: MapInfo, cells: Uint8Array, pool: number, palette: Palette): Floor {
-  const colors = new Map<number, Rgba>([
-    [FREE, [...rgb(palette.free), 255]],
-    [OCCUPIED, [...rgb(palette.occupied), 255]],
-    [UNKNOWN, [...rgb(palette.unknown), 255]],
-  ]);
-  map.colors.forEach((color, i) => {
-    colors.set(OCCUPIED + 1 + i, [...rgb(isColorful(color) ? color : palette.occupied), 255]);
-  });
+  const colors = opaque(wallColors(map, palette.occupied));
+  colors.set(FREE, [...rgb(palette.free), 255]);
+  colors.set(UNKNOWN, [...rgb(palette.unknown), 255]);
   return paint(map, cells, pool, colors);
+}
+
+/** Pictures the walls of a map alone, for an oblique view. */
+export function paintWalls(map: MapInfo, cells: Uint8Array, pool: number, palette: Palette): Floor {
+  return paint(
+    map,
+    cells,
+    pool,
+    opaque(wallColors(map, palette.standing)).set(FREE, NOTHING).set(UNKNOWN, NOTHING),
+  );
+}
+
+function opaque(colors: ReadonlyMap<number, string>): Map<number, Rgba> {
+  return new Map([...colors].map(([value, color]) => [value, [...rgb(color), 255]]));
+}
+
+/**
+ * Colors of walls, by cell value.
+ *
+ * @param plain of those that keep none
+ */
+export function wallColors(map: MapInfo, plain: string): Map<number, string> {
+  const colors = new Map([[OCCUPIED, plain]]);
+  map.colors.forEach((color, i) => colors.set(OCCUPIED + 1 + i, isColorful(color) ? color : plain));
+  return colors;
 }
 
 /** Pictures a map that a robot has drawn, to be seen through. */
@@ -47,7 +68,7 @@ export function paintDrawn(map: MapInfo, cells: Uint8Array, pool: number, palett
   const colors = new Map<number, Rgba>([
     [FREE, [...rgb(palette.drawn), 110]],
     [OCCUPIED, [...rgb(palette.drawnWall), 255]],
-    [UNKNOWN, [0, 0, 0, 0]],
+    [UNKNOWN, NOTHING],
   ]);
   return paint(map, cells, pool, colors);
 }
@@ -91,14 +112,23 @@ export function poolCells(cells: Uint8Array, width: number, height: number, pool
   return pooled;
 }
 
-/** Draws a floor in canvas coordinates. */
-export function drawFloor(context: CanvasRenderingContext2D, { picture, map, pool }: Floor, view: View) {
+/**
+ * Draws a floor in canvas coordinates.
+ *
+ * @param z how high above the floor it is [m]
+ */
+export function drawFloor(
+  context: CanvasRenderingContext2D,
+  { picture, map, pool }: Floor,
+  view: View,
+  z = 0,
+) {
   const pixel = pool * map.resolution;
   context.save();
-  context.imageSmoothingEnabled = pixel * view.scale < 3 || view.turn !== 0; // close up, cells are cells
-  context.imageSmoothingQuality = 'high';
+  context.imageSmoothingEnabled = pixel * view.scale < 3 || view.turn !== 0 || view.oblique; // close up, cells are cells
+  context.imageSmoothingQuality = pixel * view.scale < 3 ? 'high' : 'low';
   view.enter(context);
-  context.translate(map.originX, map.originY);
+  context.translate(map.originX + z * view.up.x, map.originY + z * view.up.y);
   context.scale(pixel, -pixel); // rows of pictures go down
   context.drawImage(picture, 0, -picture.height);
   context.restore();

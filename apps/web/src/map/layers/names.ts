@@ -2,7 +2,7 @@ import type { RealDetails } from '../../api/messages';
 import { texts } from '../../texts';
 import { placeLabels, type Box } from '../labels';
 import type { Layer } from '../scene';
-import { radius } from './robots';
+import { heightOf, radius } from './robots';
 
 const HEIGHT = 17;
 const PADDING = 5;
@@ -17,7 +17,8 @@ export function nameOf(id: string, real: RealDetails | undefined): string {
 
 /** Names of robots, each in a frame of its robot's color. */
 export const drawNames: Layer = (context, { info, poses, real, view, palette, selected }) => {
-  const named = info.robots.flatMap(({ id, color, footprint }, i) => {
+  const named = info.robots.flatMap((robot, i) => {
+    const { id, color, footprint } = robot;
     const pose = poses[i];
     return pose
       ? [
@@ -25,6 +26,7 @@ export const drawNames: Layer = (context, { info, poses, real, view, palette, se
             name: nameOf(id, real.get(i)),
             color,
             pose,
+            height: heightOf(robot, view.scale),
             reach: radius(footprint, view.scale) * view.scale,
             bold: i === selected,
           },
@@ -36,10 +38,10 @@ export const drawNames: Layer = (context, { info, poses, real, view, palette, se
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   const boxes = placeLabels(
-    named.map(({ name, pose, reach, bold }) => {
+    named.map(({ name, pose, height, reach, bold }) => {
       context.font = font(bold);
       const width = context.measureText(name).width + 2 * PADDING;
-      const { px, py } = view.toPixel(pose);
+      const { px, py } = view.toPixel(pose, height);
       return { x: px, y: py, reach, width, height: HEIGHT };
     }),
   );

@@ -1,11 +1,12 @@
 import type { GripperInfo, LightInfo, PieceInfo, RobotInfo } from '../../api/messages';
 import type { Pose, RobotState } from '../../live/frame';
-import type { Layer } from '../scene';
-import type { Point } from '../view';
+import type { Layer, Scene } from '../scene';
+import type { Point, View } from '../view';
 import { toOklab } from '../../shades';
 import type { Palette } from '../palette';
 import { drawBody } from './bodies';
 import { enter } from './frames';
+import { ROBOT_HEIGHT } from './heights';
 
 /** A robot is drawn at least this long [px], so that it is seen on a large map. */
 const LEAST_PIXELS = 18;
@@ -19,49 +20,84 @@ const GLOW = 0.3;
 const LIGHT = 0.72;
 export const HANDLE_PIXELS = 5;
 
-/** Robots: outline and heading. */
-export const drawRobots: Layer = (context, { info, frame, poses, faded, view, palette, selected }) => {
-  info.robots.forEach((robot, i) => {
-    const pose = poses[i];
-    if (!pose) {
-      return;
-    }
-    const { color, footprint } = robot;
-    if (faded.has(i)) {
-      context.globalAlpha = 0.6;
-      drawRobot(context, pose, { ...robot, color: FADED, pieces: [] }, view.scale, palette);
-      context.globalAlpha = 1;
-    } else {
-      drawRobot(context, pose, robot, view.scale, palette, frame.robots[i]);
-    }
-    if (frame.robots[i]!.stalled) {
-      drawRing(context, pose, footprint, view.scale, palette.text, [4, 4]);
-    }
-    if (i === selected) {
-      drawRing(context, pose, footprint, view.scale, color, []);
-      drawHandle(context, handleOf(pose, footprint, view.scale), color, view.scale, palette.halo);
-    }
+/** Robots as seen from above: outline and heading. */
+export const drawRobots: Layer = (context, scene) => {
+  scene.info.robots.forEach((_, i) => {
+    drawInState(context, scene, i);
+    drawMarks(context, scene, i);
   });
 };
+
+/** A robot, if it is there, as it is now. */
+export function drawInState(context: CanvasRenderingContext2D, scene: Scene, i: number) {
+  const { info, frame, poses, faded, view, palette } = scene;
+  const pose = poses[i];
+  const robot = info.robots[i]!;
+  if (!pose) {
+    return;
+  }
+  if (faded.has(i)) {
+    context.globalAlpha = 0.6;
+    drawRobot(context, pose, { ...robot, color: FADED, pieces: [] }, view, palette);
+    context.globalAlpha = 1;
+  } else {
+    drawRobot(context, pose, robot, view, palette, frame.robots[i]);
+  }
+}
+
+/** Rings on the floor, around who is stalled or selected. */
+export function drawMarks(context: CanvasRenderingContext2D, scene: Scene, i: number) {
+  const { info, frame, poses, view, palette, selected } = scene;
+  const pose = poses[i];
+  const { color, footprint } = info.robots[i]!;
+  if (!pose) {
+    return;
+  }
+  if (frame.robots[i]!.stalled) {
+    drawRing(context, pose, footprint, view.scale, palette.text, [4, 4]);
+  }
+  if (i === selected) {
+    drawRing(context, pose, footprint, view.scale, color, []);
+    drawHandle(context, handleOf(pose, footprint, view.scale), color, view.scale, palette.halo);
+  }
+}
+
+/** How high a robot is drawn [m]. */
+export function heightOf({ footprint, pieces }: RobotInfo, scale: number): number {
+  return (pieces.at(-1)?.high ?? ROBOT_HEIGHT) * magnification(footprint, scale);
+}
 
 export function drawRobot(
   context: CanvasRenderingContext2D,
   pose: Pose,
   { footprint, pieces, color, gripper, light }: RobotInfo,
-  scale: number,
+  view: View,
   { halo, edge }: Palette,
   state?: RobotState,
 ) {
+  const { scale } = view;
   const grown = magnification(footprint, scale);
   const shape = pieces.length > 0 ? pieces : [plain(footprint)];
-  drawBody(context, pose, shape, { color, line: edge, lineWidth: 1.75 }, scale, grown); // seen on floors of its color
-  drawBody(context, pose, shape, { color, line: halo, lineWidth: 1 }, scale, grown);
-  context.save();
-  enter(context, pose);
-  context.scale(grown, grown);
-  if (gripper) {
-    drawPaddles(context, gripper, state?.gripper?.closed ?? 0, { halo, edge }, 1 / (scale * grown));
+  const drawGripper = () => {
+    if (gripper) {
+      context.save();
+      enter(context, pose);
+      context.scale(grown, grown);
+      drawPaddles(context, gripper, state?.gripper?.closed ?? 0, { halo, edge }, 1 / (scale * grown));
+      context.restore();
+    }
+  };
+  if (view.oblique) {
+    drawGripper(); // on the floor: nobody tells how high it is
+    drawBody(context, pose, shape, { color, line: edge, lineWidth: 1 }, view, grown);
+  } else {
+    drawBody(context, pose, shape, { color, line: edge, lineWidth: 1.75 }, view, grown); // seen on floors of its color
+    drawBody(context, pose, shape, { color, line: halo, lineWidth: 1 }, view, grown);
+    drawGripper();
   }
+  context.save();
+  enter(context, view.raised(pose, shape.at(-1)!.high * grown));
+  context.scale(grown, grown);
   const front = Math.max(...footprint.map(([x]) => x!));
   context.beginPath(); // an arrow head
   context.moveTo(0.8 * front, 0);
@@ -134,7 +170,13 @@ const plains = new WeakMap<number[][], PieceInfo>();
 
 /** A body that is its footprint. */
 function plain(footprint: number[][]): PieceInfo {
-  const piece = plains.get(footprint) ?? { color: null, corners: footprint, radius: 0, low: 0, high: 0 };
+  const piece = plains.get(footprint) ?? {
+    color: null,
+    corners: footprint,
+    radius: 0,
+    low: 0,
+    high: ROBOT_HEIGHT,
+  };
   plains.set(footprint, piece);
   return piece;
 }

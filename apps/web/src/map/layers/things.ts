@@ -1,11 +1,13 @@
-import type { MovedThing } from '../../live/frame';
-import { isHandy, type Thing, type Things } from '../../live/things';
+import type { PieceInfo } from '../../api/messages';
+import type { MovedThing, Pose } from '../../live/frame';
+import { covers, isHandy, type Thing, type Things } from '../../live/things';
 import type { Palette } from '../palette';
-import type { Layer } from '../scene';
-import type { View } from '../view';
+import type { Layer, Scene } from '../scene';
+import type { Pixel, Point, View } from '../view';
 import { drawBody, traceBody } from './bodies';
 import { isColorful } from './floor';
 import { drawHandle, handleAhead } from './robots';
+import { uprightsOf, type Upright, type Uprights } from './uprights';
 
 /** What begins as high above the floor hides robots under it [m]; it is drawn over them, to be seen through. */
 const OVERHEAD = 0.6;
@@ -14,7 +16,7 @@ function low({ pieces, height }: Thing): number {
   return height + Math.min(...pieces.map((piece) => piece.low));
 }
 
-function top({ pieces, height }: Thing): number {
+export function top({ pieces, height }: Thing): number {
   return height + Math.max(...pieces.map((piece) => piece.high));
 }
 
@@ -58,6 +60,7 @@ function byHeight(things: Things): Thing[] {
  * Draws those things that are where they were told to be, which are most. In canvas coordinates.
  *
  * @param moved numbers of those that are not
+ * @param uprights what may hide some of them; of walls, when the view is oblique
  */
 export function drawStillThings(
   context: CanvasRenderingContext2D,
@@ -68,30 +71,92 @@ export function drawStillThings(
   width: number,
   height: number,
   worldSide: number,
+  walls: Uprights | null,
 ) {
   context.save();
   view.enter(context);
-  for (const thing of byHeight(things)) {
+  const still = (view.oblique ? byDepth(things, view.up) : byHeight(things)).filter((thing) => {
     const { px, py } = view.toPixel(thing.pose);
     const reach = thing.reach * view.scale;
-    const isSeen = px > -reach && px < width + reach && py > -reach && py < height + reach;
-    if (isSeen && !moved.has(thing.number) && !isOverhead(thing)) {
-      drawThing(context, isHandy(thing, worldSide) ? thing : asWall(thing), view.scale, palette);
+    const above = top(thing) * view.rise * view.scale;
+    const isSeen = px > -reach && px < width + reach && py > -reach && py - above < height + reach;
+    return isSeen && !moved.has(thing.number) && !isOverhead(thing);
+  });
+  if (walls === null) {
+    for (const thing of still) {
+      drawThing(context, isHandy(thing, worldSide) ? thing : asWall(thing), view, palette);
+    }
+  } else {
+    const large = still.filter((thing) => !isHandy(thing, worldSide));
+    for (const { piece, thing } of piecesByDepth(large, view.up)) {
+      drawThing(context, { ...thing, pieces: [piece] }, view, palette);
+    }
+    for (const thing of still.filter((other) => isHandy(other, worldSide))) {
+      drawThing(context, thing, view, palette);
+      walls.drawBefore(context, thing.pose, thing.reach, top(thing), view, palette);
     }
   }
   context.restore();
 }
 
-/** Things that were moved, the lowest first, under robots. */
-export const drawMovedThings: Layer = (context, { things, moved, view, palette }) => {
-  [...moved.values()]
+/** Of a place that is farther away from who looks, more [m]. */
+function depthOf({ x, y }: Point, up: Point): number {
+  return x * up.x + y * up.y;
+}
+
+/** All things, the farthest first. */
+function byDepth(things: Things, up: Point): Thing[] {
+  return [...things.all.values()].sort(
+    (a, b) => depthOf(b.pose, up) - depthOf(a.pose, up) || top(a) - top(b),
+  );
+}
+
+/** Pieces of things that others stand in: each by itself, since they may stand around the others. */
+function piecesByDepth(things: readonly Thing[], up: Point): { piece: PieceInfo; thing: Thing }[] {
+  return things
+    .flatMap((thing) =>
+      asWall(thing).pieces.map((piece) => ({ piece, thing, depth: depthIn(thing.pose, piece, up) })),
+    )
+    .sort((a, b) => b.depth - a.depth);
+}
+
+function depthIn({ x, y, heading }: Pose, { corners }: PieceInfo, up: Point): number {
+  const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
+  const sum = corners.reduce(
+    (total, [cx, cy]) => total + depthOf({ x: x + cos * cx! - sin * cy!, y: y + sin * cx! + cos * cy! }, up),
+    0,
+  );
+  return sum / corners.length;
+}
+
+/** What stands still and may hide others: of large things alone, or of all. */
+export function standingOf(
+  things: Things,
+  moved: ReadonlySet<number>,
+  worldSide: number,
+  alsoHandy: boolean,
+): Upright[] {
+  return [...things.all.values()]
+    .filter((thing) => !moved.has(thing.number) && !isOverhead(thing))
+    .flatMap((thing) =>
+      isHandy(thing, worldSide) ? (alsoHandy ? uprightsOf(thing) : []) : uprightsOf(asWall(thing)),
+    );
+}
+
+/** Things that were moved, as they are now, the lowest first. */
+export function movedThings({ things, moved }: Scene): Thing[] {
+  return [...moved.values()]
     .flatMap((place) => {
       const thing = things.all.get(place.number);
       return thing ? [movedTo(thing, place)] : [];
     })
     .filter((thing) => !isOverhead(thing))
-    .sort((a, b) => top(a) - top(b))
-    .forEach((thing) => drawThing(context, thing, view.scale, palette));
+    .sort((a, b) => top(a) - top(b));
+}
+
+/** Things that were moved, under robots. */
+export const drawMovedThings: Layer = (context, scene) => {
+  movedThings(scene).forEach((thing) => drawThing(context, thing, scene.view, scene.palette));
 };
 
 /** Things over robots, and a mark around the selected one. */
@@ -101,15 +166,15 @@ export const drawThingsOverhead: Layer = (context, { things, moved, view, palett
     const place = moved.get(thing.number);
     const now = place ? movedTo(thing, place) : thing;
     if (isOverhead(now)) {
-      drawThing(context, now, view.scale, palette);
+      drawThing(context, now, view, palette);
     }
   }
   context.globalAlpha = 1;
   const selected = selectedThing === null ? undefined : things.all.get(selectedThing);
   if (selected) {
     const now = movedTo(selected, moved.get(selected.number) ?? selected);
-    traceBody(context, now.pose, now.pieces, palette.accent, 3, view.scale);
-    drawThing(context, now, view.scale, palette);
+    traceBody(context, view.raised(now.pose, now.height), now.pieces, palette.accent, 3, view);
+    drawThing(context, now, view, palette);
     drawHandle(
       context,
       handleAhead(now.pose, now.reach, view.scale),
@@ -122,18 +187,25 @@ export const drawThingsOverhead: Layer = (context, { things, moved, view, palett
 
 export function drawThing(
   context: CanvasRenderingContext2D,
-  { pose, pieces }: Thing,
-  scale: number,
+  { pose, height, pieces }: Thing,
+  view: View,
   palette: Palette,
 ) {
-  drawBody(context, pose, pieces, { color: palette.occupied, line: palette.edge, lineWidth: 1 }, scale);
+  const color = view.oblique ? palette.standing : palette.occupied;
+  const ink = { color, line: palette.edge, lineWidth: 1 };
+  drawBody(context, view.raised(pose, height), pieces, ink, view);
 }
 
-/** The uppermost thing that is under a place and can be taken, if any. */
+/** How many heights a thing is looked for at. */
+const HEIGHTS = 12;
+
+/** The thing that is drawn uppermost at a pixel and can be taken, if any. */
 export function thingAt(
   things: Things,
   moved: ReadonlyMap<number, MovedThing>,
-  isUnder: (thing: Thing) => boolean,
+  at: Pixel,
+  view: View,
+  near: number,
   worldSide: number,
 ): number | null {
   let best: number | null = null;
@@ -141,10 +213,25 @@ export function thingAt(
   for (const thing of things.all.values()) {
     const place = moved.get(thing.number);
     const now = place ? movedTo(thing, place) : thing;
-    if (isHandy(now, worldSide) && isUnder(now) && top(now) >= highest) {
-      best = now.number;
-      highest = top(now);
+    if (isHandy(now, worldSide)) {
+      const height = heightUnder(now, at, view, near);
+      if (height !== null && height >= highest) {
+        best = now.number;
+        highest = height;
+      }
     }
   }
   return best;
+}
+
+/** How high above the floor the way through a pixel meets a thing [m]; what it meets higher hides what it meets lower. */
+function heightUnder(thing: Thing, at: Pixel, view: View, near: number): number | null {
+  const [from, to] = [top(thing), low(thing)];
+  for (let step = 0; step <= (view.oblique ? HEIGHTS : 0); step++) {
+    const z = from + (step / HEIGHTS) * (to - from);
+    if (covers(thing, thing.pose, view.toMap(at, z), near)) {
+      return z;
+    }
+  }
+  return null;
 }
