@@ -276,6 +276,29 @@ describe.skipIf(!chromium)('the view of the world', () => {
     await eventually(async () => (await colorAt({ x: 0, y: 1.6 })).join() === WHITE.join(), 'it is flat');
   });
 
+  it('shows the frames of the selected robot, in any view', async () => {
+    await rsal.post('pause');
+    await page.locator('tr[data-robot="idle"]').click();
+    const { x, y } = await pose('idle'); // it looks along the x axis of the map
+    const axes = page.getByRole('button', { name: 'Frames' });
+    expect(await axes.getAttribute('aria-pressed')).toBe('false');
+    await axes.click();
+    for (const key of ['Shift+ArrowLeft', 'v']) {
+      await page.keyboard.press(key);
+      for (const origin of [
+        { x, y },
+        { x: 0, y: 0 },
+      ]) {
+        await eventually(async () => {
+          const along = await colorAt({ x: origin.x + 0.15, y: origin.y });
+          const left = await colorAt({ x: origin.x, y: origin.y + 0.15 });
+          return along[0]! > 1.5 * along[1]! && left[1]! > 1.5 * left[0]!;
+        }, 'x is red, and y green');
+      }
+    }
+    await picture('frames');
+  });
+
   it('fits a narrow screen, at an angle and in the dark', async () => {
     await page.context().close();
     page = await open(480, 900, 'dark');

@@ -124,6 +124,7 @@ export const texts = {
     paths: 'Planned paths',
     goals: 'Goals',
     estimates: 'Estimates (95 %)',
+    axes: 'Frames',
     names: 'Names',
   },
   robots: {

@@ -1,3 +1,4 @@
+import { drawAxes } from './layers/axes';
 import { drawCones } from './layers/cones';
 import { drawDraft } from './layers/drafts';
 import { drawEstimates } from './layers/estimates';
@@ -14,7 +15,17 @@ import { drawTrails } from './layers/trails';
 import type { Layer } from './scene';
 
 export type Switchable =
-  'grid' | 'map' | 'scans' | 'cones' | 'particles' | 'trails' | 'paths' | 'goals' | 'estimates' | 'names';
+  | 'grid'
+  | 'map'
+  | 'scans'
+  | 'cones'
+  | 'particles'
+  | 'trails'
+  | 'paths'
+  | 'goals'
+  | 'estimates'
+  | 'axes'
+  | 'names';
 
 /** From the floor up. The grid, maps that robots draw, and things that were not moved, are drawn with the floor. */
 const order: [Switchable | null, Layer][] = [
@@ -28,6 +39,7 @@ const order: [Switchable | null, Layer][] = [
   [null, drawThingsOverhead],
   ['particles', drawParticles],
   ['estimates', drawEstimates],
+  ['axes', drawAxes],
   ['names', drawNames],
   [null, drawDraft],
   [null, drawTape],
@@ -49,6 +61,7 @@ class Layers {
     paths: true,
     goals: true,
     estimates: true,
+    axes: false,
     names: true,
   });
 

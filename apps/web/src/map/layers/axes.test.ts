@@ -1,0 +1,33 @@
+import { describe, expect, it } from 'vitest';
+import type { RunInfo } from '../../api/messages';
+import type { Frame, RobotState } from '../../live/frame';
+import { axesOf } from './axes';
+
+const info = { robots: [{ id: 'ann' }, { id: 'bob' }] } as RunInfo;
+const pose = { x: 1, y: 2, heading: Math.PI / 2 };
+const believed = { x: 1.1, y: 2, heading: 1.5 };
+
+function frameOf(state: Partial<RobotState>): Frame {
+  return { robots: [{}, { estimate: null, scan: null, ...state }] } as Frame;
+}
+
+describe('frames', () => {
+  it('are the map alone while no robot is selected, or nobody knows where it is', () => {
+    const names = (selected: number | null, known: typeof pose | null) =>
+      axesOf({ info, frame: frameOf({}), poses: [null, known], selected }).map(({ name }) => name);
+    expect(names(null, pose)).toEqual(['map']);
+    expect(names(1, null)).toEqual(['map']);
+    expect(names(1, pose)).toEqual(['map', 'bob/base_link']);
+  });
+
+  it('of a robot are those whose poses are told, the laser where it is on the base', () => {
+    const scan = { baseFromLaser: { x: 0.2, y: 0, heading: 0.1 } } as RobotState['scan'];
+    const estimate = { pose: believed } as RobotState['estimate'];
+    const all = axesOf({ info, frame: frameOf({ scan, estimate }), poses: [null, pose], selected: 1 });
+    expect(all.map(({ name }) => name)).toEqual(['map', 'bob/base_link', 'laser', 'estimate']);
+    expect(all[2]!.pose.x).toBeCloseTo(1);
+    expect(all[2]!.pose.y).toBeCloseTo(2.2);
+    expect(all[2]!.pose.heading).toBeCloseTo(Math.PI / 2 + 0.1);
+    expect(all[3]!.pose).toEqual(believed);
+  });
+});

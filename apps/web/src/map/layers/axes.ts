@@ -1,0 +1,91 @@
+import type { Pose } from '../../live/frame';
+import type { Layer, Scene } from '../scene';
+
+/** An axis is at least this long [px], and as long as this on a large scale [m]. */
+const LEAST_PIXELS = 26;
+const LENGTH = 0.3;
+/** x red, y green, as usual. */
+const X = '#d62828';
+const Y = '#12883f';
+const FONT = '600 11px system-ui, sans-serif';
+
+/** A frame, by its name and its pose in the map frame. */
+export interface Axes {
+  name: string;
+  pose: Pose;
+}
+
+/**
+ * The frames that are known of a robot: the map's, its base's and its laser's as they are, and its base's as it is
+ * believed to be. Nobody tells the page where its odometry began.
+ */
+export function axesOf({
+  info,
+  frame,
+  poses,
+  selected,
+}: Pick<Scene, 'info' | 'frame' | 'poses' | 'selected'>): Axes[] {
+  const all: Axes[] = [{ name: 'map', pose: { x: 0, y: 0, heading: 0 } }];
+  const pose = selected === null ? null : (poses[selected] ?? null);
+  if (selected === null || pose === null) {
+    return all;
+  }
+  const { id } = info.robots[selected]!;
+  const { estimate, scan } = frame.robots[selected]!;
+  all.push({ name: `${id}/base_link`, pose });
+  if (scan) {
+    all.push({ name: 'laser', pose: compose(pose, scan.baseFromLaser) });
+  }
+  if (estimate) {
+    all.push({ name: 'estimate', pose: estimate.pose });
+  }
+  return all;
+}
+
+/** A pose in a frame that has a pose itself. */
+function compose(frame: Pose, { x, y, heading }: Pose): Pose {
+  const [cos, sin] = [Math.cos(frame.heading), Math.sin(frame.heading)];
+  return {
+    x: frame.x + cos * x - sin * y,
+    y: frame.y + sin * x + cos * y,
+    heading: frame.heading + heading,
+  };
+}
+
+/** Axes of frames, on the floor: x and y, with the frame's name at its origin. */
+export const drawAxes: Layer = (context, scene) => {
+  const { view, palette } = scene;
+  const length = Math.max(LENGTH, LEAST_PIXELS / view.scale);
+  context.save();
+  view.leave(context);
+  context.lineCap = 'round';
+  context.font = FONT;
+  context.textBaseline = 'top';
+  for (const { name, pose } of axesOf(scene)) {
+    const origin = view.toPixel(pose);
+    for (const [color, angle] of [
+      [X, pose.heading],
+      [Y, pose.heading + Math.PI / 2],
+    ] as const) {
+      const end = { x: pose.x + length * Math.cos(angle), y: pose.y + length * Math.sin(angle) };
+      const { px, py } = view.toPixel(end);
+      for (const [ink, width] of [
+        [palette.halo, 4.5],
+        [color, 2.5],
+      ] as const) {
+        context.beginPath();
+        context.moveTo(origin.px, origin.py);
+        context.lineTo(px, py);
+        context.strokeStyle = ink;
+        context.lineWidth = width;
+        context.stroke();
+      }
+    }
+    context.lineWidth = 3;
+    context.strokeStyle = palette.halo;
+    context.strokeText(name, origin.px + 5, origin.py + 4);
+    context.fillStyle = palette.text;
+    context.fillText(name, origin.px + 5, origin.py + 4);
+  }
+  context.restore();
+};
