@@ -1,5 +1,6 @@
 import type { Pose } from '../../live/frame';
 import type { Layer, Scene } from '../scene';
+import type { Pixel } from '../view';
 
 /** An axis is at least this long [px], and as long as this on a large scale [m]. */
 const LEAST_PIXELS = 26;
@@ -7,6 +8,9 @@ const LENGTH = 0.3;
 /** x red, y green, as usual. */
 const X = '#d62828';
 const Y = '#12883f';
+/** Names nearer to each other than this stand one below the other [px]. */
+const WIDTH = 100;
+const ROW = 13;
 const FONT = '600 11px system-ui, sans-serif';
 
 /** A frame, by its name and its pose in the map frame. */
@@ -61,6 +65,7 @@ export const drawAxes: Layer = (context, scene) => {
   context.lineCap = 'round';
   context.font = FONT;
   context.textBaseline = 'top';
+  const written: Pixel[] = [];
   for (const { name, pose } of axesOf(scene)) {
     const origin = view.toPixel(pose);
     for (const [color, angle] of [
@@ -81,11 +86,16 @@ export const drawAxes: Layer = (context, scene) => {
         context.stroke();
       }
     }
+    const at = { px: origin.px + 5, py: origin.py + 4 };
+    while (written.some(({ px, py }) => Math.abs(px - at.px) < WIDTH && Math.abs(py - at.py) < ROW)) {
+      at.py += ROW;
+    }
+    written.push(at);
     context.lineWidth = 3;
     context.strokeStyle = palette.halo;
-    context.strokeText(name, origin.px + 5, origin.py + 4);
+    context.strokeText(name, at.px, at.py);
     context.fillStyle = palette.text;
-    context.fillText(name, origin.px + 5, origin.py + 4);
+    context.fillText(name, at.px, at.py);
   }
   context.restore();
 };

@@ -33,37 +33,31 @@ export function sidesOf(map: MapInfo, cells: Uint8Array, pool: number): Sides[] 
   const columns = Math.ceil(map.width / pool);
   const rows = Math.ceil(map.height / pool);
   const side = pool * map.resolution;
-  const at = (column: number, row: number) =>
-    column < 0 || row < 0 || column >= columns || row >= rows ? UNKNOWN : pooled[row * columns + column]!;
   return FACINGS.map((facing) => {
     const [dx, dy] = facing;
     const sides: Sides = { facing, ends: [], values: [] };
-    const [lines, length] = dx === 0 ? [rows, columns] : [columns, rows];
+    const lies = dx === 0; // along the x axis
+    const [lines, length] = lies ? [rows, columns] : [columns, rows];
+    const [lineStep, step] = lies ? [columns, 1] : [1, columns];
+    const out = dx + dy * columns;
     for (let line = 0; line < lines; line++) {
+      const isEdge = line + dx + dy < 0 || line + dx + dy >= lines;
+      const across = line + (dx + dy > 0 ? 1 : 0);
       let begun = 0;
       let value = FREE;
-      for (let along = 0; along <= length; along++) {
-        const [column, row] = dx === 0 ? [along, line] : [line, along];
-        const here = along < length ? at(column, row) : FREE;
-        const next = isWall(here) && !isWall(at(column + dx, row + dy)) ? here : FREE;
-        if (next !== value) {
-          if (value !== FREE) {
-            const across = line + (dx + dy > 0 ? 1 : 0);
-            const [from, to] = [
-              [begun, across],
-              [along, across],
-            ].map(([a, b]) => (dx === 0 ? [a!, b!] : [b!, a!])) as [number[], number[]];
-            sides.ends.push(
-              map.originX + from[0]! * side,
-              map.originY + from[1]! * side,
-              map.originX + to[0]! * side,
-              map.originY + to[1]! * side,
-            );
-            sides.values.push(value);
-          }
-          begun = along;
-          value = next;
+      for (let along = 0, cell = line * lineStep; along <= length; along++, cell += step) {
+        const here = along < length ? pooled[cell]! : FREE;
+        const next = isWall(here) && (isEdge || !isWall(pooled[cell + out]!)) ? here : FREE;
+        if (next === value) {
+          continue;
         }
+        if (value !== FREE) {
+          const ends = lies ? [begun, across, along, across] : [across, begun, across, along];
+          ends.forEach((at, i) => sides.ends.push((i % 2 === 0 ? map.originX : map.originY) + at * side));
+          sides.values.push(value);
+        }
+        begun = along;
+        value = next;
       }
     }
     return sides;
