@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -250,18 +251,24 @@ public abstract class ContractNetContract {
             worker(
                     run,
                     "bob",
-                    (self, call) -> self.subscribe(WORDS, _ -> {
-                        call.propose(1.0); // as nobody hears
-                        log.add("bob has bid");
-                    }),
+                    (self, call) -> {
+                        self.subscribe(WORDS, _ -> {
+                            call.propose(1.0); // as nobody hears
+                            log.add("bob has bid");
+                        });
+                        self.send("boss", WORDS, "bob thinks");
+                    },
                     (_, _) -> {});
             run.untilAllHaveBegun();
             run.start("boss", self -> {
                 Conversation net =
                         call(self, Set.of("amy", "bob"), EVER, ENDLESS, new Boss(ContractNetContract::cheapest));
+                var called = new AtomicInteger();
                 self.subscribe(WORDS, _ -> {
-                    net.cancel();
-                    self.send("bob", WORDS, "It is over.");
+                    if (called.incrementAndGet() == 2) {
+                        net.cancel();
+                        self.send("bob", WORDS, "It is over.");
+                    }
                 });
             });
             run.until("both know", () -> isLogged(2));
