@@ -96,7 +96,7 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
   it('is there by a key, and takes another host for the agents', async () => {
     const page = await open(rsal.url.replace('&choose', ''), 'dark', 480);
     await page.locator('tr[data-robot]').first().waitFor();
-    await page.keyboard.press('n');
+    await page.keyboard.press('c');
     await card(page, OWN).waitFor();
     await picture(page, 'scenarios-narrow-dark');
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);

@@ -198,9 +198,7 @@ describe.skipIf(!chromium)('a world of things', () => {
   it('takes more robots, and lets them go', async () => {
     await page.keyboard.press('1');
     const { x, y } = await onScreen({ x: 4, y: 3 });
-    await page.keyboard.down('Control'); // without, the selected robot is sent there
     await page.mouse.click(x, y, { button: 'right' });
-    await page.keyboard.up('Control');
     await page.getByRole('menuitem', { name: 'Add a copy of a here' }).click();
     await robot('cart-1').waitFor();
     await eventually(async () => !(await isNear(robot('cart-1'), { x: 4, y: 3 })), 'it wanders, too');

@@ -89,8 +89,7 @@ export const texts = {
     measure: 'Measure',
     measureHint: 'Drag from one place to another to measure how far it is. T or Esc ends it.',
     measureButton: 'Measure distances on the map (T)',
-    addHint:
-      'Add or remove something in the simulated world (M; a right click, with Ctrl while a robot is selected)',
+    addHint: 'Add or remove something in the simulated world (M; a right click)',
     layers: 'Layers',
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
@@ -339,11 +338,8 @@ export const texts = {
       ['Drag a robot', 'put it somewhere else (simulation and localizer)'],
       ['Drag its handle', 'turn it'],
       ['Click, drag a thing', 'the same: select, put somewhere else, turn'],
-      ['Right click', 'send the selected robot there; drag for its heading'],
-      [
-        'Ctrl, right click',
-        'add something there, or remove what is there; without Ctrl if no robot is selected',
-      ],
+      ['Right click', 'add something there, or remove what is there'],
+      ['Drag with the right button', 'send the selected robot where it was pressed, headed as it is dragged'],
     ] as [string, string][],
   },
   dismiss: 'Dismiss',

@@ -18,6 +18,7 @@ class FakeStage implements Stage {
   selects: (Target | null)[] = [];
   drafts: (Draft | null)[] = [];
   asked: Draft[] = [];
+  menus: Pixel[] = [];
 
   view = () => this.shown;
   show = (view: View) => void (this.shown = view);
@@ -36,6 +37,7 @@ class FakeStage implements Stage {
   measuring = () => this.isMeasuring;
   tape = (tape: Tape) => void this.tapes.push(tape);
   select = (target: Target | null) => void this.selects.push(target);
+  menu = (at: Pixel) => void this.menus.push(at);
   draft = (draft: Draft | null) => void this.drafts.push(draft);
   ask = (draft: Draft) => void this.asked.push(draft);
 }
@@ -122,14 +124,13 @@ describe('a pointer', () => {
     ]);
   });
 
-  it('sends the selected robot by the other button, facing as it comes or as it is dragged', () => {
+  it('sends the selected robot by the other button where it was pressed, headed as it is dragged', () => {
     const send = (from: Pixel, to: Pixel) => {
       gestures.down(1, from, 'send');
       gestures.move(1, to);
       gestures.up(1);
     };
     stage.sent = 0;
-    send({ px: 80, py: -80 }, { px: 81, py: -80 });
     send({ px: 80, py: -80 }, { px: 80, py: 0 });
     send(onThing, { px: 20, py: -60 }); // over a thing, too
     const goal = (x: number, heading: number) => ({
@@ -137,9 +138,20 @@ describe('a pointer', () => {
       target: { robot: 0 },
       pose: { x, y: x, heading },
     });
-    expect(stage.asked).toEqual([goal(4, Math.PI / 4), goal(4, -Math.PI / 2), goal(3, Math.PI)]);
+    expect(stage.asked).toEqual([goal(4, -Math.PI / 2), goal(3, Math.PI)]);
     expect(stage.selects).toEqual([]);
+    expect(stage.menus).toEqual([]);
     expect(stage.shown.originX).toBe(0);
+  });
+
+  it('offers what can be done where the other button is clicked, and sends nobody', () => {
+    stage.sent = 0;
+    gestures.down(1, onFloor, 'send');
+    gestures.move(1, { px: onFloor.px + 1, py: onFloor.py });
+    gestures.up(1);
+    expect(stage.asked).toEqual([]);
+    expect(stage.menus).toEqual([onFloor]);
+    expect(stage.drafts.every((draft) => draft === null)).toBe(true);
   });
 
   it('sends nobody when nobody is selected, or when it may only watch', () => {

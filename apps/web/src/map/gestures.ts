@@ -25,12 +25,14 @@ export interface Stage {
   measuring(): boolean;
   tape(tape: Tape): void;
   select(target: Target | null): void;
+  /** What can be done there. */
+  menu(at: Pixel): void;
   draft(draft: Draft | null): void;
   /** The person let go of a draft: ask the server for it. */
   ask(draft: Draft): void;
 }
 
-/** What a button means: take hold of what is there, send the selected robot there, or turn the map. */
+/** What a button means: take hold of what is there, send the selected robot there if it is dragged, or turn the map. */
 export type Wish = 'hold' | 'send' | 'turn';
 
 type Gesture =
@@ -39,7 +41,8 @@ type Gesture =
   | { kind: 'measure'; from: Point }
   | { kind: 'body'; from: Pixel; target: Target; start: Pose; draft: Draft | null }
   | { kind: 'turn'; draft: Draft; moved: boolean }
-  | { kind: 'aim'; from: Pixel; draft: Draft };
+  | { kind: 'aim'; from: Pixel; draft: Draft }
+  | { kind: 'send'; from: Pixel; robot: number };
 
 /** Farther than this is a drag, not a click [px]. */
 const DRAG = 5;
@@ -72,7 +75,7 @@ export class Gestures {
     }
     if (wish === 'send') {
       const robot = stage.selected();
-      return robot === null || !stage.mayAct() ? null : this.aim(robot, at);
+      return robot === null || !stage.mayAct() ? null : { kind: 'send', from: at, robot };
     }
     if (stage.measuring()) {
       const from = stage.view().toMap(at);
@@ -151,6 +154,13 @@ export class Gestures {
         gesture.draft = { ...gesture.draft, pose: facing(gesture.draft.pose, stage.view(), at) };
         stage.draft(gesture.draft);
         break;
+      case 'send':
+        if (distance(gesture.from, at) > DRAG) {
+          const aim = this.aim(gesture.robot, gesture.from);
+          this.gesture = aim;
+          this.drag(aim, before, at);
+        }
+        break;
       case 'aim':
         if (distance(gesture.from, at) > DRAG) {
           gesture.draft = { ...gesture.draft, pose: facing(gesture.draft.pose, stage.view(), at) };
@@ -193,6 +203,9 @@ export class Gestures {
         if (gesture.moved) {
           stage.ask(gesture.draft);
         }
+        break;
+      case 'send':
+        stage.menu(gesture.from);
         break;
       case 'aim':
         stage.ask(gesture.draft);
