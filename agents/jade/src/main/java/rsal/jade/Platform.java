@@ -67,6 +67,7 @@ final class Platform {
                 throw new IllegalStateException("JADE does not start; its log says why.");
             }
             running++;
+            Tables.mend(container);
             return new Platform(id, files, profile, container);
         }
     }
