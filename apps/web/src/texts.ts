@@ -306,6 +306,7 @@ export const texts = {
     title: 'Scenarios',
     close: 'Close',
     none: 'They are not known now: the server does not answer.',
+    nothing: 'No other scenario can be chosen here.',
     picture: (title: string) => `Where it takes place: ${title}`,
     configurations: (names: readonly string[]) => `${names.length > 1 ? 'as ' : ''}${names.join(', ')}`,
     choose: 'Choose…',

@@ -8,9 +8,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunResult;
 import rsal.server.PortInUse;
@@ -49,11 +51,18 @@ final class PageRuns {
 
     /// What is shown first.
     ///
-    /// @param scenarios files that can be chosen in the page, besides the scenarios that come with RSAL
+    /// @param scenarios what can be chosen in the page, as for [Scenario#load]
     record First(RunPlan plan, List<String> scenarios, Stay stay) {
-        /// A run that others of its scenario may follow.
+        /// A run that only others of its scenario may follow.
         static First alone(RunPlan plan) {
             return new First(plan, List.of(), Stay.FOR_MORE);
+        }
+
+        /// A run that others may follow: of what comes with RSAL, and of a person's own, which come first.
+        static First of(RunPlan plan, List<String> own, Stay stay) {
+            Stream<String> builtIn = Scenario.builtIn().stream().map(Scenario::name);
+            return new First(
+                    plan, Stream.concat(own.stream(), builtIn).distinct().toList(), stay);
         }
     }
 

@@ -140,7 +140,7 @@ final class RunCommand extends Subcommand {
 
     /// The maps of a later run take the place of those of an earlier one.
     private RunResult runWithPage(RunPlan plan, Optional<SavedMaps> maps, Onlookers onlookers) throws Exception {
-        var first = new PageRuns.First(
+        var first = PageRuns.First.of(
                 plan,
                 List.of(ScenarioReference.parse(scenario).nameOrFile()),
                 once ? PageRuns.Stay.FOR_THE_FIRST : PageRuns.Stay.FOR_MORE);
@@ -157,13 +157,20 @@ final class RunCommand extends Subcommand {
 
             @Override
             public void began(LiveRun run) {
-                armIfWanted(run);
+                if (isMeant(run)) {
+                    armIfWanted(run);
+                }
+            }
+
+            // what was typed is meant for that scenario, not for one that somebody chooses in the page later
+            private boolean isMeant(LiveRun run) {
+                return run.plan().scenario().equals(plan.scenario());
             }
 
             @Override
             public void ended(LiveRun run, RunResult result) {
                 onlookers.end(run);
-                maps.ifPresent(saved -> saved.write(run, err()));
+                maps.filter(_ -> isMeant(run)).ifPresent(saved -> saved.write(run, err()));
                 print(run.plan(), result);
             }
 

@@ -2,6 +2,8 @@ package rsal.cli;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -26,7 +28,7 @@ final class ServeCommand extends Subcommand {
             arity = "0..*",
             description =
                     "Scenarios of your own (a file, its folder, or a world) to be offered, too, read anew for each run:"
-                            + " whoever has the page can run these, and no other files.")
+                            + " whoever has the address with its token can run these, and no other files.")
     private List<String> own = List.of();
 
     @Mixin
@@ -38,27 +40,34 @@ final class ServeCommand extends Subcommand {
     @Override
     int run() throws Exception {
         own.forEach(Scenario::load); // mistakes are told now
-        RunPlan first = Scenario.load(own.isEmpty() ? ScenarioReference.DEFAULT : own.getFirst())
-                .plan(RunOptions.NONE);
         Onlookers onlookers = page.onlookers(force, false, typed(), err());
-        RunResult result = PageRuns.show(
-                new PageRuns.First(first, own, PageRuns.Stay.FOR_A_CHOICE), page.port(), err(), eye(onlookers));
-        return RunCommand.exit(result);
+        var first = PageRuns.First.of(waiting(), own, PageRuns.Stay.FOR_A_CHOICE);
+        return RunCommand.exit(PageRuns.show(first, page.port(), err(), eye(onlookers)));
+    }
+
+    /// What the page shows until somebody chooses: the first of a person's own, if its time can stand still.
+    private RunPlan waiting() {
+        return Stream.concat(own.stream(), Stream.of(ScenarioReference.DEFAULT))
+                .map(name -> Scenario.load(name).plan(RunOptions.NONE))
+                .filter(plan -> plan.clock() == RunPlan.Clock.SIMULATED)
+                .findFirst()
+                .orElseThrow();
     }
 
     private PageRuns.Eye eye(Onlookers onlookers) {
         return new PageRuns.Eye() {
-            private boolean hasBegun;
+            private volatile @Nullable LiveRun waiting;
 
-            // the first waits for somebody who wants it, or another
+            // that one is there to be looked at: it is not recorded, and its end is none to be told
             @Override
             public synchronized LiveRun start(RunPlan plan) {
-                LiveRun run = onlookers.start(plan);
-                if (!hasBegun) {
-                    run.pause();
-                    run.step(); // for its robots to be seen
-                    hasBegun = true;
+                if (waiting != null) {
+                    return onlookers.start(plan);
                 }
+                LiveRun run = LiveRun.start(plan);
+                run.pause();
+                run.step(); // for its robots to be seen
+                waiting = run;
                 return run;
             }
 
@@ -72,8 +81,10 @@ final class ServeCommand extends Subcommand {
 
             @Override
             public void ended(LiveRun run, RunResult result) {
-                onlookers.end(run);
-                print(run.plan(), result);
+                if (!run.equals(waiting)) {
+                    onlookers.end(run);
+                    print(run.plan(), result);
+                }
             }
 
             @Override

@@ -66,7 +66,11 @@ final class RestartReader {
         if (key.isEmpty()) {
             return options.onItsHost();
         }
-        return Shelf.livesInRealTime(key) ? options.inRealTimeOn(key) : options.withHost(key);
+        if (Shelf.livesInRealTime(key)) {
+            return options.inRealTimeOn(key);
+        }
+        boolean leavesRealTime = options.mas().filter(Shelf::livesInRealTime).isPresent();
+        return (leavesRealTime ? options.onItsHost() : options).withHost(key);
     }
 
     private Optional<Long> seed(String typed) {

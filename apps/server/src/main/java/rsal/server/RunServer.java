@@ -30,8 +30,7 @@ public final class RunServer implements AutoCloseable {
     /// @param port 0 for any that is free
     /// @param token what a browser must know to change anything, as from [#newToken]
     /// @param page directory of the built page
-    /// @param scenarios files, as for [rsal.scenario.Scenario#load], that can be chosen in the page besides the
-    /// scenarios that come with the program; nobody can name others there
+    /// @param scenarios what can be chosen in the page, as for [rsal.scenario.Scenario#load], and nothing else
     /// @param onStart told of each run, the first and those that replace it, when it begins
     /// @param starter starts a run
     /// @param recorded what came of recordings so far; empty when nothing is recorded. Must not wait, on any thread
@@ -47,7 +46,7 @@ public final class RunServer implements AutoCloseable {
             scenarios = List.copyOf(scenarios);
         }
 
-        /// With runs that nobody else sees all of, of scenarios that come with the program.
+        /// With runs of one scenario that nobody else sees all of.
         public Options(int port, String token, Path page, Consumer<LiveRun> onStart) {
             this(port, token, page, List.of(), onStart, LiveRun::start, Optional::empty);
         }

@@ -4,13 +4,17 @@ import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
+import rsal.scenario.run.LiveRun;
 
 /// A small scenario, and a server that shows it.
 final class Errand {
     static final String TOKEN = "the-token";
+    private static final List<String> SCENARIOS = List.of("hunt-and-prey", "teleop");
 
     private Errand() {}
 
@@ -35,6 +39,8 @@ final class Errand {
         Files.writeString(directory.resolve("index.html"), "<!doctype html><title>The page</title>");
         Path assets = Files.createDirectories(directory.resolve("assets"));
         Files.writeString(assets.resolve("index-1a2b.js"), "/* the page's code */");
-        return RunServer.start(plan(name, RunOptions.NONE), new RunServer.Options(port, TOKEN, directory, run -> {}));
+        var options =
+                new RunServer.Options(port, TOKEN, directory, SCENARIOS, run -> {}, LiveRun::start, Optional::empty);
+        return RunServer.start(plan(name, RunOptions.NONE), options);
     }
 }

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.bdi.Mind.GoalState;
@@ -38,6 +39,7 @@ final class Hunt implements Hunting {
     private final Tolerance tolerance;
     private final Duration updateInterval;
     private final Duration period;
+    private final AtomicBoolean ends = new AtomicBoolean();
     private @Nullable Thinking mind;
     private @Nullable PoseReport newest; // of the prey
     private Instant heard = Instant.MIN; // when it was
@@ -128,7 +130,11 @@ final class Hunt implements Hunting {
         end("The mind of (%s) failed: %s".formatted(self.name(), fault), fault);
     }
 
+    /// Once, as a plan that fails is tried again and again.
     private void end(String why, Throwable cause) {
+        if (ends.getAndSet(true)) {
+            return;
+        }
         self.scheduler().execute(() -> {
             throw new IllegalStateException(why, cause);
         });

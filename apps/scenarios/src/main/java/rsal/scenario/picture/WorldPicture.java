@@ -100,7 +100,7 @@ public final class WorldPicture {
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        } catch (AWTError e) {
+        } catch (AWTError | LinkageError e) { // the latter once the former has come
             throw new UncheckedIOException(new IOException("The screen can't be reached: " + e.getMessage(), e));
         }
         return out.toByteArray();
