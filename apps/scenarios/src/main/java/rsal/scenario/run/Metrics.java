@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.BinaryOperator;
 import java.util.stream.Collectors;
@@ -39,19 +40,32 @@ public record Metrics(
         events = Collections.unmodifiableMap(new TreeMap<>(events));
     }
 
-    /// Those of both runs together.
+    /// Those of both runs together. Topics that only the other one has are `…` where this has as many as one counts.
     public Metrics plus(Metrics other) {
         return new Metrics(
                 time.plus(other.time),
                 steps.plus(other.steps),
                 both(phases, other.phases, Duration::plus),
-                new ArrayList<>(both(byTopic(topics), byTopic(other.topics), TopicTraffic::plus)
+                new ArrayList<>(both(byTopic(topics), byTopic(other.topics(known())), TopicTraffic::plus)
                         .values()),
                 both(events, other.events, Long::sum));
     }
 
+    /// The topics that more may be said about; empty for any.
+    private Set<String> known() {
+        return topics.size() < Traffic.MOST_TOPICS
+                ? Set.of()
+                : topics.stream().map(TopicTraffic::topic).collect(Collectors.toSet());
+    }
+
+    private List<TopicTraffic> topics(Set<String> known) {
+        return topics.stream()
+                .map(one -> known.isEmpty() || known.contains(one.topic()) ? one : one.named(Traffic.OTHERS))
+                .toList();
+    }
+
     private static Map<String, TopicTraffic> byTopic(List<TopicTraffic> topics) {
-        return topics.stream().collect(Collectors.toMap(TopicTraffic::topic, topic -> topic));
+        return topics.stream().collect(Collectors.toMap(TopicTraffic::topic, topic -> topic, TopicTraffic::plus));
     }
 
     private static <K extends Comparable<K>, V> Map<K, V> both(Map<K, V> one, Map<K, V> other, BinaryOperator<V> plus) {

@@ -17,6 +17,10 @@ public record TopicTraffic(String topic, long said, long heard, Map<Loss, Long> 
         lost = Collections.unmodifiableMap(copy);
     }
 
+    TopicTraffic named(String other) {
+        return new TopicTraffic(other, said, heard, lost);
+    }
+
     /// This and what was said about the topic elsewhere.
     TopicTraffic plus(TopicTraffic other) {
         var all = new EnumMap<Loss, Long>(Loss.class);

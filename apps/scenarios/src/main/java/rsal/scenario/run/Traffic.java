@@ -15,8 +15,10 @@ import rsal.agent.Message;
 /// communication is limited: else all hear all, and the counts are enough. All calls on the run's thread, but for
 /// [#topics], which any may ask for.
 final class Traffic {
-    private static final int MOST_TOPICS = 500;
-    private static final String OTHERS = "…";
+    /// How many topics are counted each.
+    static final int MOST_TOPICS = 500;
+    /// What the others are together.
+    static final String OTHERS = "…";
 
     private final Journal journal;
     private final Observer observer;

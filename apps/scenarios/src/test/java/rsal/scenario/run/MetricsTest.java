@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.time.Phase;
 
@@ -49,6 +50,21 @@ class MetricsTest {
                         new TopicTraffic("pose", 7, 7, Map.of()));
         assertThat(both.events()).isEqualTo(Map.of("agent", 5L, "fault", 1L));
         assertThat(Metrics.NONE.plus(one)).isEqualTo(one);
+    }
+
+    @Test
+    void topicsOfManyRunsStayBounded() {
+        Metrics all = Metrics.NONE;
+        for (int run = 0; run < 5; run++) {
+            int from = 400 * run;
+            List<TopicTraffic> topics = IntStream.range(from, from + 400)
+                    .mapToObj(i -> new TopicTraffic("topic " + i, 1, 0, Map.of()))
+                    .toList();
+            all = all.plus(new Metrics(Duration.ZERO, Histogram.EMPTY, Map.of(), topics, Map.of()));
+        }
+        assertThat(all.topics()).hasSize(800 + 1);
+        assertThat(all.topics()).contains(new TopicTraffic("…", 3 * 400, 0, Map.of()));
+        assertThat(all.topics().stream().mapToLong(TopicTraffic::said).sum()).isEqualTo(5 * 400);
     }
 
     private static Histogram times(long... nanos) {
