@@ -8,12 +8,10 @@ import java.util.concurrent.ConcurrentHashMap;
 
 /// JADE's tables of a platform's agents: that of a container, and that of all.
 ///
-/// JADE 4.3 puts agents into plain hash maps without the lock under which others look for them (`LADT.put`,
-/// `GADT.put`).
-/// While such a map grows, for an instant nobody is in it: what is said to an agent just then is lost, or comes without
-/// what is not text, as JADE takes it for one on another machine. Of a thousand agents that speak while others start,
-/// one
-/// in ten thousand was not heard.
+/// JADE 4.3 puts agents into plain hash maps without the lock under which others look for them: `LADT.put`,
+/// `GADT.put`. While such a map grows, for an instant nobody is in it: what is said to an agent just then is lost, or
+/// comes without what is not text, as JADE takes it for one on another machine. Of a thousand agents that speak while
+/// others start, one in ten thousand was not heard.
 final class Tables {
     private Tables() {}
 

@@ -60,9 +60,10 @@ final class PageRuns {
 
         /// A run that others may follow: of what comes with RSAL, and of a person's own, which come first.
         static First of(RunPlan plan, List<String> own, Stay stay) {
-            Stream<String> builtIn = Scenario.builtIn().stream().map(Scenario::name);
-            return new First(
-                    plan, Stream.concat(own.stream(), builtIn).distinct().toList(), stay);
+            List<String> all = Stream.concat(own.stream(), Scenario.builtInNames().stream())
+                    .distinct()
+                    .toList();
+            return new First(plan, all, stay);
         }
     }
 

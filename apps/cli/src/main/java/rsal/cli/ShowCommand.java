@@ -85,7 +85,7 @@ final class ShowCommand extends Subcommand {
                         .map(kind -> kind.about(name))
                         .toList()
                 : named;
-        if (found.isEmpty() || scenarios().contains(name)) {
+        if (found.isEmpty() || Scenario.builtInNames().contains(name)) {
             show(ScenarioReference.parse(name), all, found);
         } else if (json) {
             printJson(Map.of("found", found));
@@ -124,10 +124,6 @@ final class ShowCommand extends Subcommand {
         }
     }
 
-    private static List<String> scenarios() {
-        return Scenario.builtIn().stream().map(Scenario::name).toList();
-    }
-
     /// @param namesakes what goes by the scenario's name, too
     private void show(ScenarioReference reference, List<Kind> others, List<Kind> namesakes) {
         checkName(reference.nameOrFile(), others);
@@ -147,7 +143,7 @@ final class ShowCommand extends Subcommand {
 
     /// A mistyped name of something else is no file that is missing.
     private static void checkName(String typed, List<Kind> others) {
-        List<String> scenarios = scenarios();
+        List<String> scenarios = Scenario.builtInNames();
         if (scenarios.contains(typed)) {
             return; // an agent may be called like it
         }

@@ -105,8 +105,8 @@ public final class Scenario {
         return BUILT_IN.contains(name);
     }
 
-    /// Names of those that come with the program.
-    static List<String> builtInNames() {
+    /// Names of those that come with the program, which reads none of them.
+    public static List<String> builtInNames() {
         return BUILT_IN;
     }
 
