@@ -205,7 +205,9 @@ public final class WallScheduler implements Scheduler, AutoCloseable {
             if (!closed) {
                 entry.order = order++;
                 due.add(entry);
-                changed.signalAll();
+                if (due.peek() == entry) { // else its thread sleeps no longer than it should
+                    changed.signalAll();
+                }
             }
         } finally {
             lock.unlock();
