@@ -1,8 +1,8 @@
 package rsal.jadex;
 
 import jadex.bridge.IComponentStep;
-import jadex.bridge.IExternalAccess;
 import jadex.bridge.IInternalAccess;
+import jadex.bridge.component.IExecutionFeature;
 import jadex.bridge.service.annotation.OnInit;
 import jadex.commons.future.IFuture;
 import jadex.micro.annotation.Agent;
@@ -22,7 +22,7 @@ public final class BareBody {
     private final Life life;
     private final Queue<Pose2d> inbox = new ConcurrentLinkedQueue<>();
     private final AtomicBoolean isDue = new AtomicBoolean();
-    private volatile @Nullable IExternalAccess access; // once it is there
+    private volatile @Nullable IExecutionFeature steps; // once it is there; proxies in front of it take as long again
 
     /// @param all that hear what it says, itself included, which does not
     BareBody(List<BareBody> all, Life life) {
@@ -32,7 +32,7 @@ public final class BareBody {
 
     @OnInit
     IFuture<Void> begin(IInternalAccess agent) {
-        access = agent.getExternalAccess();
+        steps = agent.getFeature(IExecutionFeature.class);
         long period = life.period().toMillis();
         if (period > 0) {
             agent.repeatStep(period, period, step(() -> tell(1)));
@@ -73,7 +73,7 @@ public final class BareBody {
     }
 
     private void schedule(Runnable task) {
-        IExternalAccess there = access;
+        IExecutionFeature there = steps;
         if (there != null) {
             there.scheduleStep(step(task)).catchEx(_ -> {}); // it has ended
         }

@@ -1,7 +1,8 @@
 package rsal.jadex;
 
-import jadex.bridge.IExternalAccess;
+import jadex.bridge.IComponentStep;
 import jadex.bridge.IInternalAccess;
+import jadex.bridge.component.IExecutionFeature;
 import jadex.bridge.service.annotation.OnInit;
 import jadex.commons.future.Future;
 import jadex.commons.future.IFuture;
@@ -24,7 +25,12 @@ public final class Body implements Executor {
     private final String name;
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
     private final AtomicBoolean isDue = new AtomicBoolean();
-    private volatile @Nullable IExternalAccess access; // once it is there
+    private final IComponentStep<Void> turn = _ -> {
+        work();
+        return IFuture.DONE;
+    };
+    private volatile @Nullable IInternalAccess access; // once it is there
+    private volatile @Nullable IExecutionFeature steps; // may be handed steps by any thread, as its proxies do
     private volatile boolean ended;
 
     Body(String name) {
@@ -33,10 +39,10 @@ public final class Body implements Executor {
 
     @OnInit
     IFuture<Void> begin(IInternalAccess agent) {
-        IExternalAccess there = agent.getExternalAccess();
-        access = there;
+        access = agent;
+        steps = agent.getFeature(IExecutionFeature.class);
         if (ended) { // before it was there
-            there.killComponent();
+            agent.getExternalAccess().killComponent();
         }
         wake();
         return IFuture.DONE;
@@ -52,17 +58,13 @@ public final class Body implements Executor {
     }
 
     private void wake() {
-        IExternalAccess there = access;
+        IExecutionFeature there = steps;
         if (there != null && !tasks.isEmpty() && isDue.compareAndSet(false, true)) {
-            there.scheduleStep(agent -> {
-                        work();
-                        return IFuture.DONE;
-                    })
-                    .catchEx(e -> {
-                        if (!ended) {
-                            LOG.log(Level.ERROR, () -> "Agent (%s) could not take its turn.".formatted(name), e);
-                        }
-                    });
+            there.scheduleStep(turn).catchEx(e -> {
+                if (!ended) {
+                    LOG.log(Level.ERROR, () -> "Agent (%s) could not take its turn.".formatted(name), e);
+                }
+            });
         }
     }
 
@@ -79,7 +81,9 @@ public final class Body implements Executor {
     IFuture<Map<String, Object>> end() {
         ended = true;
         tasks.clear();
-        IExternalAccess there = access;
-        return there == null ? new Future<>(Map.of()) : there.killComponent();
+        IInternalAccess there = access;
+        return there == null
+                ? new Future<>(Map.of())
+                : there.getExternalAccess().killComponent();
     }
 }
