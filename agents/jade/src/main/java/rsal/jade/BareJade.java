@@ -14,6 +14,7 @@ import jade.proto.ContractNetResponder;
 import java.util.List;
 import java.util.Vector;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import rsal.agent.bare.BareSystem;
@@ -29,7 +30,7 @@ public final class BareJade implements BareSystem {
 
     @Override
     public BareSystem.Platform start() {
-        var platform = rsal.jade.Platform.start();
+        var platform = rsal.jade.Platform.startBare();
         var agents = new CopyOnWriteArrayList<Teller>();
         return new BareSystem.Platform() {
             @Override
@@ -51,10 +52,14 @@ public final class BareJade implements BareSystem {
             public void contract(int bidders, Runnable ended) {
                 List<String> names =
                         IntStream.range(0, bidders).mapToObj(i -> "bidder-" + i).toList();
-                names.forEach(name -> platform.start(name, new Bidder()));
-                platform.start(
-                        "manager",
-                        new Manager(names.stream().map(platform::agent).toList(), ended));
+                var manager = new Manager(names.stream().map(platform::agent).toList(), ended);
+                var missing = new AtomicInteger(bidders);
+                names.forEach(name -> platform.start(name, new Bidder(() -> {
+                    // what is said while agents start may be lost, and its net would not end
+                    if (missing.decrementAndGet() == 0) {
+                        platform.start("manager", manager);
+                    }
+                })));
             }
 
             @Override
@@ -170,6 +175,12 @@ public final class BareJade implements BareSystem {
     }
 
     private static final class Bidder extends Agent {
+        private final transient Runnable begun;
+
+        Bidder(Runnable begun) {
+            this.begun = begun;
+        }
+
         @Override
         protected void setup() {
             addBehaviour(
@@ -186,6 +197,7 @@ public final class BareJade implements BareSystem {
                             return reply(acceptance, ACLMessage.INFORM, "done");
                         }
                     });
+            begun.run();
         }
     }
 

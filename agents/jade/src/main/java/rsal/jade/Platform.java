@@ -52,6 +52,15 @@ final class Platform {
 
     /// @throws IllegalStateException when JADE can't
     static Platform start() {
+        Platform platform = startBare();
+        Tables.mend(platform.container);
+        return platform;
+    }
+
+    /// Starts one as JADE has it, in which what is said while others start may be lost ([Tables]).
+    ///
+    /// @throws IllegalStateException when JADE can't
+    static Platform startBare() {
         JadeLog.redirect();
         String id = "rsal-" + PLATFORMS.incrementAndGet();
         Path files = folder();
@@ -67,7 +76,6 @@ final class Platform {
                 throw new IllegalStateException("JADE does not start; its log says why.");
             }
             running++;
-            Tables.mend(container);
             return new Platform(id, files, profile, container);
         }
     }
