@@ -6,6 +6,8 @@ import { heightOf, radius } from './robots';
 
 const HEIGHT = 17;
 const PADDING = 5;
+/** Names change while a robot is silent, as they count its seconds. */
+const MOST_WIDTHS = 5000;
 const font = (bold: boolean) => `${bold ? 650 : 500} 12px system-ui, sans-serif`;
 
 /** A robot's name; of one that is real with a mark, and for how long it has been silent. */
@@ -15,7 +17,24 @@ export function nameOf(id: string, real: RealDetails | undefined): string {
     .join(' ');
 }
 
-/** Names of robots, each in a frame of its robot's color. */
+const widths = new Map<string, number>();
+
+/** How wide a name is drawn [px]; measured once. */
+function widthOf(context: CanvasRenderingContext2D, name: string, bold: boolean): number {
+  const key = `${bold}${name}`;
+  let width = widths.get(key);
+  if (width === undefined) {
+    if (widths.size >= MOST_WIDTHS) {
+      widths.clear();
+    }
+    context.font = font(bold);
+    width = context.measureText(name).width;
+    widths.set(key, width);
+  }
+  return width;
+}
+
+/** Names of robots, each in a frame of its robot's color; in a crowd those for which there is room. */
 export const drawNames: Layer = (context, { info, poses, real, view, palette, selected }) => {
   const named = info.robots.flatMap((robot, i) => {
     const { id, color, footprint } = robot;
@@ -39,14 +58,16 @@ export const drawNames: Layer = (context, { info, poses, real, view, palette, se
   context.textBaseline = 'middle';
   const boxes = placeLabels(
     named.map(({ name, pose, height, reach, bold }) => {
-      context.font = font(bold);
-      const width = context.measureText(name).width + 2 * PADDING;
+      const width = widthOf(context, name, bold) + 2 * PADDING;
       const { px, py } = view.toPixel(pose, height);
-      return { x: px, y: py, reach, width, height: HEIGHT };
+      return { x: px, y: py, reach, width, height: HEIGHT, first: bold };
     }),
   );
   named.forEach(({ name, color, bold }, i) => {
-    const box = boxes[i]!;
+    const box = boxes[i];
+    if (!box) {
+      return;
+    }
     drawFrame(context, box, color, palette.halo, bold);
     context.font = font(bold);
     context.fillStyle = palette.text;
