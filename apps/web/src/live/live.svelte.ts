@@ -116,40 +116,40 @@ class Live implements Listener {
     }
   }
 
-  /** Whether a robot is there: it may have been removed, and keeps its index. */
-  isThere(robot: number): boolean {
-    const id = this.info?.robots[robot]?.id;
-    return this.details === null || this.details.robots.some((other) => other.id === id);
-  }
+  /** What the server has said of robots, by index; of those that are there. */
+  readonly said: ReadonlyMap<number, RobotDetails> = $derived.by(() => {
+    const details = new Map(this.details?.robots.map((robot) => [robot.id, robot]));
+    return new Map(
+      (this.info?.robots ?? []).flatMap(({ id }, i) => {
+        const own = details.get(id);
+        return own ? [[i, own]] : [];
+      }),
+    );
+  });
 
   /** Indices of the robots that are there. */
-  get present(): number[] {
-    const there = this.details && new Set(this.details.robots.map(({ id }) => id));
-    return (this.info?.robots ?? []).flatMap(({ id }, i) => (there === null || there.has(id) ? [i] : []));
-  }
-
-  /** What the server has said of robots, by index. */
-  private get said(): [number, RobotDetails][] {
-    const details = new Map(this.details?.robots.map((robot) => [robot.id, robot]));
-    return (this.info?.robots ?? []).flatMap(({ id }, i) => {
-      const own = details.get(id);
-      return own ? [[i, own]] : [];
-    });
-  }
+  readonly present: readonly number[] = $derived(
+    this.details === null ? (this.info?.robots ?? []).map((_, i) => i) : [...this.said.keys()],
+  );
 
   /**
    * Indices of those that nobody hears of: a fault has taken them away, or they are real and silent. Some of them stand
    * where they were.
    */
-  get faded(): ReadonlySet<number> {
-    return new Set(
-      this.said.flatMap(([i, { gone, real }]) => (gone || typeof real?.silence === 'number' ? [i] : [])),
-    );
-  }
+  readonly faded: ReadonlySet<number> = $derived(
+    new Set(
+      [...this.said].flatMap(([i, { gone, real }]) => (gone || typeof real?.silence === 'number' ? [i] : [])),
+    ),
+  );
 
   /** What there is to say of those that are real, by index. */
-  get real(): ReadonlyMap<number, RealDetails> {
-    return new Map(this.said.flatMap(([i, { real }]) => (real ? [[i, real]] : [])));
+  readonly real: ReadonlyMap<number, RealDetails> = $derived(
+    new Map([...this.said].flatMap(([i, { real }]) => (real ? [[i, real]] : []))),
+  );
+
+  /** Whether a robot is there: it may have been removed, and keeps its index. */
+  isThere(robot: number): boolean {
+    return this.details === null || this.said.has(robot);
   }
 
   /** Whether what is shown has been, and is not now. */
