@@ -27,15 +27,26 @@ export type Switchable =
   | 'axes'
   | 'names';
 
-/** From the floor up. The grid, maps that robots draw, and things that were not moved, are drawn with the floor. */
-const order: [Switchable | null, Layer][] = [
-  [null, drawMovedThings],
+type Ordered = [Switchable | null, Layer][];
+
+/**
+ * What lies on the floor, from there up; drawn when a frame comes. The grid, maps that robots draw, and things that were
+ * not moved, are drawn with the floor.
+ */
+const lying: Ordered = [
   ['scans', drawScans],
   ['cones', drawCones],
   ['trails', drawTrails],
   ['paths', drawPaths],
   ['goals', drawGoals],
+];
+
+/** What is drawn over that, again and again between two frames: what stands there and moves, and what is said of it. */
+const bodies: Ordered = [
+  [null, drawMovedThings],
   [null, drawRobots],
+];
+const above: Ordered = [
   [null, drawThingsOverhead],
   ['particles', drawParticles],
   ['estimates', drawEstimates],
@@ -44,11 +55,8 @@ const order: [Switchable | null, Layer][] = [
   [null, drawDraft],
   [null, drawTape],
 ];
-
-/** What of it lies on the floor, seen through walls in an oblique view; all else is drawn over what stands. */
-const lying = new Set<Layer>([drawScans, drawCones, drawTrails, drawPaths, drawGoals]);
-/** In an oblique view these are drawn together, by their depth. */
-const bodies = new Set<Layer>([drawMovedThings, drawRobots]);
+/** In an oblique view they are drawn by their depth. */
+const obliqueBodies: Ordered = [[null, drawStanding]];
 
 class Layers {
   shown = $state<Record<Switchable, boolean>>({
@@ -65,18 +73,16 @@ class Layers {
     names: true,
   });
 
-  get visible(): Layer[] {
-    return order.filter(([name]) => name === null || this.shown[name]).map(([, layer]) => layer);
-  }
-
-  /** Of an oblique view, on the floor. */
   get lying(): Layer[] {
-    return this.visible.filter((layer) => lying.has(layer));
+    return this.visible(lying);
   }
 
-  /** Of an oblique view, over that. */
-  get standing(): Layer[] {
-    return [drawStanding, ...this.visible.filter((layer) => !lying.has(layer) && !bodies.has(layer))];
+  standing(oblique: boolean): Layer[] {
+    return this.visible([...(oblique ? obliqueBodies : bodies), ...above]);
+  }
+
+  private visible(order: Ordered): Layer[] {
+    return order.filter(([name]) => name === null || this.shown[name]).map(([, layer]) => layer);
   }
 }
 

@@ -1,4 +1,5 @@
 import type { Pose } from '../live/frame';
+import type { Context } from './scene';
 import { wrap } from '../live/motion';
 
 /** A place in the map frame [m], x right, y up. */
@@ -120,13 +121,13 @@ export class View {
   }
 
   /** From here on, a context that was in canvas coordinates [px] is in those of the map. */
-  enter(context: CanvasRenderingContext2D) {
+  enter(context: Context) {
     const [cos, sin] = [this.scale * this.cos, this.scale * this.sin];
     context.transform(cos, -this.squeeze * sin, -sin, -this.squeeze * cos, this.originX, this.originY);
   }
 
   /** The way back, for what stands upright and keeps its size. Between `save` and `restore`. */
-  leave(context: CanvasRenderingContext2D) {
+  leave(context: Context) {
     const [cos, sin] = [this.cos / this.scale, this.sin / this.scale];
     const { x, y } = this.toMap({ px: 0, py: 0 });
     context.transform(cos, -sin, -sin / this.squeeze, -cos / this.squeeze, x, y);

@@ -1,4 +1,5 @@
 import type { PieceInfo } from '../../api/messages';
+import type { Context } from '../scene';
 import type { Pose } from '../../live/frame';
 import { shaded } from '../palette';
 import type { Point, View } from '../view';
@@ -44,7 +45,7 @@ export interface Ink {
  * @param grown how much larger than it is
  */
 export function drawBody(
-  context: CanvasRenderingContext2D,
+  context: Context,
   pose: Pose,
   pieces: readonly PieceInfo[],
   ink: Ink,
@@ -88,13 +89,7 @@ function upIn({ heading }: Pose, { up }: View): Point {
 }
 
 /** Draws what is seen of a piece below its top, in the body's frame: first what the light falls on least. */
-function drawSides(
-  context: CanvasRenderingContext2D,
-  piece: PieceInfo,
-  up: Point,
-  color: string,
-  line: boolean,
-) {
+function drawSides(context: Context, piece: PieceInfo, up: Point, color: string, line: boolean) {
   if (piece.radius > 0) {
     traceRound(context, piece, up);
     drawTraced(context, shaded(color, lightOf(-up.x, -up.y, up)), line);
@@ -119,7 +114,7 @@ function drawSides(
   }
 }
 
-function drawTraced(context: CanvasRenderingContext2D, color: string, line: boolean) {
+function drawTraced(context: Context, color: string, line: boolean) {
   if (line) {
     context.stroke();
   }
@@ -127,7 +122,7 @@ function drawTraced(context: CanvasRenderingContext2D, color: string, line: bool
   context.fill();
 }
 
-function traceRound(context: CanvasRenderingContext2D, { corners, radius, low, high }: PieceInfo, up: Point) {
+function traceRound(context: Context, { corners, radius, low, high }: PieceInfo, up: Point) {
   const [x, y] = corners[0] as [number, number];
   const direction = Math.atan2(up.y, up.x);
   context.beginPath();
@@ -155,7 +150,7 @@ function isCounterClockwise(piece: PieceInfo): boolean {
 
 /** The outline around a body's pieces, as a line. */
 export function traceBody(
-  context: CanvasRenderingContext2D,
+  context: Context,
   pose: Pose,
   pieces: readonly PieceInfo[],
   color: string,

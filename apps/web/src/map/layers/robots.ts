@@ -1,12 +1,13 @@
 import type { GripperInfo, LightInfo, PieceInfo, RobotInfo } from '../../api/messages';
 import type { Pose, RobotState } from '../../live/frame';
-import type { Layer, Scene } from '../scene';
+import type { Context, Layer, Scene } from '../scene';
 import type { Point, View } from '../view';
 import { toOklab } from '../../shades';
 import type { Palette } from '../palette';
 import { drawBody } from './bodies';
 import { enter } from './frames';
 import { ROBOT_HEIGHT } from './heights';
+import { Sprites } from './sprites';
 
 /** A robot is drawn at least this long [px], so that it is seen on a large map. */
 const LEAST_PIXELS = 18;
@@ -19,11 +20,42 @@ const GLOW = 0.3;
 /** Robots of at least this lightness (of OKLab) have dark arrows. */
 const LIGHT = 0.72;
 export const HANDLE_PIXELS = 5;
+/** More robots than this are drawn as sprites while they are no larger than so [px]. */
+const MANY = 60;
+const SMALL = 24;
+
+const sprites = new Sprites();
 
 /** Robots as seen from above: outline and heading. */
 export const drawRobots: Layer = (context, scene) => {
-  scene.info.robots.forEach((_, i) => {
-    drawInState(context, scene, i);
+  const { info, poses, faded, view, palette } = scene;
+  const { a, b, c, d, e, f } = context.getTransform();
+  const { width, height } = context.canvas;
+  const density = Math.hypot(a, b) / view.scale;
+  const many = info.robots.length > MANY;
+  sprites.begin(view, density, palette);
+  info.robots.forEach((robot, i) => {
+    const pose = poses[i];
+    if (!pose) {
+      return;
+    }
+    const reach = radius(robot.footprint, view.scale) * view.scale + 4; // with lines around it
+    const x = a * pose.x + c * pose.y + e;
+    const y = b * pose.x + d * pose.y + f;
+    const room = 3 * reach * density; // for what is around it
+    if (x < -room || y < -room || x > width + room || y > height + room) {
+      return;
+    }
+    if (many && reach <= SMALL && !robot.gripper && !robot.light && !faded.has(i)) {
+      const sprite = sprites.of(robot, pose.heading, reach, (at, heading, seen) =>
+        drawRobot(at, { x: 0, y: 0, heading }, robot, seen, palette),
+      );
+      context.resetTransform();
+      context.drawImage(sprite, Math.round(x - sprite.width / 2), Math.round(y - sprite.height / 2));
+      context.setTransform(a, b, c, d, e, f);
+    } else {
+      drawInState(context, scene, i);
+    }
     drawMarks(context, scene, i);
   });
 };
@@ -68,7 +100,7 @@ export function heightOf({ footprint, pieces }: RobotInfo, scale: number): numbe
 }
 
 export function drawRobot(
-  context: CanvasRenderingContext2D,
+  context: Context,
   pose: Pose,
   { footprint, pieces, color, gripper, light }: RobotInfo,
   view: View,
@@ -115,7 +147,7 @@ export function drawRobot(
 
 /** In the robot's frame. */
 function drawPaddles(
-  context: CanvasRenderingContext2D,
+  context: Context,
   { x, y, heading, length, width, paddleLength, paddleWidth }: GripperInfo,
   closed: number,
   { halo, edge }: Pick<Palette, 'halo' | 'edge'>,
@@ -141,13 +173,7 @@ function drawPaddles(
 }
 
 /** In the robot's frame: a lamp, and what it shines on. */
-function drawLight(
-  context: CanvasRenderingContext2D,
-  { x, y, color }: LightInfo,
-  lit: boolean,
-  edge: string,
-  pixel: number,
-) {
+function drawLight(context: Context, { x, y, color }: LightInfo, lit: boolean, edge: string, pixel: number) {
   context.fillStyle = color;
   if (lit) {
     context.beginPath();
