@@ -30,6 +30,7 @@ public record Area(String name, List<Bench> benches) {
                 new Area("sim", List.of(new SwarmBench())),
                 new Area("mas", List.of(new HostBench(), new OverheadBench())),
                 new Area("player", List.of(new RemoteBench("player"))),
+                new Area("page", List.of(new PageBench())),
                 new Area(
                         "navigation",
                         List.of(

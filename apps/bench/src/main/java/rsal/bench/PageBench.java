@@ -1,0 +1,268 @@
+package rsal.bench;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadInfo;
+import java.lang.management.ThreadMXBean;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Stream;
+import java.util.zip.GZIPOutputStream;
+import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.LiveRun;
+import rsal.server.PortInUse;
+import rsal.server.RunServer;
+import rsal.server.RunServer.Options;
+import rsal.time.AllowedToReadWallClock;
+
+/// The page in a browser that draws without a GPU, on robots with lasers of 180 beams that wander about a cave.
+///
+/// Names are `page.<robots>.<what>`. What: `fps`, frames drawn per second, and `states`, new states of the run drawn
+/// per second, both at the speed of real time; `first`, from the call of the page until it has drawn the run;
+/// `cost.percent`, how much slower the run is while the page is open, both as fast as they can, and `cost.run.percent`,
+/// how much more processor time the run's own threads take meanwhile, as the browser draws on the run's cores where
+/// there are few; `heap.mb.min`, by how much the page's memory grows in a minute. `page.gzip.kb` is how large the page
+/// is. Of all medians count; of the costs pairs, one after the other.
+@AllowedToReadWallClock("Benchmarks measure real time.")
+final class PageBench implements Bench {
+    private static final List<Integer> TEAMS = List.of(100, 1000);
+    private static final int COSTS = 100;
+    private static final String SIZE = "page.gzip.kb";
+    private static final Duration WARM = Duration.ofSeconds(10);
+    private static final Duration WINDOW = Duration.ofSeconds(10);
+    private static final Duration LONGEST_FIRST = Duration.ofSeconds(60);
+    /// Counts what is drawn. A state is drawn when the page sends its receipt.
+    private static final String COUNTERS = """
+            globalThis.rsalStates = 0;
+            globalThis.rsalFrames = 0;
+            globalThis.rsalFirst = 0;
+            const send = WebSocket.prototype.send;
+            WebSocket.prototype.send = function (data) {
+              if (typeof data === 'string' && data.startsWith('{"frame"')) {
+                globalThis.rsalStates++;
+                globalThis.rsalFirst ||= performance.now();
+              }
+              return send.call(this, data);
+            };
+            requestAnimationFrame(function draw() {
+              globalThis.rsalFrames++;
+              requestAnimationFrame(draw);
+            });
+            """;
+
+    private static String name(int robots, String what) {
+        return "page.%d.%s".formatted(robots, what);
+    }
+
+    @Override
+    public List<String> names() {
+        return Stream.concat(
+                        TEAMS.stream()
+                                .flatMap(robots -> Stream.of("fps", "states", "first", "heap.mb.min")
+                                        .map(what -> name(robots, what))),
+                        Stream.of(name(COSTS, "cost.percent"), name(COSTS, "cost.run.percent"), SIZE))
+                .toList();
+    }
+
+    @Override
+    public void measure(Assignment assignment) {
+        Optional<Path> page =
+                Optional.ofNullable(System.getProperty("rsal.page")).map(Path::of);
+        Optional<Path> program = Browser.find();
+        if (page.isEmpty() || program.isEmpty()) {
+            assignment
+                    .notes()
+                    .accept("Left out the page: it needs the built page, which './rsal bench page' has, and Chromium.");
+            return;
+        }
+        if (assignment.wants(SIZE)) {
+            assignment.tell(Result.less(SIZE, "kB", size(page.get())));
+        }
+        for (int robots : TEAMS) {
+            List<String> drawing = Stream.of("fps", "states", "first", "heap.mb.min")
+                    .map(what -> name(robots, what))
+                    .toList();
+            if (assignment.wantsAny(drawing)) {
+                drawing(robots, page.get(), program.get(), assignment);
+            }
+        }
+        if (assignment.wantsAny(List.of(name(COSTS, "cost.percent"), name(COSTS, "cost.run.percent")))) {
+            costs(page.get(), program.get(), assignment);
+        }
+    }
+
+    private static void drawing(int robots, Path page, Path program, Assignment assignment) {
+        int repeats = assignment.repeats();
+        var frames = new double[repeats];
+        var states = new double[repeats];
+        var first = new double[repeats];
+        var heap = new double[repeats];
+        try (var server = start(robots, 1, page)) {
+            pause(WARM); // of the run
+            for (int i = 0; i < repeats; i++) {
+                assignment.reach(name(robots, "fps"), i, repeats);
+                try (var browser = watching(program)) {
+                    first[i] = open(browser, server.url());
+                    pause(WARM);
+                    double bytes = browser.heap();
+                    double framesBefore = browser.number("rsalFrames");
+                    double statesBefore = browser.number("rsalStates");
+                    var watch = new Stopwatch();
+                    pause(WINDOW);
+                    frames[i] = (browser.number("rsalFrames") - framesBefore) / watch.wall();
+                    states[i] = (browser.number("rsalStates") - statesBefore) / watch.wall();
+                    heap[i] = (browser.heap() - bytes) * 1e-6 / watch.wall() * 60;
+                }
+            }
+        }
+        assignment.tell(
+                Result.more(name(robots, "fps"), "1/s", frames),
+                Result.more(name(robots, "states"), "1/s", states),
+                Result.less(name(robots, "first"), "s", first),
+                Result.less(name(robots, "heap.mb.min"), "MB/min", heap));
+    }
+
+    private static void costs(Path page, Path program, Assignment assignment) {
+        int repeats = assignment.repeats();
+        var slower = new double[repeats];
+        var more = new double[repeats];
+        try (var server = start(COSTS, Double.POSITIVE_INFINITY, page)) {
+            pause(WARM);
+            for (int i = 0; i < repeats; i++) {
+                assignment.reach(name(COSTS, "cost.percent"), i, repeats);
+                Pace alone = Pace.of(server.run());
+                try (var browser = watching(program)) {
+                    open(browser, server.url());
+                    pause(WARM);
+                    Pace watched = Pace.of(server.run());
+                    slower[i] = 100 * (1 - watched.speed / alone.speed);
+                    more[i] = 100 * (watched.cpu / alone.cpu - 1);
+                }
+            }
+        }
+        assignment.tell(
+                Result.less(name(COSTS, "cost.percent"), "%", slower),
+                Result.less(name(COSTS, "cost.run.percent"), "%", more));
+    }
+
+    private static Browser watching(Path program) {
+        var browser = Browser.start(program);
+        browser.begin(COUNTERS);
+        return browser;
+    }
+
+    /// @return after how long it had drawn the run [s]
+    private static double open(Browser browser, URI page) {
+        browser.open(page);
+        var watch = new Stopwatch();
+        while (browser.number("globalThis.rsalFirst ?? 0") == 0) {
+            if (watch.wall() > LONGEST_FIRST.toSeconds()) {
+                throw new IllegalStateException("The page draws nothing.");
+            }
+            pause(Duration.ofMillis(20));
+        }
+        return browser.number("rsalFirst") / 1000;
+    }
+
+    private static RunServer start(int robots, double speed, Path page) {
+        Map<String, byte[]> files = Map.of("crowd.yaml", resource("crowd.yaml"), "lidar.yaml", resource("lidar.yaml"));
+        RunOptions options = RunOptions.NONE
+                .withArguments(Map.of("robots", Integer.toString(robots)))
+                .withSpeed(speed);
+        try {
+            return RunServer.start(
+                    Scenario.again("crowd.yaml", files).plan(options),
+                    new Options(0, RunServer.newToken(), page, _ -> {}));
+        } catch (IOException e) {
+            throw new UncheckedIOException("The page can't be shown.", e);
+        } catch (PortInUse e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static byte[] resource(String name) {
+        try (InputStream file = Objects.requireNonNull(PageBench.class.getResourceAsStream(name), name)) {
+            return file.readAllBytes();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /// What a browser loads before it can draw [kB].
+    private static double size(Path page) {
+        try (Stream<Path> files = Files.walk(page)) {
+            return files.filter(Files::isRegularFile)
+                            .filter(file -> !file.endsWith("plots.js")) // of pages of results
+                            .mapToLong(PageBench::compressed)
+                            .sum()
+                    * 1e-3;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static long compressed(Path file) {
+        var bytes = new ByteArrayOutputStream();
+        try (var gzip = new GZIPOutputStream(bytes)) {
+            Files.copy(file, gzip);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes.size();
+    }
+
+    private static void pause(Duration length) {
+        long end = System.nanoTime() + length.toNanos();
+        for (long left = length.toNanos(); left > 0; left = end - System.nanoTime()) {
+            LockSupport.parkNanos(left);
+        }
+    }
+
+    /// How fast a run is.
+    ///
+    /// @param speed simulated over real time
+    /// @param cpu processor time of its own threads for a simulated second [s]
+    private record Pace(double speed, double cpu) {
+        private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+        /// Over the next [#WINDOW].
+        static Pace of(LiveRun run) {
+            double cpu = threads();
+            double time = time(run);
+            var watch = new Stopwatch();
+            pause(WINDOW);
+            double wall = watch.wall();
+            double simulated = time(run) - time;
+            return new Pace(simulated / wall, (threads() - cpu) / simulated);
+        }
+
+        private static double time(LiveRun run) {
+            return run.snapshot().time().toNanos() * 1e-9;
+        }
+
+        /// Of all runs' threads [s]; there is one run.
+        private static double threads() {
+            long[] ids = THREADS.getAllThreadIds();
+            ThreadInfo[] infos = THREADS.getThreadInfo(ids);
+            return Arrays.stream(infos)
+                    .filter(Objects::nonNull)
+                    .filter(info -> info.getThreadName().startsWith("run-"))
+                    .mapToLong(info -> THREADS.getThreadCpuTime(info.getThreadId()))
+                    .filter(nanos -> nanos > 0)
+                    .mapToDouble(nanos -> nanos * 1e-9)
+                    .sum();
+        }
+    }
+}
