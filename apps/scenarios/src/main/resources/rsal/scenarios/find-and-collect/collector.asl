@@ -33,25 +33,58 @@ sees(Color, TargetX, TargetY, X, Y) :- blob(Color, X, Y) & in_map(X, Y, MapX, Ma
    <- publish(depot, Me, point(X, Y), 1.5).
 +!say_depot.
 
-// The contract net: it bids the ways to the thing and home, while it has nothing else to do.
-+!call(Id, _, X, Y)[source(Master)] : not busy(_) & home(HomeX, HomeY) & distance(X, Y, D)
+// The contract net. It bids the ways to the thing and home, while it has nothing else to do; nothing for what it is at
+// already: whoever calls has not heard of it.
++!call(Id, _, _, _)[source(Master)] : job(Id, doing)
+   <- .send(Master, tell, bid(Id, 0)).
++!call(Id, _, _, _)[source(Master)] : job(Id, done)
+   <- .send(Master, tell, fetched(Id)).
++!call(Id, _, X, Y)[source(Master)] : not job(_, doing) & home(HomeX, HomeY) & distance(X, Y, D)
    <- Cost = D + math.sqrt((HomeX - X) ** 2 + (HomeY - Y) ** 2);
+      state("bidding for thing ", Id);
       .send(Master, tell, bid(Id, Cost)).
 +!call(_, _, _, _).
 
-+!fetch(Id, Color, X, Y)[source(Master)] : not busy(_)
-   <- +busy(Id);
-      !collect(Color, X, Y);
-      .send(Master, achieve, done(Id));
-      -busy(Id);
-      state("waiting for something to fetch").
++rejected(_) : not job(_, doing)
+   <- state("waiting for something to fetch").
+
+@take[atomic] // of two awards at one instant it takes one
++!fetch(Id, Color, X, Y)[source(Master)] : not job(_, doing)
+   <- -job(Id, _);
+      +job(Id, doing);
+      !!do(Id, Color, X, Y, Master).
++!fetch(Id, _, _, _) : job(Id, doing).
 +!fetch(Id, _, _, _)[source(Master)] // it has got another meanwhile
-   <- .send(Master, achieve, refuse(Id)).
--!fetch(Id, _, _, _)[source(Master), error_msg(Why)]
+   <- .send(Master, tell, refused(Id)).
+
++!do(Id, Color, X, Y, Master)
+   <- !collect(Color, X, Y);
+      -job(Id, doing);
+      +job(Id, done);
+      state("waiting for something to fetch");
+      .send(Master, tell, fetched(Id)).
+-!do(Id, _, _, _, Master)[error_msg(Why)] : job(Id, doing)
+   <- state("could not fetch thing ", Id, ": ", Why);
+      !put_down;
+      -job(Id, doing);
+      +job(Id, failed);
+      .send(Master, tell, failed(Id)).
+-!do(_, _, _, _, _). // nobody wants to know any more
+
+// Where somebody finds it again.
++!put_down : holding
    <- stop;
-      state("could not fetch thing ", Id, ": ", Why);
-      .send(Master, achieve, failed(Id));
-      -busy(Id).
+      release;
+      !back_off.
++!put_down
+   <- stop.
+-!put_down
+   <- stop.
+
++!back_off
+   <- drive(-0.2, 0);
+      .wait(2500);
+      stop.
 
 +!collect(Color, X, Y) : home(HomeX, HomeY) & robot(Me, _)
    <- state("driving to a thing");
@@ -67,9 +100,7 @@ sees(Color, TargetX, TargetY, X, Y) :- blob(Color, X, Y) & in_map(X, Y, MapX, Ma
       state("bringing it home");
       goto_near(HomeX, HomeY, 0.3);
       release;
-      drive(-0.2, 0);
-      .wait(2500);
-      stop;
+      !back_off;
       publish(collected, Me, collect_goal(Color, point(X, Y)), point(HomeX, HomeY)).
 
 // Turns until it sees the thing, once around at most.

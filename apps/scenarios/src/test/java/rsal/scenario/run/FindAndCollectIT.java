@@ -2,10 +2,15 @@ package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -20,6 +25,61 @@ import rsal.scenario.Scenario;
 class FindAndCollectIT {
     private static final Scenario SCENARIO = Scenario.load("find-and-collect");
     private static final Scenario ALONE = Scenario.load("foraging");
+    private static final Path WRITTEN = Path.of("src/main/resources/rsal/scenarios/find-and-collect");
+
+    /// Somebody tells after 5 s where two cans lie: collectors are awarded one each after 6 s.
+    private static final String TWO_CANS = """
+            rsal: 1
+            scenario: two-cans
+            title: Two collectors in AgentSpeak fetch two cans
+            world: {map: four-rooms}
+            robots:
+              collector:
+                count: 2
+                model: pioneer2dx
+                pose: [[-3, 2, 0], [3.5, -2, 90]]
+                devices:
+                  laser: urg04lx
+                  sonar: front8rear8dx
+                  camera: blob-camera
+                  gripper: pioneer-gripper
+                  localizer: {type: amcl}
+                  planner: {type: wavefront}
+                  navigator: {}
+                  pilot: {}
+            things:
+              can:
+                count: 2
+                pose: [[1.5, 3.6, 0], [4.6, -3.2, 0]]
+                body: {radius: 0.08, height: 0.1}
+                color: "#2ca02c"
+                obstacle: false
+                grippable: true
+                depot: {around: collector, radius: 1.2}
+            agents:
+              collect: {type: collector.asl, robot: collector}
+              fetch: {type: fetch.asl}
+              told: {type: told.asl}
+            mas: {use: jason}
+            run:
+              stop:
+                - {when: allCollected(can), outcome: success, after: 5}
+                - {when: time > 400, outcome: timeout}
+            measure:
+              - {name: wallCollisions, from: count(wallCollisions)}
+              - {name: collisions, from: count(collisions)}
+              - {name: gone, from: count(gone(collector))}
+            """;
+    private static final String TOLD = """
+            !tell.
+            +!tell
+               <- .wait(5000);
+                  .send(fetch, achieve, found('#2ca02c', 1.5, 3.6));
+                  .send(fetch, achieve, found('#2ca02c', 4.6, -3.2)).
+            """;
+
+    @TempDir
+    private Path folder;
 
     /// @param cans where they lie at the end
     private record Collection(RunPlan plan, RunResult result, List<RunEvent> events, List<Standing> cans) {
@@ -112,6 +172,55 @@ class FindAndCollectIT {
                 .extracting(RunEvent::text)
                 .anyMatch(text -> text.matches("thing \\d+ goes to collect-\\d"));
         assertThat(collect("jason", seed).result.eventHash()).isEqualTo(all.result.eventHash());
+    }
+
+    private Collection collectTwo(long seed, String... faults) throws IOException {
+        for (String agent : List.of("collector.asl", "fetch.asl")) {
+            Files.copy(WRITTEN.resolve(agent), folder.resolve(agent));
+        }
+        Files.writeString(folder.resolve("told.asl"), TOLD);
+        Path file = Files.writeString(
+                folder.resolve("scenario.yaml"), TWO_CANS + "faults: [%s]\n".formatted(String.join(", ", faults)));
+        Collection all = collect(Scenario.load(file.toString()), "default", seed, Map.of());
+        assertTidy(all);
+        assertThat(all.measure("collisions")).isZero();
+        assertThat(all.result.failed()).isEmpty();
+        return all;
+    }
+
+    /// What the agent `fetch` has said that it does, of this.
+    private static List<String> fetching(Collection all, String pattern) {
+        return all.events.stream()
+                .filter(event -> event.kind().equals("agent") && event.subject().equals("fetch"))
+                .map(RunEvent::text)
+                .filter(text -> text.matches(pattern))
+                .toList();
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void theOtherFetchesWhatOneInAgentSpeakWasAwardedThatStops(long seed) throws IOException {
+        Collection all = collectTwo(seed, "{kind: gone, robots: collector-1, at: 9}");
+        assertThat(all.measure("gone")).isOne();
+        RunEvent gone = all.events.stream()
+                .filter(event -> event.text().startsWith("gone"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(Handover.of(all.events, gone, "collect-1").job()).isEqualTo("driving to a thing");
+        assertThat(fetching(all, "thing 1 goes to .*|collect-1 .*"))
+                .containsExactly("thing 1 goes to collect-1", "collect-1 does not answer", "thing 1 goes to collect-2");
+    }
+
+    @Test
+    void anAwardInAgentSpeakThatIsLostIsMadeAgain() throws IOException {
+        Collection all = collectTwo(1, "{kind: lost, topics: speech, from: fetch, at: 5.5, for: 1}");
+        assertThat(fetching(all, "thing 1 goes to .*")).hasSize(2);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void agentsInAgentSpeakCollectAllWhileTwoOfFiveMessagesAreLost(long seed) throws IOException {
+        collectTwo(seed, "{kind: lost, topics: speech, from: [collect, fetch], share: 0.4}");
     }
 
     @ParameterizedTest
