@@ -4,10 +4,13 @@ module rsal.jason {
     requires transitive rsal.agents;
     requires jason.interpreter;
     requires java.logging;
+    requires java.management;
     requires static org.jspecify;
 
     exports rsal.jason;
 
     provides rsal.agent.AgentHostProvider with
             rsal.jason.JasonHostProvider;
+    provides rsal.agent.bare.BareLanguage with
+            rsal.jason.BareJason;
 }

@@ -14,6 +14,7 @@ module rsal.bench {
 
     exports rsal.bench;
 
+    uses rsal.agent.bare.BareLanguage;
     uses rsal.agent.bare.BareSystem;
     uses rsal.robot.DeviceDriver;
     uses rsal.system.RobotSystemProvider;

@@ -28,7 +28,7 @@ public record Area(String name, List<Bench> benches) {
     public static List<Area> all() {
         return List.of(
                 new Area("sim", List.of(new SwarmBench())),
-                new Area("mas", List.of(new HostBench(), new OverheadBench())),
+                new Area("mas", List.of(new HostBench(), new OverheadBench(), new WrittenBench())),
                 new Area("player", List.of(new RemoteBench("player"))),
                 new Area("page", List.of(new PageBench())),
                 new Area(

@@ -3,7 +3,9 @@ package rsal.bench;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import rsal.agent.Agent;
@@ -56,14 +58,33 @@ final class BenchedSociety implements AutoCloseable {
 
     void start(int count, Agent agent) {
         var type = new Same(agent);
-        act(() -> {
-            for (int i = 0; i < count; i++) {
-                String name = "agent-" + names.size();
-                names.add(name);
-                society.start(new AgentSpec(
-                        name, "benched", type, Arguments.defaults(List.of()), Optional.empty(), names.size()));
-            }
-        });
+        var specs = new ArrayList<AgentSpec>();
+        for (int i = 0; i < count; i++) {
+            int number = names.size() + i;
+            specs.add(spec("agent-" + number, number, type, Map.of()));
+        }
+        start(specs);
+    }
+
+    /// @param number among its kind, from which its randomness comes
+    static AgentSpec spec(String name, int number, AgentType type, Map<String, ?> arguments) {
+        return new AgentSpec(
+                name, "benched", type, Arguments.of(type.parameters(), arguments), Optional.empty(), number + 1);
+    }
+
+    /// Starts agents of which none has begun before all are there.
+    void start(List<AgentSpec> specs) {
+        act(() -> specs.forEach(spec -> {
+            names.add(spec.name());
+            society.start(spec);
+        }));
+    }
+
+    /// What an agent reveals of itself; empty when it has not begun.
+    <T> Optional<T> look(String agent, Class<T> type) {
+        var seen = new AtomicReference<Optional<T>>(Optional.empty());
+        act(() -> seen.set(society.look(agent, type)));
+        return seen.get();
     }
 
     /// Waits until something is so.

@@ -9,7 +9,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 import java.util.stream.Stream;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.bare.BareSystem;
@@ -114,10 +113,10 @@ final class OverheadBench implements Bench {
         var overhead = new double[repeats];
         for (int i = 0; i < repeats; i++) {
             assignment.reach(HostBench.name(host, "overhead"), i, repeats);
-            Load ours = Load.ofPoses(host);
-            Load theirs = Load.ofPoses(bare);
-            cpu[i] = theirs.cpu;
-            rate[i] = theirs.rate;
+            Load ours = poses(host);
+            Load theirs = poses(bare);
+            cpu[i] = theirs.cpu();
+            rate[i] = theirs.rate();
             overhead[i] = ours.each() / theirs.each();
         }
         assignment.tell(
@@ -132,9 +131,9 @@ final class OverheadBench implements Bench {
         var overhead = new double[repeats];
         for (int i = 0; i < repeats; i++) {
             assignment.reach(HostBench.name(host, "overhead.contracts"), i, repeats);
-            Load ours = Load.ofContracts(host);
-            Load theirs = Load.ofContracts(bare);
-            rate[i] = theirs.rate;
+            Load ours = nets(host);
+            Load theirs = nets(bare);
+            rate[i] = theirs.rate();
             overhead[i] = ours.each() / theirs.each();
         }
         assignment.tell(
@@ -142,56 +141,37 @@ final class OverheadBench implements Bench {
                 Result.less(HostBench.name(host, "overhead.contracts"), "", overhead));
     }
 
-    /// What agents take for what they do.
-    ///
-    /// @param cpu share of a core
-    /// @param rate how often per second they do it
-    private record Load(double cpu, double rate) {
-        /// Of a hundred that tell each other their poses: messages heard.
-        static Load ofPoses(AgentHostProvider host) {
-            var heard = new LongAdder();
-            try (var society = BenchedSociety.inRealTime(host)) {
-                HostBench.tellPoses(society, heard);
-                return of(heard, OverheadBench::pass);
-            }
+    /// Of a hundred that tell each other their poses: messages heard.
+    private static Load poses(AgentHostProvider host) {
+        var heard = new LongAdder();
+        try (var society = BenchedSociety.inRealTime(host)) {
+            HostBench.tellPoses(society, heard);
+            return Load.of(heard::sum, OverheadBench::pass);
         }
+    }
 
-        static Load ofPoses(BareSystem bare) {
-            var heard = new LongAdder();
-            try (var platform = bare.start()) {
-                platform.start(HostBench.TEAM, new Life(HostBench.PERIOD, () -> {}, heard::increment));
-                return of(heard, OverheadBench::pass);
-            }
+    private static Load poses(BareSystem bare) {
+        var heard = new LongAdder();
+        try (var platform = bare.start()) {
+            platform.start(HostBench.TEAM, new Life(HostBench.PERIOD, () -> {}, heard::increment));
+            return Load.of(heard::sum, OverheadBench::pass);
         }
+    }
 
-        /// Of a manager and bidders that do nothing else: contract nets ended.
-        static Load ofContracts(AgentHostProvider host) {
-            var ended = new LongAdder();
-            try (var society = BenchedSociety.of(host)) {
-                HostBench.contracts(society, ended);
-                return of(ended, society::pass);
-            }
+    /// Of a manager and bidders that do nothing else: contract nets ended.
+    private static Load nets(AgentHostProvider host) {
+        var ended = new LongAdder();
+        try (var society = BenchedSociety.of(host)) {
+            HostBench.contracts(society, ended);
+            return Load.of(ended::sum, society::pass);
         }
+    }
 
-        static Load ofContracts(BareSystem bare) {
-            var ended = new LongAdder();
-            try (var platform = bare.start()) {
-                platform.contract(HostBench.BIDDERS, ended::increment);
-                return of(ended, OverheadBench::pass);
-            }
-        }
-
-        private static Load of(LongAdder count, Consumer<Duration> pass) {
-            pass.accept(HostBench.WARM);
-            count.reset();
-            var watch = new Stopwatch();
-            pass.accept(HostBench.WINDOW);
-            return new Load(watch.cpu() / watch.wall(), count.sum() / watch.wall());
-        }
-
-        /// Time of processors for each [s].
-        double each() {
-            return cpu / rate;
+    private static Load nets(BareSystem bare) {
+        var ended = new LongAdder();
+        try (var platform = bare.start()) {
+            platform.contract(HostBench.BIDDERS, ended::increment);
+            return Load.of(ended::sum, OverheadBench::pass);
         }
     }
 
@@ -226,13 +206,15 @@ final class OverheadBench implements Bench {
         assignment.tell(Result.more(name, "1/s", rate));
     }
 
-    private static void until(BooleanSupplier done) {
+    /// Waits until something is so.
+    static void until(BooleanSupplier done) {
         while (!done.getAsBoolean()) {
             LockSupport.parkNanos(100_000);
         }
     }
 
-    private static void pass(Duration real) {
+    /// Lets so much real time pass.
+    static void pass(Duration real) {
         long end = System.nanoTime() + real.toNanos();
         for (long left = real.toNanos(); left > 0; left = end - System.nanoTime()) {
             LockSupport.parkNanos(left);

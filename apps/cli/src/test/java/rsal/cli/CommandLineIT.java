@@ -189,6 +189,17 @@ class CommandLineIT {
     }
 
     @Test
+    void theSameProgramsInAgentSpeakAreMeasuredOnJasonWithUsAndWithout() throws Exception {
+        Ended ended = rsal.run("bench", "mas", "--only", "jason.written.create.100", "--repeat", "1", "--json");
+        assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out())
+                .contains("\"name\":\"mas.jason.written.create.100\"", "\"name\":\"mas.jason.written.create.1000\"");
+        assertThat(rsal.run("bench", "mas", "--only", "jason.bare.start", "--repeat", "1", "--json")
+                        .out())
+                .contains("\"name\":\"mas.jason.bare.start\"");
+    }
+
+    @Test
     void aBenchThatIsInterruptedSaysSo() throws Exception {
         Process bench = rsal.start("bench", "sim", "--only", "laser180.1000.core1.rtf", "--repeat", "1000");
         var err = bench.errorReader();
