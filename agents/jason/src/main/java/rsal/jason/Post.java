@@ -21,7 +21,8 @@ final class Post {
     }
 
     void begin() {
-        self.subscribe(Speech.TOPIC, message -> hear(message.sender(), message.content()));
+        var reader = new TermReader(agent.reasoner());
+        self.subscribe(Speech.TOPIC, message -> hear(message.sender(), message.content(), reader));
     }
 
     /// An id for the next message: of this agent alone, as Jason's own are counted for the whole process.
@@ -58,7 +59,7 @@ final class Post {
                 answers == null ? "" : answers);
     }
 
-    private void hear(String sender, Speech speech) {
+    private void hear(String sender, Speech speech, TermReader reader) {
         if (AgentSpeak.TAKEN.contains(sender)) {
             agent.complain("Agent (%s) is not listened to: in AgentSpeak, that is a source of one's own beliefs."
                     .formatted(sender));
@@ -66,7 +67,7 @@ final class Post {
         }
         Term content;
         try {
-            content = Terms.read(speech.content(), agent.reasoner());
+            content = reader.read(speech.content());
         } catch (IllegalArgumentException e) {
             agent.complain("Agent (%s) said what is no term: %s".formatted(sender, speech));
             return;

@@ -251,8 +251,17 @@ final class Terms {
     /// @param reader whose functions it names: Jason's own of the process would read the machine's clock
     /// @throws IllegalArgumentException when it is no term
     static Term read(String text, Agent reader) {
+        return read(text, parser(text, reader));
+    }
+
+    static as2j parser(String text, Agent reader) {
         var parser = new as2j(new StringReader(text));
         parser.setAg(reader);
+        return parser;
+    }
+
+    /// @param parser that is to read the text next
+    static Term read(String text, as2j parser) {
         try {
             Term term = parser.term();
             if (parser.getNextToken().kind != as2jConstants.EOF) {
