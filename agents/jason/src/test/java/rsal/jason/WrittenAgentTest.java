@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
@@ -30,15 +31,20 @@ import rsal.agent.message.Caught;
 import rsal.agent.message.GoalReached;
 import rsal.agent.message.PoseReport;
 import rsal.agent.message.Text;
+import rsal.behavior.Pilot;
 import rsal.behavior.PilotDriver;
 import rsal.data.BatteryState;
 import rsal.data.BatteryState.Charging;
+import rsal.data.GripperState;
+import rsal.data.LaserScan;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.device.Battery;
+import rsal.device.Gripper;
+import rsal.device.LaserScanner;
 import rsal.device.Navigator;
 import rsal.device.SimulationControl.Thing;
 import rsal.robot.DeviceDriver;
@@ -46,8 +52,10 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.contract.Ports;
 import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeBattery;
+import rsal.testkit.fake.FakeLaserScanner;
 import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
 import rsal.testkit.fake.FakeProvider;
@@ -182,6 +190,38 @@ class WrittenAgentTest extends RobotBench {
         assertThat(Double.parseDouble(view("a").beliefs().get("front"))).isPositive();
     }
 
+    /// Ahead is within 30°, left and right are from there to 100°.
+    @Test
+    void itKnowsHowNearTheNearestIsAheadLeftAndRight() {
+        var laser = (FakeLaserScanner) robot().require(LaserScanner.class);
+        LaserScan scan = await(laser.next()).value();
+        showByBearing(laser, scan, degrees -> {
+            double aside = Math.abs(degrees);
+            if (aside > 100.5) {
+                return 0.5; // behind
+            }
+            return aside < 30.5 ? 3.25 : degrees > 0 ? 1.5 : 2.25;
+        });
+        startOnRobot("+scan_min(F, L, R) <- state(F, \" \", L, \" \", R).");
+        advance(1);
+        assertThat(view("a").state()).isEqualTo("3.25 1.5 2.25");
+        showByBearing(laser, scan, degrees -> 25 < degrees && degrees < 29.5 ? 0.75 : Double.POSITIVE_INFINITY);
+        advance(1);
+        assertThat(view("a").state()).as("as far as it sees where nothing is").isEqualTo("0.75 5.6 5.6");
+        showByBearing(laser, scan, degrees -> -99 < degrees && degrees < -95 ? 0.25 : Double.POSITIVE_INFINITY);
+        advance(1);
+        assertThat(view("a").state()).isEqualTo("5.6 5.6 0.25");
+    }
+
+    /// @param range in m, by degrees from ahead, counter-clockwise
+    private static void showByBearing(FakeLaserScanner laser, LaserScan scan, DoubleUnaryOperator range) {
+        var ranges = new float[scan.count()];
+        for (int beam = 0; beam < ranges.length; beam++) {
+            ranges[beam] = (float) range.applyAsDouble(Math.toDegrees(scan.angle(beam)));
+        }
+        laser.show(ranges);
+    }
+
     @Test
     void itKnowsWhatIsInItsBattery() {
         var battery = (FakeBattery) robot().require(Battery.class);
@@ -261,6 +301,63 @@ class WrittenAgentTest extends RobotBench {
         advance(2);
         assertThat(truth().distanceTo(START)).isLessThan(driven + 0.1);
         assertThat(view("a").state()).isEqualTo("stands");
+    }
+
+    @Test
+    void itFollowsTheWallOnItsLeft() {
+        startOnRobot("!go. +!go <- follow_wall; .wait(20000); stop; state(\"stands\").");
+        advance(2);
+        var pilot = robot().require(Pilot.class);
+        assertThat(pilot.latest().orElseThrow().value().opinions())
+                .extracting(opinion -> opinion.layer())
+                .contains("follow-wall");
+        double nearest = Double.POSITIVE_INFINITY;
+        double way = 0;
+        for (Pose2d before = truth(); view("a").state().isEmpty(); before = truth()) {
+            advance(0.5);
+            way += truth().distanceTo(before);
+            nearest = Math.min(nearest, toTheLeft());
+        }
+        assertThat(way).isBetween(3.0, 20.0);
+        assertThat(nearest).isBetween(0.3, 0.7); // 0.875 where it starts
+        assertThat(view("a").state()).isEqualTo("stands");
+        advance(1);
+        Pose2d there = truth();
+        advance(1);
+        assertThat(truth().distanceTo(there)).isLessThan(1e-3);
+    }
+
+    /// How far it is to the next wall straight to the left of the laser [m].
+    private double toTheLeft() {
+        LaserScan scan =
+                robot().require(LaserScanner.class).latest().orElseThrow().value();
+        return IntStream.range(0, scan.count())
+                .filter(beam -> Math.abs(scan.angle(beam) - Math.PI / 2) < scan.angleIncrement())
+                .mapToDouble(beam -> scan.ranges()[beam])
+                .min()
+                .orElseThrow();
+    }
+
+    @Test
+    void itLetsGoOfWhatItHolds() {
+        put(can(new Pose2d(START.x() + 0.264, START.y(), 0)).asGrippable());
+        startOnRobot("""
+                !go.
+                +!go <- grip; .wait(holding); state(holds); .wait(1000); release; state(free); .wait(not holding); state(empty).
+                -!go[error_msg(M)] <- state(M).
+                """);
+        var gripper = robot().require(Gripper.class);
+        for (int step = 0; step < 100 && view("a").state().isEmpty(); step++) {
+            advance(0.1);
+        }
+        assertThat(view("a").state()).isEqualTo("holds");
+        assertThat(gripper.latest().orElseThrow().value().lift()).isEqualTo(GripperState.Lift.UP);
+        advance(15);
+        assertThat(states).containsSubsequence("a: holds", "a: free", "a: empty");
+        GripperState state = gripper.latest().orElseThrow().value();
+        assertThat(state.holding()).isFalse();
+        assertThat(state.paddles()).isEqualTo(GripperState.Paddles.OPEN);
+        assertThat(state.lift()).isEqualTo(GripperState.Lift.DOWN);
     }
 
     @Test
@@ -488,6 +585,7 @@ class WrittenAgentTest extends RobotBench {
     @Test
     void nothingOfJasonsRunsBesideTheRun() throws ReflectiveOperationException {
         Set<Thread> before = Thread.getAllStackTraces().keySet();
+        Set<String> portsBefore = Ports.listening();
         start("amy", _ -> {});
         start("a", """
                 !wait. !ask. !deadline.
@@ -498,7 +596,10 @@ class WrittenAgentTest extends RobotBench {
                 +!long <- .wait(1000).
                 """);
         advance(2);
+        assertThat(Ports.listening()).isSubsetOf(portsBefore);
+        society.close();
         assertThat(Thread.getAllStackTraces().keySet()).isSubsetOf(before);
+        assertThat(Ports.listening()).isSubsetOf(portsBefore);
         assertThat(MindInspectorWeb.isRunning()).isFalse();
         var scheduler = jason.asSemantics.Agent.class.getDeclaredField("scheduler");
         scheduler.setAccessible(true);

@@ -9,14 +9,14 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /// The TCP and UDP ports on which this process listens, as Linux tells them; none are known elsewhere.
-final class Ports {
+public final class Ports {
     /// By table, the state of a socket that hears from anybody, as `/proc/net` has it.
     private static final Map<String, String> LISTENING = Map.of("tcp", "0A", "tcp6", "0A", "udp", "07", "udp6", "07");
 
     private Ports() {}
 
     /// As protocol, address and port in hexadecimal digits: `udp 0100007F:1F90`.
-    static Set<String> listening() {
+    public static Set<String> listening() {
         try {
             Set<String> own = sockets();
             var ports = new HashSet<String>();
