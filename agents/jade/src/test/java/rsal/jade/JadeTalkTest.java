@@ -4,16 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.tuple;
 
-import jade.content.AgentAction;
-import jade.content.lang.sl.SLCodec;
-import jade.content.onto.basic.Action;
 import jade.core.AID;
 import jade.domain.DFService;
 import jade.domain.FIPAAgentManagement.DFAgentDescription;
 import jade.domain.FIPAAgentManagement.Property;
 import jade.domain.FIPAAgentManagement.ServiceDescription;
-import jade.domain.FIPANames;
-import jade.domain.JADEAgentManagement.JADEManagementOntology;
 import jade.domain.JADEAgentManagement.KillAgent;
 import jade.domain.JADEAgentManagement.ShutdownPlatform;
 import jade.lang.acl.ACLMessage;
@@ -195,29 +190,13 @@ class JadeTalkTest {
             run.until("it lives", () -> log.contains("amy lives"));
             var kill = new KillAgent();
             kill.setAgent(witness.getAID("amy"));
-            ask(witness, kill);
+            witness.asksTheSystem(kill);
             run.until("the other knows", () -> log.contains("amy went"));
             assertThat(log).containsSubsequence("last words", "amy went").endsWith("amy went");
             assertThat(run.ask(() -> run.society().views()))
                     .extracting(view -> view.agent().name(), view -> view.status())
                     .containsExactly(tuple("bob", Status.RUNNING), tuple("amy", Status.ENDED));
         }
-    }
-
-    /// Asks the management system, as JADE's window of all agents does.
-    private static void ask(Witness witness, AgentAction action) {
-        witness.does(() -> {
-            witness.getContentManager().registerLanguage(new SLCodec(), FIPANames.ContentLanguage.FIPA_SL0);
-            witness.getContentManager().registerOntology(JADEManagementOntology.getInstance());
-            var request = new ACLMessage(ACLMessage.REQUEST);
-            request.addReceiver(witness.getAMS());
-            request.setLanguage(FIPANames.ContentLanguage.FIPA_SL0);
-            request.setOntology(JADEManagementOntology.NAME);
-            request.setProtocol(FIPANames.InteractionProtocol.FIPA_REQUEST);
-            witness.getContentManager().fillContent(request, new Action(witness.getAMS(), action));
-            witness.send(request);
-            return true;
-        });
     }
 
     @Test
@@ -228,7 +207,7 @@ class JadeTalkTest {
             run.start("bob", self -> self.atEnd(() -> log.add("bob")));
             run.start("eve", self -> self.scheduler().execute(() -> log.add("begun")));
             run.until("they have begun", () -> log.contains("begun"));
-            ask(witness, new ShutdownPlatform());
+            witness.asksTheSystem(new ShutdownPlatform());
             run.until("they have ended", () -> log.contains("amy") && log.contains("bob"));
             run.until("all have", () -> run.society().views().stream().allMatch(view -> view.status() == Status.ENDED));
         }
