@@ -49,11 +49,16 @@ public abstract class ContractNetContract {
     /// What managers had to decide upon, likewise.
     private final List<Round<Double>> rounds = new ArrayList<>();
 
-    /// The host under test, set up with its fallbacks.
+    /// The host under test.
     protected abstract AgentHostProvider provider();
 
+    /// How it is set up, where that is not by its fallbacks.
+    protected Map<String, Object> settings() {
+        return Map.of();
+    }
+
     final HostRun run() {
-        return new HostRun(provider());
+        return new HostRun(provider(), settings());
     }
 
     final boolean isLogged(int lines) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -46,10 +47,11 @@ public final class HostRun implements AutoCloseable {
     private final Society society;
     private int started;
 
-    HostRun(AgentHostProvider provider) {
+    /// @param settings what is not as its fallback
+    HostRun(AgentHostProvider provider, Map<String, Object> settings) {
         this(
                 provider.followsSchedulerTime() ? Optional.of(new LockstepScheduler()) : Optional.empty(),
-                time -> provider.create(Arguments.defaults(provider.parameters()), time));
+                time -> provider.create(Arguments.of(provider.parameters(), settings), time));
     }
 
     /// On a host that is made otherwise than with its fallbacks.
