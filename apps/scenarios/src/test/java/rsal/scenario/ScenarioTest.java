@@ -304,6 +304,7 @@ class ScenarioTest {
                 mistakenRobots("$way", "not (slow)"),
                 List.of("use: plain", "use: plan", "no multi-agent system (plan)", "Maybe (plain)"),
                 List.of("use: plain", "use: wallclock", "can't follow simulated time", "run.clock.mode"),
+                List.of("use: plain", "use: jade", "system (jade) can't follow simulated time", "--clock wall"),
                 List.of("use: sim", "use: simm", "no robot system (simm)", "Maybe (sim)"),
                 List.of("step: 0.05", "step: 5", "(mrs.step) must be"),
                 List.of("seed: 11", "seed: eleven", "(run.seed) must be a whole number, not (eleven)"),

@@ -2,6 +2,7 @@ package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -20,6 +21,8 @@ class JadeIT {
                 var distribution = start("distribution", jade(5).withArguments(Map.of("robots", "3")));
                 var collection = start(
                         "find-and-collect", jade(1).withConfiguration("near").inRealTimeOn("jade"))) {
+            List<Mail> mail = await(Runs.mail(hunt, "follow-1", "pose"));
+            assertThat(mail).anySatisfy(letter -> assertThat(letter.from()).isNotEqualTo("follow-1"));
             assertSuccess(hunt);
             assertSuccess(distribution);
             assertSuccess(collection);

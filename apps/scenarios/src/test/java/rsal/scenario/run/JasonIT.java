@@ -2,7 +2,10 @@ package rsal.scenario.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -25,6 +28,21 @@ class JasonIT {
         assertThat(jason.failed()).isEmpty();
         assertThat(jason.eventHash())
                 .isEqualTo(run(scenario, configuration, seed, "plain").eventHash());
+    }
+
+    @Test
+    void whatReachesAnAgentInAgentSpeakIsInItsMailbox() {
+        var options = RunOptions.NONE
+                .withConfiguration("jason")
+                .withSeed(1)
+                .withArguments(Map.of("hunters", "2"))
+                .withSpeed(Double.POSITIVE_INFINITY);
+        try (var run = LiveRun.start(Scenario.load("hunt-and-prey").plan(options))) {
+            List<Mail> mail = Runs.mail(run, "follow-1", "pose")
+                    .orTimeout(120, TimeUnit.SECONDS)
+                    .join();
+            assertThat(mail).anySatisfy(letter -> assertThat(letter.from()).isNotEqualTo("follow-1"));
+        }
     }
 
     private static RunResult run(String scenario, String configuration, long seed, String host) {

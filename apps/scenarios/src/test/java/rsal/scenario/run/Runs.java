@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -78,5 +80,20 @@ final class Runs {
         } catch (ExecutionException e) {
             throw (RuntimeException) e.getCause();
         }
+    }
+
+    /// Completes with what is in an agent's mailbox when something of that topic is.
+    static CompletableFuture<List<Mail>> mail(LiveRun run, String agent, String topic) {
+        var heard = new CompletableFuture<List<Mail>>();
+        run.onEvents(() -> run.inside(agent).thenAccept(answer -> {
+            if (answer instanceof Answer.Seen(Inside inside)) {
+                inside.mail()
+                        .filter(mail ->
+                                mail.stream().anyMatch(letter -> letter.topic().equals(topic)))
+                        .ifPresent(heard::complete);
+            }
+        }));
+        run.result().thenAccept(early -> heard.completeExceptionally(new AssertionError(early.outcome())));
+        return heard;
     }
 }
