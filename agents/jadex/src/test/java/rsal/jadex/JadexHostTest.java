@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.lang.reflect.Field;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -19,7 +18,7 @@ import rsal.testkit.contract.AgentHostContract;
 import rsal.time.LockstepScheduler;
 
 class JadexHostTest extends AgentHostContract {
-    private static final String PATIENCE = "jadex.bridge.TimeoutResultListener";
+    private static final String CLOCK = "jadex.platform.service.clock.ClockService";
 
     @Override
     protected AgentHostProvider provider() {
@@ -40,27 +39,24 @@ class JadexHostTest extends AgentHostContract {
         }
     }
 
-    /// Jadex waits for some answers half a minute long when it ends, each with a timer of its own. No other timer is
-    /// let
-    /// off: not that of its pool of threads, nor one of ours.
+    /// Jadex's clock makes a timer for each thread that is among the first to ask for one, and ends only the
+    /// last of these; the others wait half a minute for answers. And it has a process started, whose end a
+    /// thread of the JDK saw. No other is let off: no timer of something else of Jadex's, nor one of ours.
     @Override
     protected boolean endsLater(Thread thread) {
-        List<Object> due = tasks(thread);
-        return !due.isEmpty()
-                && due.stream().allMatch(task -> task.getClass().getName().startsWith(PATIENCE + "$"));
+        return switch (thread.getClass().getName()) {
+            case "java.util.TimerThread" ->
+                due(thread).allMatch(task -> task.getClass().getName().startsWith(CLOCK + "$"));
+            default -> thread.getName().equals("process reaper");
+        };
     }
 
-    /// Of a [java.util.Timer], if it is the thread of one.
-    private static List<Object> tasks(Thread thread) {
-        if (!thread.getClass().getName().equals("java.util.TimerThread")) {
-            return List.of();
-        }
+    /// What a timer has still to do.
+    private static Stream<Object> due(Thread timer) {
         try {
-            Object queue = get(thread, "queue");
+            Object queue = get(timer, "queue");
             synchronized (queue) {
-                return Arrays.stream((Object[]) get(queue, "queue"))
-                        .filter(Objects::nonNull)
-                        .toList();
+                return Stream.of(((Object[]) get(queue, "queue")).clone()).filter(Objects::nonNull);
             }
         } catch (ReflectiveOperationException e) {
             throw new LinkageError(e.getMessage(), e);
