@@ -1,6 +1,7 @@
 package rsal.jadex;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -39,23 +40,35 @@ class JadexIT {
     }
 
     @Test
+    void simulatedTimeIsRefusedWithTheReason() {
+        Scenario hunt = Scenario.load("hunt-and-prey");
+        assertThatThrownBy(() -> hunt.plan(RunOptions.NONE.withHost("jadex")))
+                .hasMessageContaining("The multi-agent system (jadex) can't follow simulated time")
+                .hasMessageContaining("--clock wall");
+    }
+
+    @Test
     void huntersThatThinkByJadexCatchThePreyAndShowWhatTheyWant() throws Exception {
         RunOptions options = RunOptions.NONE.withSeed(4).withArguments(Map.of("catchDistance", "3.0", "hunters", "3"));
         try (var hunt = LiveRun.start(Scenario.load(HUNTERS).plan(options))) {
-            assertThat(await(untilItWants(hunt, "catch"))).isTrue();
+            Inside hunter = await(untilItWants(hunt, "catch"));
+            assertThat(hunter.mail().orElseThrow()).anySatisfy(letter -> {
+                assertThat(letter.topic()).isEqualTo("pose");
+                assertThat(letter.forAll()).isTrue();
+            });
             assertSuccess(hunt);
         }
     }
 
-    /// Completes when the mind of a hunter shows that it is after that.
-    private static CompletableFuture<Boolean> untilItWants(LiveRun run, String goal) {
-        var wanted = new CompletableFuture<Boolean>();
+    /// Completes with what is in a hunter when its mind shows that it is after that.
+    private static CompletableFuture<Inside> untilItWants(LiveRun run, String goal) {
+        var wanted = new CompletableFuture<Inside>();
         run.onEvents(() -> run.inside("follow-1").thenAccept(answer -> {
             if (answer instanceof Answer.Seen(Inside hunter)
                     && hunter.mind().stream()
                             .flatMap(mind -> mind.goals().stream())
                             .anyMatch(shown -> shown.name().equals(goal) && shown.state() == GoalState.PURSUED)) {
-                wanted.complete(true);
+                wanted.complete(hunter);
             }
         }));
         run.result().thenAccept(early -> wanted.completeExceptionally(new AssertionError(early.outcome())));
