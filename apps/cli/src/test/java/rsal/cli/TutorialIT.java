@@ -41,6 +41,39 @@ class TutorialIT {
     }
 
     @Test
+    void aHostDoesWhatItsHowToShows() throws Exception {
+        String page = Files.readString(TUTORIALS.resolve("../how-to/another-mas.md"));
+        compile(blocks(page, "java").stream()
+                .filter(block -> block.contains(" implements "))
+                .toList());
+        Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+        Files.writeString(
+                services.resolve("rsal.agent.AgentHostProvider"),
+                blocks(page, "text").getFirst());
+        var rsal = new Rsal(folder, folder.toString());
+        follow(page, rsal);
+        String setting = blocks(page, "yaml").getFirst().lines().findFirst().orElseThrow();
+        Files.writeString(folder.resolve("threads.yaml"), """
+                rsal: 1
+                scenario: threads
+                title: A robot along a wall
+                world: {map: office}
+                robots:
+                  one: {model: pioneer2dx, pose: [-4, -1, 180], devices: {laser: urg04lx, localizer: {type: amcl}, pilot: {}}}
+                agents:
+                  walk: {type: wall-follow, robot: one}
+                run: {stop: [{when: time > 2, outcome: success}]}
+                measure:
+                  - {name: way, unit: m, from: distance}
+                """ + setting);
+        Ended run = rsal.run("run", "threads.yaml", "--headless", "--clock", "wall", "--json");
+        assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
+        Ended simulated = rsal.run("run", "threads.yaml", "--headless");
+        assertThat(simulated.code()).isEqualTo(Exit.INVALID);
+        assertThat(simulated.err() + simulated.out()).contains("(threads) can't follow simulated time");
+    }
+
+    @Test
     void anAgentInAgentSpeakDoesWhatItsTutorialShows() throws Exception {
         String tutorial = tutorial("first-agentspeak-robot.md");
         String sentry = blocks(tutorial, "asl").getFirst();
