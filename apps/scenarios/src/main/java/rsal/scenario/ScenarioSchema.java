@@ -53,8 +53,13 @@ public final class ScenarioSchema {
                                 "scenario", described(text(), "Name of the scenario."),
                                 "title", described(text(), "A line for people."),
                                 "description", described(text(), "Some sentences for people."),
-                                "arguments", named(argument())),
-                        with(body(false), fields("configurations", named(configuration())))),
+                                "arguments",
+                                        described(named(argument()), "What whoever starts the scenario may choose.")),
+                        with(
+                                body(false),
+                                fields(
+                                        "configurations",
+                                        described(named(configuration()), "Variants; the first is the default.")))),
                 List.of("rsal", "scenario", "world")));
         schema.put(
                 "anyOf",
@@ -121,27 +126,35 @@ public final class ScenarioSchema {
     private Map<String, Object> body(boolean partial) {
         return fields(
                 "world",
-                world(partial),
+                described(world(partial), "Where it takes place: a map, or a world with all that is in it."),
                 "robots",
-                named(role(partial)),
+                described(
+                        named(role(partial)),
+                        "Robots by their role, at most %d; required unless the world brings some along."
+                                .formatted(Format.MAX_ROBOTS)),
                 "things",
-                named(thing(partial)),
+                described(named(thing(partial)), "What is put into the simulated world besides robots."),
                 "agents",
-                named(agent(partial)),
+                described(named(agent(partial)), "Who decides."),
                 JoinReader.KEY,
                 joined(),
                 "mas",
-                backEnd(partial, Format.DEFAULT_MAS, parameters(catalog.hosts(), AgentHostProvider::parameters)),
+                described(
+                        backEnd(
+                                partial,
+                                Format.DEFAULT_MAS,
+                                parameters(catalog.hosts(), AgentHostProvider::parameters)),
+                        "Multi-agent system; (%s) when left out.".formatted(Format.DEFAULT_MAS)),
                 "mrs",
-                systems(partial),
+                described(systems(partial), "Robot system; (%s) when left out.".formatted(Format.DEFAULT_MRS)),
                 "communication",
                 communication(),
                 "faults",
-                list(fields("$ref", FAULT)),
+                described(list(fields("$ref", FAULT)), "What goes wrong."),
                 "run",
-                run(),
+                described(run(), "Seed, clock, and when it ends."),
                 "measure",
-                list(measure()));
+                described(list(measure()), "What comes out."));
     }
 
     private Map<String, Object> systems(boolean partial) {
@@ -426,7 +439,8 @@ public final class ScenarioSchema {
                                 "delay", span(Format.RADIO_DELAY),
                                 "bandwidth", parameter(Format.BANDWIDTH)),
                         List.of()),
-                "How communication between agents is limited; who hears what is recorded.");
+                "How communication between agents is limited, and that who hears what is recorded; without it all hear"
+                        + " all.");
     }
 
     private static Map<String, Object> fault() {
@@ -472,7 +486,9 @@ public final class ScenarioSchema {
     /// A number of seconds, or the least and the most.
     private static Map<String, Object> span(Parameter seconds) {
         Map<String, Object> one = parameter(seconds);
-        return anyOf(List.of(one, fields("type", "array", "items", one, "minItems", 2, "maxItems", 2)));
+        return described(
+                anyOf(List.of(one, fields("type", "array", "items", one, "minItems", 2, "maxItems", 2))),
+                description(seconds) + " A list is the least and the most.");
     }
 
     private static Map<String, Object> measure() {
@@ -527,8 +543,11 @@ public final class ScenarioSchema {
         var schema = orReference(value);
         Optional<Object> fallback = parameter.fallback();
         fallback.ifPresent(f -> schema.put("default", f));
-        return described(
-                schema, parameter.description() + (parameter.unit().isEmpty() ? "" : " [" + parameter.unit() + "]"));
+        return described(schema, description(parameter));
+    }
+
+    private static String description(Parameter parameter) {
+        return parameter.description() + (parameter.unit().isEmpty() ? "" : " [" + parameter.unit() + "]");
     }
 
     private static Map<String, Object> orReference(Map<String, Object> schema) {

@@ -1,0 +1,117 @@
+package rsal.cli;
+
+import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import rsal.agent.AgentHostProvider;
+import rsal.agent.AgentType;
+import rsal.map.Maps;
+import rsal.robot.DeviceDriver;
+import rsal.robot.RobotModels;
+import rsal.scenario.Providers;
+import rsal.system.BridgeProvider;
+import rsal.system.RobotSystemProvider;
+
+/// What the code says of itself, as Markdown for the pages of the reference.
+final class Reference {
+    /// Agents of one's own, fakes of tests, and what is built along only when somebody asks for it.
+    private static final String NOT_SHIPPED = "(own|rsal\\.testkit|rsal\\.jadex)\\..*";
+
+    private Reference() {}
+
+    /// Of the sections that must be somewhere.
+    static List<String> names() {
+        return Stream.concat(
+                        Stream.of("agents", "devices", "drivers", "mas", "mrs", "bridges", "models", "parts", "maps"),
+                        CommandReference.names())
+                .toList();
+    }
+
+    /// @param name one of [#names], or a part of a schema: `scenario.schema.json#/properties/communication`
+    static String section(String name) {
+        return switch (name) {
+            case "agents" -> kinds(Kind.agents(), AgentType.class, AgentType::key);
+            case "drivers" -> kinds(Kind.drivers(), DeviceDriver.class, DeviceDriver::key);
+            case "mas" -> kinds(Kind.hosts(), AgentHostProvider.class, AgentHostProvider::key);
+            case "mrs" -> kinds(Kind.systems(), RobotSystemProvider.class, RobotSystemProvider::key);
+            case "bridges" -> bridges();
+            case "devices" -> DeviceTypes.all();
+            case "models" -> models();
+            case "parts" -> DeviceTypes.parts();
+            case "maps" -> maps();
+            default -> name.startsWith("rsal") ? CommandReference.of(name) : SchemaTable.of(name);
+        };
+    }
+
+    private static <P> String kinds(Stream<Kind> kinds, Class<P> type, Function<P, String> key) {
+        Set<String> shipped = Providers.byKey(type, key).values().stream()
+                .filter(provider -> !provider.getClass().getName().matches(NOT_SHIPPED))
+                .map(key)
+                .collect(Collectors.toSet());
+        return kinds.filter(kind -> shipped.contains(kind.name()))
+                .map(Reference::kind)
+                .collect(Collectors.joining("\n"));
+    }
+
+    private static String kind(Kind kind) {
+        var text = new StringBuilder("### %s%n%n%s".formatted(heading(kind), Markdown.text(kind.description())));
+        kind.makes()
+                .ifPresent(type -> text.append(" Makes a ").append(link(type)).append('.'));
+        if (!kind.needs().isEmpty()) {
+            text.append(" Needs a robot with ")
+                    .append(kind.needs().stream().map(Reference::link).collect(Collectors.joining(", ")))
+                    .append('.');
+        }
+        text.append('\n');
+        if (!kind.settings().isEmpty()) {
+            var table = new Markdown.Table(kind.kind().equals("agent") ? "argument" : "option", "", "left out", "");
+            kind.settings()
+                    .forEach(setting -> table.row(
+                            Markdown.code(setting.name()),
+                            Markdown.text(setting.expected()),
+                            setting.value().map(Markdown::value).orElse("must be given"),
+                            Markdown.text(setting.description())));
+            text.append('\n').append(table);
+        }
+        return text.toString();
+    }
+
+    /// A driver's says what it is, as some are called like the type that they make.
+    private static String heading(Kind kind) {
+        return kind.kind().equals("driver") ? "type: " + kind.name() : kind.name();
+    }
+
+    private static String link(String device) {
+        return "[%s](devices.md#%s)".formatted(device, Markdown.anchor(device));
+    }
+
+    private static String bridges() {
+        var table = new Markdown.Table("protocol", "", "first port");
+        Providers.byKey(BridgeProvider.class, BridgeProvider::key)
+                .values()
+                .forEach(bridge -> table.row(
+                        Markdown.code(bridge.key()),
+                        Markdown.text(bridge.description()),
+                        String.valueOf(bridge.defaultPort())));
+        return table.toString();
+    }
+
+    private static String models() {
+        var table = new Markdown.Table("model", "");
+        RobotModels.builtIn()
+                .forEach(name -> table.row(
+                        Markdown.code(name),
+                        Markdown.text(ShownPart.of(name).orElseThrow().title())));
+        return table.toString();
+    }
+
+    private static String maps() {
+        var table = new Markdown.Table("map", "");
+        Maps.builtIn()
+                .forEach(name -> table.row(
+                        Markdown.code(name), Markdown.text(ShownMap.of(name).size())));
+        return table.toString();
+    }
+}
