@@ -115,7 +115,7 @@ class TutorialIT {
     }
 
     /// Types all commands; what is shown below each must be among the lines that it prints.
-    private static void follow(String tutorial, Rsal rsal) throws Exception {
+    static void follow(String tutorial, Rsal rsal) throws Exception {
         int commands = 0;
         for (String console : blocks(tutorial, "console")) {
             String out = "";
@@ -149,8 +149,8 @@ class TutorialIT {
         return Files.readString(TUTORIALS.resolve(name));
     }
 
-    private static List<String> blocks(String tutorial, String language) {
-        return Pattern.compile("```" + language + "\n(.*?)```", Pattern.DOTALL)
+    static List<String> blocks(String tutorial, String language) {
+        return Pattern.compile("(?m)^```" + language + "\n(.*?)```", Pattern.DOTALL)
                 .matcher(tutorial)
                 .results()
                 .map((MatchResult block) -> block.group(1))
