@@ -62,6 +62,7 @@ import rsal.settings.Suggestion;
             DoctorCommand.class,
             BenchCommand.class,
             TestCommand.class,
+            DocsCommand.class,
             HelpCommand.class
         })
 public final class Main implements Runnable {

@@ -56,7 +56,9 @@ class LauncherIT {
             echo "$3 $4" >> "$2/../../builds"
             case "$3" in
                 ci) mkdir -p "$2/node_modules"; touch "$2/node_modules/.package-lock.json";;
-                run) mkdir -p "$2/dist"; touch "$2/dist/index.html";;
+                run)
+                    case "$2" in */docs/site) made="$2/../../target/site";; *) made="$2/dist";; esac
+                    mkdir -p "$made"; touch "$made/index.html";;
             esac
             """;
     private static final Duration PATIENCE = Duration.ofSeconds(10);
@@ -271,6 +273,19 @@ class LauncherIT {
                         .filter(line -> line.startsWith("page"))
                         .toList());
         assertThat(watched.out()).doesNotContain("page null");
+    }
+
+    @Test
+    void buildsTheDocumentationOnceAndSaysWhereItIs() throws Exception {
+        layOutPage("#!/bin/sh\n");
+        Path tools = Files.createDirectories(project.resolve("docs/site"));
+        Files.writeString(tools.resolve("package-lock.json"), "{}");
+        Ended built = run("docs");
+        Ended again = run("docs");
+        assertThat(built.code()).isZero();
+        assertThat(built.out()).isEqualTo(project.toRealPath().resolve("target/site") + "\n");
+        assertThat(again.out()).isEqualTo(built.out());
+        assertThat(builds()).containsExactly("ci --no-audit", "run build");
     }
 
     @Test
