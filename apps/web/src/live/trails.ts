@@ -2,7 +2,7 @@ import type { Frame } from './frame';
 
 /** How long a trail is [simulated s], and how far apart its points [m]. */
 const SECONDS = 30;
-const SPACING = 0.05;
+export const SPACING = 0.05;
 /** Who got farther than this between two frames [m], and faster than a robot drives [m/s], was put there. */
 const JUMP = 1;
 const FASTEST = 3;

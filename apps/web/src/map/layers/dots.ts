@@ -11,6 +11,7 @@ export class Dots {
   private matrix = [1, 0, 0, 1, 0, 0]; // from the map to the canvas' own pixels
   private side = 1;
   private strength = 255;
+  private last = -1; // where the dot before this one is
 
   /**
    * Begins anew.
@@ -33,14 +34,26 @@ export class Dots {
     this.matrix = [a, b, c, d, e, f]; // a DOMMatrix takes longer to read than a dot to set
     this.side = Math.max(1, Math.round(side * Math.hypot(a, b)));
     this.strength = Math.ceil(255 * strength);
+    this.last = -1;
   }
 
-  /** @param bgr as {@link bgrOf} gives it */
-  set(x: number, y: number, bgr: number) {
-    const { pixels, side, strength, width, height } = this;
+  /**
+   * Sets one, unless it is where the one before is.
+   *
+   * @param bgr as {@link bgrOf} gives it
+   * @param share of the strength
+   */
+  set(x: number, y: number, bgr: number, share = 1) {
+    const { pixels, side, width, height } = this;
     const [a, b, c, d, e, f] = this.matrix as [number, number, number, number, number, number];
     const left = Math.round(a * x + c * y + e - side / 2);
     const top = Math.round(b * x + d * y + f - side / 2);
+    const place = top * width + left;
+    if (place === this.last) {
+      return;
+    }
+    this.last = place;
+    const strength = this.strength * share;
     const right = Math.min(width, left + side);
     const bottom = Math.min(height, top + side);
     for (let row = Math.max(0, top); row < bottom; row++) {

@@ -1,7 +1,7 @@
 import type { RealDetails } from '../../api/messages';
 import { texts } from '../../texts';
 import { placeLabels, type Box } from '../labels';
-import type { Layer } from '../scene';
+import type { Layer, Scene } from '../scene';
 import { heightOf, radius } from './robots';
 
 const HEIGHT = 17;
@@ -34,45 +34,69 @@ function widthOf(context: CanvasRenderingContext2D, name: string, bold: boolean)
   return width;
 }
 
-/** Names of robots, each in a frame of its robot's color; in a crowd those for which there is room. */
-export const drawNames: Layer = (context, { info, poses, real, view, palette, selected }) => {
+/** A name, and where it stands to the middle of its robot [px]. */
+interface Label {
+  robot: number;
+  name: string;
+  bold: boolean;
+  box: Box;
+}
+
+let placed: { scene: Scene; labels: Label[] } | null = null;
+
+/** Between two frames names go along with their robots, at no cost. */
+function labelsOf(context: CanvasRenderingContext2D, scene: Scene): Label[] {
+  const before = placed?.scene;
+  const same =
+    before?.frame === scene.frame &&
+    before.view === scene.view &&
+    before.selected === scene.selected &&
+    before.info === scene.info &&
+    before.real === scene.real;
+  if (!placed || !same) {
+    placed = { scene, labels: place(context, scene) };
+  }
+  return placed.labels;
+}
+
+function place(context: CanvasRenderingContext2D, { info, poses, real, view, selected }: Scene): Label[] {
   const named = info.robots.flatMap((robot, i) => {
-    const { id, color, footprint } = robot;
     const pose = poses[i];
-    return pose
-      ? [
-          {
-            name: nameOf(id, real.get(i)),
-            color,
-            pose,
-            height: heightOf(robot, view.scale),
-            reach: radius(footprint, view.scale) * view.scale,
-            bold: i === selected,
-          },
-        ]
-      : [];
+    if (!pose) {
+      return [];
+    }
+    const name = nameOf(robot.id, real.get(i));
+    const bold = i === selected;
+    const width = widthOf(context, name, bold) + 2 * PADDING;
+    const { px, py } = view.toPixel(pose, heightOf(robot, view.scale));
+    const reach = radius(robot.footprint, view.scale) * view.scale;
+    return [{ robot: i, name, bold, x: px, y: py, reach, width, height: HEIGHT, first: bold }];
   });
+  const boxes = placeLabels(named);
+  return named.flatMap(({ robot, name, bold, x, y }, i) => {
+    const box = boxes[i];
+    return box ? [{ robot, name, bold, box: { ...box, x: box.x - x, y: box.y - y } }] : [];
+  });
+}
+
+/** Names of robots, each in a frame of its robot's color; in a crowd those for which there is room. */
+export const drawNames: Layer = (context, scene) => {
+  const { info, poses, view, palette } = scene;
   context.save();
   view.leave(context); // text stands upright and keeps its size
   context.textAlign = 'center';
   context.textBaseline = 'middle';
-  const boxes = placeLabels(
-    named.map(({ name, pose, height, reach, bold }) => {
-      const width = widthOf(context, name, bold) + 2 * PADDING;
-      const { px, py } = view.toPixel(pose, height);
-      return { x: px, y: py, reach, width, height: HEIGHT, first: bold };
-    }),
-  );
-  named.forEach(({ name, color, bold }, i) => {
-    const box = boxes[i];
-    if (!box) {
-      return;
+  for (const { robot, name, bold, box } of labelsOf(context, scene)) {
+    const pose = poses[robot];
+    if (pose) {
+      const { px, py } = view.toPixel(pose, heightOf(info.robots[robot]!, view.scale));
+      const [x, y] = [px + box.x, py + box.y];
+      drawFrame(context, { ...box, x, y }, info.robots[robot]!.color, palette.halo, bold);
+      context.font = font(bold);
+      context.fillStyle = palette.text;
+      context.fillText(name, x + box.width / 2, y + box.height / 2 + 0.5);
     }
-    drawFrame(context, box, color, palette.halo, bold);
-    context.font = font(bold);
-    context.fillStyle = palette.text;
-    context.fillText(name, box.x + box.width / 2, box.y + box.height / 2 + 0.5);
-  });
+  }
   context.restore();
 };
 

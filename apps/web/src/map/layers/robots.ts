@@ -23,42 +23,62 @@ export const HANDLE_PIXELS = 5;
 /** More robots than this are drawn as sprites while they are no larger than so [px]. */
 const MANY = 60;
 const SMALL = 24;
+/** How wide the lines around a robot are [px]. */
+const LINES = 4;
 
 const sprites = new Sprites();
 
 /** Robots as seen from above: outline and heading. */
 export const drawRobots: Layer = (context, scene) => {
+  const { info, frame, poses, selected } = scene;
+  const drawn = info.robots.length > MANY ? drawSprites(context, scene) : new Set<number>();
+  info.robots.forEach((_, i) => {
+    if (!poses[i]) {
+      return;
+    }
+    if (!drawn.has(i)) {
+      drawInState(context, scene, i);
+    }
+    if (frame.robots[i]!.stalled || i === selected) {
+      drawMarks(context, scene, i);
+    }
+  });
+};
+
+/**
+ * Draws robots that are small, and have nothing on them that changes.
+ *
+ * @returns those that are drawn, or out of sight
+ */
+function drawSprites(context: CanvasRenderingContext2D, scene: Scene): ReadonlySet<number> {
   const { info, poses, faded, view, palette } = scene;
   const { a, b, c, d, e, f } = context.getTransform();
   const { width, height } = context.canvas;
   const density = Math.hypot(a, b) / view.scale;
-  const many = info.robots.length > MANY;
+  const drawn = new Set<number>();
   sprites.begin(view, density, palette);
+  context.save();
+  context.resetTransform();
   info.robots.forEach((robot, i) => {
     const pose = poses[i];
-    if (!pose) {
+    const reach = radius(robot.footprint, view.scale) * view.scale + LINES;
+    if (!pose || reach > SMALL || robot.gripper || robot.light || faded.has(i)) {
       return;
     }
-    const reach = radius(robot.footprint, view.scale) * view.scale + 4; // with lines around it
+    drawn.add(i);
     const x = a * pose.x + c * pose.y + e;
     const y = b * pose.x + d * pose.y + f;
-    const room = 3 * reach * density; // for what is around it
-    if (x < -room || y < -room || x > width + room || y > height + room) {
-      return;
-    }
-    if (many && reach <= SMALL && !robot.gripper && !robot.light && !faded.has(i)) {
+    const room = reach * density;
+    if (x > -room && y > -room && x < width + room && y < height + room) {
       const sprite = sprites.of(robot, pose.heading, reach, (at, heading, seen) =>
         drawRobot(at, { x: 0, y: 0, heading }, robot, seen, palette),
       );
-      context.resetTransform();
       context.drawImage(sprite, Math.round(x - sprite.width / 2), Math.round(y - sprite.height / 2));
-      context.setTransform(a, b, c, d, e, f);
-    } else {
-      drawInState(context, scene, i);
     }
-    drawMarks(context, scene, i);
   });
-};
+  context.restore();
+  return drawn;
+}
 
 /** A robot, if it is there, as it is now. */
 export function drawInState(context: CanvasRenderingContext2D, scene: Scene, i: number) {
@@ -256,9 +276,16 @@ export function radius(footprint: number[][], scale: number): number {
   return size(footprint) * magnification(footprint, scale);
 }
 
+const sizes = new WeakMap<number[][], number>();
+
 /** Radius of a robot [m]. */
 export function size(footprint: number[][]): number {
-  return Math.max(...footprint.map(([x, y]) => Math.hypot(x!, y!)));
+  let known = sizes.get(footprint);
+  if (known === undefined) {
+    known = Math.max(...footprint.map(([x, y]) => Math.hypot(x!, y!)));
+    sizes.set(footprint, known);
+  }
+  return known;
 }
 
 function magnification(footprint: number[][], scale: number): number {

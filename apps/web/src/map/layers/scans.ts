@@ -45,14 +45,14 @@ export const drawScans: Layer = (context, { info, frame, view, selected }) => {
 
 /** Tells of each beam that measured something where it ended, in the laser's frame. */
 function eachBeam(scan: Scan, tell: (x: number, y: number, hit: boolean) => void) {
-  for (let beam = 0; beam < scan.ranges.length; beam++) {
-    const value = scan.ranges[beam]!;
-    if (value === TOO_CLOSE || value === BROKEN) {
-      continue;
+  let [cos, sin] = [Math.cos(scan.angleMin), Math.sin(scan.angleMin)];
+  const [cosStep, sinStep] = [Math.cos(scan.angleIncrement), Math.sin(scan.angleIncrement)];
+  for (const value of scan.ranges) {
+    if (value !== TOO_CLOSE && value !== BROKEN) {
+      const range = value === NOTHING ? scan.rangeMax : value * scan.unit;
+      tell(range * cos, range * sin, value !== NOTHING);
     }
-    const range = value === NOTHING ? scan.rangeMax : value * scan.unit;
-    const angle = scan.angleMin + beam * scan.angleIncrement;
-    tell(range * Math.cos(angle), range * Math.sin(angle), value !== NOTHING);
+    [cos, sin] = [cos * cosStep - sin * sinStep, sin * cosStep + cos * sinStep]; // to the next beam
   }
 }
 

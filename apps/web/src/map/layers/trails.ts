@@ -1,12 +1,50 @@
-import type { Layer } from '../scene';
+import { SPACING } from '../../live/trails';
+import type { Layer, Scene } from '../scene';
+import { bgrOf, Dots } from './dots';
+
+/** More trails than this are drawn as dots, while these stand so near that they are lines [px]. */
+const MANY = 60;
+const DOT = 2;
+
+const WEAKEST = 0.08;
+const STRONGEST = 0.48;
+
+/** How strong a trail is, of its newest point. */
+const fading = (share: number) => (WEAKEST + (STRONGEST - WEAKEST) * share) / STRONGEST;
+
+let dots: Dots | null = null; // made where there is a page
 
 /** A trail fades in so many steps. */
 const PIECES = 6;
 /** Points nearer than this are left out [px]. */
 const FINEST = 1.5;
 
-/** Where robots have been, fading with time; those of one color together, as single ones take long where robots are many. */
-export const drawTrails: Layer = (context, { info, trails, poses, view }) => {
+/** Where robots have been, fading with time. */
+export const drawTrails: Layer = (context, scene) => {
+  if (scene.info.robots.length > MANY && SPACING * scene.view.scale < DOT) {
+    drawDotted(context, scene);
+  } else {
+    drawLines(context, scene);
+  }
+};
+
+function drawDotted(context: CanvasRenderingContext2D, { info, trails, poses, view }: Scene) {
+  dots ??= new Dots();
+  dots.begin(context, DOT / view.scale, STRONGEST);
+  info.robots.forEach(({ color }, i) => {
+    const trail = trails.of(i);
+    if (trail && poses[i]) {
+      const bgr = bgrOf(color);
+      for (let at = 0; at < trail.x.length; at++) {
+        dots!.set(trail.x[at]!, trail.y[at]!, bgr, fading(at / trail.x.length));
+      }
+    }
+  });
+  dots.draw(context);
+}
+
+/** Those of one color together, as single ones take long where robots are many. */
+function drawLines(context: CanvasRenderingContext2D, { info, trails, poses, view }: Scene) {
   context.lineWidth = 2 / view.scale;
   context.lineCap = 'round';
   context.lineJoin = 'round';
@@ -44,9 +82,9 @@ export const drawTrails: Layer = (context, { info, trails, poses, view }) => {
           context.lineTo(pose.x, pose.y);
         }
       }
-      context.globalAlpha = 0.08 + (0.4 * piece) / PIECES;
+      context.globalAlpha = STRONGEST * fading(piece / PIECES);
       context.stroke();
     }
   }
   context.globalAlpha = 1;
-};
+}
