@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
+import { BROKEN, NOTHING, TOO_CLOSE } from '../../live/frame';
 import { ellipse } from './estimates';
 import { poolCells } from './floor';
 import { gridStep } from './grid';
 import { nameOf } from './names';
 import { handleOf, radius } from './robots';
-import { strengthOf } from './scans';
+import { eachBeam, strengthOf } from './scans';
 
 const footprint = [
   [-0.2, -0.2],
@@ -92,5 +93,34 @@ describe('cells that share a pixel', () => {
   it('are themselves when each has its own', () => {
     const cells = Uint8Array.of(free, wall, unknown, free);
     expect(poolCells(cells, 2, 2, 1)).toEqual(cells);
+  });
+});
+
+describe('beams of a scan', () => {
+  it('end where their angles and ranges say, and are left out where nothing was measured', () => {
+    const values = Array.from({ length: 1081 }, (_, i) => 500 + ((i * 37) % 5000));
+    values[3] = TOO_CLOSE;
+    values[4] = BROKEN;
+    values[5] = NOTHING;
+    const scan = {
+      baseFromLaser: { x: 0, y: 0, heading: 0 },
+      angleMin: -2.356,
+      angleIncrement: 0.00436,
+      rangeMax: 8,
+      unit: 0.001,
+      ranges: Uint16Array.from(values),
+    };
+    const ends: { x: number; y: number; hit: boolean }[] = [];
+    eachBeam(scan, (x, y, hit) => ends.push({ x, y, hit }));
+    const wanted = values.flatMap((value, i) => {
+      const angle = scan.angleMin + i * scan.angleIncrement;
+      const range = value === NOTHING ? 8 : value * 0.001;
+      return value === TOO_CLOSE || value === BROKEN
+        ? []
+        : [{ x: range * Math.cos(angle), y: range * Math.sin(angle), hit: value !== NOTHING }];
+    });
+    expect(ends.map(({ hit }) => hit)).toEqual(wanted.map(({ hit }) => hit));
+    const off = ends.map(({ x, y }, i) => Math.hypot(x - wanted[i]!.x, y - wanted[i]!.y));
+    expect(Math.max(...off)).toBeLessThan(1e-9);
   });
 });

@@ -44,7 +44,7 @@ export const drawScans: Layer = (context, { info, frame, view, selected }) => {
 };
 
 /** Tells of each beam that measured something where it ended, in the laser's frame. */
-function eachBeam(scan: Scan, tell: (x: number, y: number, hit: boolean) => void) {
+export function eachBeam(scan: Scan, tell: (x: number, y: number, hit: boolean) => void) {
   let [cos, sin] = [Math.cos(scan.angleMin), Math.sin(scan.angleMin)];
   const [cosStep, sinStep] = [Math.cos(scan.angleIncrement), Math.sin(scan.angleIncrement)];
   for (const value of scan.ranges) {
