@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
 final class Complaints extends Handler {
     private static final System.Logger LOG = System.getLogger("rsal.jason");
     private static final String BEGINS_ANEW = "*** ERROR in the transition system";
-    private static final List<String> TOLD_BETTER =
-            List.of("No fail", "Could not finish intention", "Error in internal action", "\n");
+    private static final List<String> TOLD_BETTER = List.of(
+            "No fail", "Could not finish intention", "Error in internal action", "Found a goal for which", "\n");
 
     private final String agent;
     private String last = "";
@@ -60,7 +60,7 @@ final class Complaints extends Handler {
             endless = true;
             return; // the agent fails with that
         }
-        if (cause == null && TOLD_BETTER.stream().anyMatch(words::startsWith)) {
+        if (TOLD_BETTER.stream().anyMatch(words::startsWith)) {
             return; // by the deliberation
         }
         if (words.startsWith(BEGINS_ANEW)) {

@@ -15,6 +15,7 @@ import jason.asSyntax.PlanBody;
 import jason.asSyntax.SourceInfo;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
+import jason.bb.BeliefBase;
 import jason.runtime.Settings;
 import jason.stdlib.fail_goal;
 import java.util.ArrayList;
@@ -57,11 +58,42 @@ final class Deliberation extends TransitionSystem {
     /// below it, and knows no intention without goals, as `.fail_goal` leaves them.
     @Override
     public @Nullable Event findEventForFailure(@Nullable Intention intention, Trigger failed) {
+        Event next = failureOf(intention, failed);
+        if (next == null) {
+            tellUnplanned(intention, failed);
+        }
+        return next;
+    }
+
+    private @Nullable Event failureOf(@Nullable Intention intention, Trigger failed) {
         if (intention == null || intention.isFinished()) {
             return super.findEventForFailure(Intention.EmptyInt, failed);
         }
         Event next = super.findEventForFailure(intention, failed);
         return next == null || failed.isAddition() || !isTried(intention, next.getTrigger()) ? next : null;
+    }
+
+    /// Says which goal had no plan and where it was set, when nobody has a plan for that failure either.
+    ///
+    /// @param intention that the goal is to be part of
+    @SuppressWarnings("ReferenceEquality") // that very goal, not one like it
+    private void tellUnplanned(@Nullable Intention intention, Trigger goal) {
+        Event selected = getC().getSelectedEvent();
+        boolean pursued =
+                intention != null && !intention.isFinished() && intention.peek().getTrigger() == goal;
+        if (selected != null && selected.getTrigger() == goal && goal.isGoal() && goal.isAddition() && !pursued) {
+            Literal literal = goal.getLiteral();
+            String which = Terms.written(literal.copy().clearAnnots());
+            String whence = literal.getSources().stream()
+                    .filter(source -> !source.equals(BeliefBase.ASelf))
+                    .findFirst()
+                    .map(source -> ", which (%s) asked for".formatted(Terms.unquoted(source.toString())))
+                    .orElseGet(() -> literal.getSrcInfo() == null ? "" : " at " + literal.getSrcInfo());
+            String words = getAg().getPL().hasCandidatePlan(goal)
+                    ? "No plan for goal (%s)%s applies now."
+                    : "There is no plan for goal (%s)%s.";
+            getLogger().warning(words.formatted(which, whence));
+        }
     }
 
     /// Whether as many plans for the failure of a goal are under way as there are such goals.

@@ -21,6 +21,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rsal.agent.Agent;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
@@ -838,6 +840,58 @@ class WrittenAgentTest extends RobotBench {
         assertThat(left).extracting(Mind.GoalView::name).containsExactly("wait[source(self)]");
         assertThat(left.getFirst().failure())
                 .isEqualTo("Goal (go) has failed, and so has the plan for that at a.asl:4: .fail.");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "+!go <- !helpp(1).           | There is no plan for goal (helpp(1)) at a.asl:2.",
+                "+!go <- !!helpp(1).          | There is no plan for goal (helpp(1)) at a.asl:2.",
+                "+!go <- ?helpp(1).           | Goal (go) has failed at a.asl:2: ?helpp(1) (Failed to test 'helpp(1)'). There is no plan for that.",
+                "+!gone.                      | There is no plan for goal (go) at a.asl:1.",
+                "+!go : no.                   | No plan for goal (go) at a.asl:1 applies now.",
+                "+!go <- !x(2). +!x(N) : N>2. | No plan for goal (x(2)) at a.asl:2 applies now.",
+            })
+    void aGoalWithoutAPlanIsToldWithItsPlace(String plans, String words) {
+        start("a", "!wait. !go.\n%s\n+!wait <- .wait(5000).".formatted(plans));
+        advance(1);
+        assertThat(failure("a")).isEqualTo(words);
+    }
+
+    @Test
+    void aGoalOfOthersWithoutAPlanIsToldWithWhoAskedForIt() {
+        start("a", "!wait.\n+!wait <- .wait(5000).");
+        start("amy", "!ask.\n+!ask <- .wait(10); .send(a, achieve, dance(2)).");
+        advance(1);
+        assertThat(failure("a")).isEqualTo("There is no plan for goal (dance(2)), which (amy) asked for.");
+    }
+
+    @Test
+    void aGoalWithAPlanForItsFailureIsNoMatterOfComplaint() {
+        start("a", "!wait. !go.\n-!go <- .print(\"no way\").\n+!wait <- .wait(5000).");
+        advance(1);
+        assertThat(states).contains("a: no way");
+        assertThat(failure("a")).isEmpty();
+    }
+
+    @Test
+    void whatGoesWrongInAnInternalActionIsToldOnceWithItsPlace() {
+        start("a", "!wait. !go.\n+!go <- .wait(\"a\", 5).\n+!wait <- .wait(5000).");
+        advance(1);
+        assertThat(failure("a"))
+                .startsWith("Goal (go) has failed at a.asl:2: .wait(\"a\",5)")
+                .doesNotContain("\n");
+    }
+
+    /// What the agent complained of last.
+    private String failure(String name) {
+        return society.look(name, Mind.View.class)
+                .orElseThrow()
+                .goals()
+                .getFirst()
+                .failure();
     }
 
     @Test
