@@ -453,6 +453,29 @@ class WrittenAgentTest extends RobotBench {
     }
 
     @Test
+    void agentsTakeBackWhatTheySaidAskForAllAndSignal() {
+        start("a", """
+                likes(tea). likes(milk).
+                +rain <- .print("rain").
+                -rain <- .print("dry").
+                +!dance <- .print("dances"); .wait(500); .print("has danced").
+                +greeting(N) <- .print("greeting ", N).
+                """);
+        start("amy", """
+                !talk.
+                +!talk
+                   <- .send(a, tell, rain); .wait(10); .send(a, untell, rain);
+                      .send(a, achieve, dance); .wait(10); .send(a, unachieve, dance);
+                      .send(a, askAll, likes(_), Likes); .length(Likes, N); .print(N);
+                      .send(a, signal, greeting(3)).
+                """);
+        advance(10);
+        assertThat(states)
+                .contains("a: rain", "a: dry", "a: dances", "a: greeting 3", "amy: 2")
+                .doesNotContain("a: has danced");
+    }
+
+    @Test
     void textsAreHeardAsTheyWereSaid() {
         start("amy", "+said(X) <- .print(X).");
         start("bob", "!go. +!go <- .send(amy, tell, said(\"one\\n\\\"two\\\" \\tthree\")).");
