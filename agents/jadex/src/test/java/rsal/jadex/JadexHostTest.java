@@ -45,8 +45,12 @@ class JadexHostTest extends AgentHostContract {
     @Override
     protected boolean endsLater(Thread thread) {
         return switch (thread.getClass().getName()) {
-            case "java.util.TimerThread" ->
-                due(thread).allMatch(task -> task.getClass().getName().startsWith(CLOCK + "$"));
+            case "java.util.TimerThread" -> {
+                List<Object> due = due(thread).toList();
+                yield !due.isEmpty()
+                        && due.stream()
+                                .allMatch(task -> task.getClass().getName().startsWith(CLOCK + "$"));
+            }
             default -> thread.getName().equals("process reaper");
         };
     }

@@ -572,6 +572,30 @@ public abstract class AgentHostContract extends ContractNetContract {
     }
 
     @Test
+    void aDutchAuctionEndsWithTheFirstWhoWantsIt() {
+        try (var run = run()) {
+            for (int i = 1; i <= 3; i++) {
+                int purse = 10 * i;
+                run.start(
+                        "bidder-" + i,
+                        self -> Auction.dutch(self, "sale", String.class).answer((_, price) -> price <= purse));
+            }
+            run.untilAllHaveBegun();
+            run.start(
+                    "seller",
+                    self -> Auction.dutch(self, "sale", String.class)
+                            .sell(
+                                    List.of("bidder-1", "bidder-2", "bidder-3"),
+                                    "vase",
+                                    new Auction.Prices(35, -10, 5),
+                                    Duration.ofSeconds(2), // for who must be woken on a busy machine
+                                    sale -> log.add(sale.winner().orElse("nobody") + " for " + sale.price())));
+            run.until("it is sold", () -> isLogged(1));
+        }
+        assertThat(log).containsExactly("bidder-3 for 25.0");
+    }
+
+    @Test
     void oneIsFoundByWhatItOffers() {
         try (var run = run()) {
             run.start("bob", self -> {

@@ -305,6 +305,61 @@ public abstract class ContractNetContract {
         assertThat(log).containsExactly("amy digs", "amy stops");
     }
 
+    @Test
+    void whoHagglesCallsAgain() {
+        try (var run = run()) {
+            haggler(run, "amy", 8);
+            haggler(run, "bob", 0);
+            run.untilAllHaveBegun();
+            run.start(
+                    "boss",
+                    self -> haggling(self).call(Set.of("amy", "bob"), 10, EVER, new Manager<>() {
+                        @Override
+                        public Verdict<Integer> decide(Round<Integer> round) {
+                            log.add("round %d: %d bids"
+                                    .formatted(round.number(), round.proposals().size()));
+                            return round.proposals().size() > 1
+                                    ? Verdict.again(10 - 2 * round.number())
+                                    : Verdict.award(round.proposals().getFirst());
+                        }
+
+                        @Override
+                        public void ended(Proposal<Integer> accepted, Ending<String> how) {
+                            log.add("%s: %s".formatted(accepted.from(), how));
+                        }
+                    }));
+            run.until("it is done", () -> isLogged(4));
+        }
+        assertThat(log)
+                .containsExactly(
+                        "round 1: 2 bids", "round 2: 2 bids", "round 3: 1 bids", "bob: Informed[result=for 6]");
+    }
+
+    private static ContractNet<Integer, Integer, String> haggling(AgentContext self) {
+        return ContractNet.iterated(self, "haggle", Integer.class, Integer.class, String.class);
+    }
+
+    /// @param least for which it works
+    private static void haggler(HostRun run, String name, int least) {
+        run.start(
+                name,
+                self -> haggling(self).answer(new Contractor<>() {
+                    @Override
+                    public void called(Call<Integer, Integer> call) {
+                        if (call.task() < least) {
+                            call.refuse("too little");
+                        } else {
+                            call.propose(call.task());
+                        }
+                    }
+
+                    @Override
+                    public void accepted(Contract<Integer, String> contract) {
+                        contract.inform("for " + contract.task());
+                    }
+                }));
+    }
+
     private static ContractNet<String, Double, String> net(AgentContext self) {
         return new ContractNet<>(self, "work", String.class, Double.class, String.class);
     }
