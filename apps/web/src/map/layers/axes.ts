@@ -1,4 +1,5 @@
 import type { Pose } from '../../live/frame';
+import { compose } from './frames';
 import type { Layer, Scene } from '../scene';
 import type { Pixel } from '../view';
 
@@ -44,16 +45,6 @@ export function axesOf({
     all.push({ name: 'estimate', pose: estimate.pose });
   }
   return all;
-}
-
-/** A pose in a frame that has a pose itself. */
-function compose(frame: Pose, { x, y, heading }: Pose): Pose {
-  const [cos, sin] = [Math.cos(frame.heading), Math.sin(frame.heading)];
-  return {
-    x: frame.x + cos * x - sin * y,
-    y: frame.y + sin * x + cos * y,
-    heading: frame.heading + heading,
-  };
 }
 
 /** Axes of frames, on the floor: x and y, with the frame's name at its origin. */

@@ -1,7 +1,7 @@
 import { BROKEN, NOTHING, TOO_CLOSE, type Pose, type Scan } from '../../live/frame';
 import type { Layer } from '../scene';
 import { bgrOf, Dots } from './dots';
-import { enter } from './frames';
+import { compose, enter } from './frames';
 
 /** So many scans upon each other leave the map under them to be seen. */
 const CLEAR = 5;
@@ -85,7 +85,7 @@ function drawScan(
 }
 
 function setHits(into: Dots, pose: Pose, scan: Scan, color: string) {
-  const laser = at(pose, scan.baseFromLaser);
+  const laser = compose(pose, scan.baseFromLaser);
   const [cos, sin] = [Math.cos(laser.heading), Math.sin(laser.heading)];
   const bgr = bgrOf(color);
   eachBeam(scan, (x, y, hit) => {
@@ -93,14 +93,4 @@ function setHits(into: Dots, pose: Pose, scan: Scan, color: string) {
       into.set(laser.x + cos * x - sin * y, laser.y + sin * x + cos * y, bgr);
     }
   });
-}
-
-/** A pose that is told in the frame of another, in that one's frame. */
-function at(frame: Pose, { x, y, heading }: Pose): Pose {
-  const [cos, sin] = [Math.cos(frame.heading), Math.sin(frame.heading)];
-  return {
-    x: frame.x + cos * x - sin * y,
-    y: frame.y + sin * x + cos * y,
-    heading: frame.heading + heading,
-  };
 }
