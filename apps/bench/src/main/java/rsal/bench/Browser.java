@@ -93,16 +93,30 @@ final class Browser implements AutoCloseable {
                             "--user-data-dir=" + profile)
                     .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                     .start();
-            URI address = address(process);
-            var asked = new ConcurrentHashMap<Integer, CompletableFuture<JsonNode>>();
-            WebSocket line = HttpClient.newHttpClient()
-                    .newWebSocketBuilder()
-                    .buildAsync(address, new Ear(asked))
-                    .join();
-            return new Browser(process, profile, line, asked);
+            try {
+                return reach(process, profile);
+            } catch (IOException | RuntimeException e) {
+                end(process);
+                throw e;
+            }
         } catch (IOException e) {
             throw new UncheckedIOException("The browser (%s) does not start.".formatted(program), e);
         }
+    }
+
+    private static Browser reach(Process process, Path profile) throws IOException {
+        URI address = address(process);
+        var asked = new ConcurrentHashMap<Integer, CompletableFuture<JsonNode>>();
+        WebSocket line = HttpClient.newHttpClient()
+                .newWebSocketBuilder()
+                .buildAsync(address, new Ear(asked))
+                .join();
+        return new Browser(process, profile, line, asked);
+    }
+
+    private static void end(Process process) {
+        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        process.destroyForcibly();
     }
 
     private static URI address(Process process) throws IOException {
@@ -169,8 +183,7 @@ final class Browser implements AutoCloseable {
     @Override
     public void close() {
         line.abort();
-        process.descendants().forEach(ProcessHandle::destroyForcibly);
-        process.destroyForcibly();
+        end(process);
         try {
             process.waitFor();
         } catch (InterruptedException _) {
