@@ -54,6 +54,7 @@ class LauncherIT {
     private static final String NPM = """
             #!/bin/sh
             echo "$3 $4" >> "$2/../../builds"
+            if [ -e "$2/broken" ]; then echo "npm error code EUSAGE"; yes "npm error" | head -n 40; exit 1; fi
             case "$3" in
                 ci) mkdir -p "$2/node_modules"; touch "$2/node_modules/.package-lock.json";;
                 run)
@@ -168,6 +169,20 @@ class LauncherIT {
     }
 
     @Test
+    void countsAStepThatBreaksWithoutATest() throws Exception {
+        Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
+        layOutPage("#!/bin/sh\n");
+        Files.createFile(layOutSite().resolve("broken"));
+
+        Ended ended = run("test");
+
+        assertThat(ended.code()).isEqualTo(1);
+        assertThat(ended.out().strip()).isEqualTo("2 passed, 1 failed");
+        assertThat(ended.err()).contains("Fetching the documentation's libraries failed", "npm error code EUSAGE\n");
+        assertThat(ended.err()).endsWith("rsal: FAILED a step without a test that failed, see above\n");
+    }
+
+    @Test
     void tellsANewScenariosTestWhereItIs() throws Exception {
         assertThat(run("new", "mine").out())
                 .contains("launcher " + project.toRealPath().resolve("rsal"));
@@ -278,8 +293,7 @@ class LauncherIT {
     @Test
     void buildsTheDocumentationOnceAndSaysWhereItIs() throws Exception {
         layOutPage("#!/bin/sh\n");
-        Path tools = Files.createDirectories(project.resolve("docs/site"));
-        Files.writeString(tools.resolve("package-lock.json"), "{}");
+        layOutSite();
         Ended built = run("docs");
         Ended again = run("docs");
         assertThat(built.code()).isZero();
@@ -302,6 +316,12 @@ class LauncherIT {
         Files.writeString(web.resolve("package-lock.json"), "{}");
         writeExecutable(folder.resolve("bin/node"), node);
         writeExecutable(folder.resolve("bin/npm"), NPM);
+    }
+
+    private Path layOutSite() throws IOException {
+        Path tools = Files.createDirectories(project.resolve("docs/site"));
+        Files.writeString(tools.resolve("package-lock.json"), "{}");
+        return tools;
     }
 
     @Test
