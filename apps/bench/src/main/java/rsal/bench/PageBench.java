@@ -16,9 +16,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
+import rsal.device.Subscription;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
@@ -43,18 +48,34 @@ final class PageBench implements Bench {
     private static final Duration WARM = Duration.ofSeconds(10);
     private static final Duration WINDOW = Duration.ofSeconds(10);
     private static final Duration LONGEST_FIRST = Duration.ofSeconds(60);
-    /// Counts what is drawn. A state is drawn when the page sends its receipt.
+    /// Counts what is drawn. A frame has been drawn when the page sends its receipt; it is a new state where the run's
+    /// time (`docs/reference/live-protocol.md`) is another one than in the frame before.
     private static final String COUNTERS = """
             globalThis.rsalStates = 0;
             globalThis.rsalFrames = 0;
             globalThis.rsalFirst = 0;
-            const send = WebSocket.prototype.send;
-            WebSocket.prototype.send = function (data) {
-              if (typeof data === 'string' && data.startsWith('{"frame"')) {
-                globalThis.rsalStates++;
-                globalThis.rsalFirst ||= performance.now();
+            const times = new Map();
+            let shown;
+            globalThis.WebSocket = class extends WebSocket {
+              constructor(...where) {
+                super(...where);
+                this.addEventListener('message', ({ data }) => {
+                  if (data instanceof ArrayBuffer) {
+                    const frame = new DataView(data);
+                    times.set(frame.getUint32(8, true), frame.getFloat64(16, true));
+                  }
+                });
               }
-              return send.call(this, data);
+              send(data) {
+                const number = JSON.parse(data).frame;
+                if (Number.isInteger(number)) {
+                  if (times.get(number) !== shown) globalThis.rsalStates++;
+                  shown = times.get(number);
+                  for (const before of times.keys()) if (before <= number) times.delete(before);
+                  globalThis.rsalFirst ||= performance.now();
+                }
+                super.send(data);
+              }
             };
             requestAnimationFrame(function draw() {
               globalThis.rsalFrames++;
@@ -159,8 +180,13 @@ final class PageBench implements Bench {
 
     private static Browser watching(Path program) {
         var browser = Browser.start(program);
-        browser.begin(COUNTERS);
-        return browser;
+        try {
+            browser.begin(COUNTERS);
+            return browser;
+        } catch (RuntimeException e) {
+            browser.close();
+            throw e;
+        }
     }
 
     /// @return after how long it had drawn the run [s]
@@ -236,20 +262,35 @@ final class PageBench implements Bench {
     /// @param cpu processor time of its own threads for a simulated second [s]
     private record Pace(double speed, double cpu) {
         private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+        private static final int PATIENCE_SECONDS = 10;
 
         /// Over the next [#WINDOW].
         static Pace of(LiveRun run) {
-            double cpu = threads();
             double time = time(run);
+            double cpu = threads();
             var watch = new Stopwatch();
             pause(WINDOW);
-            double wall = watch.wall();
             double simulated = time(run) - time;
+            double wall = watch.wall();
             return new Pace(simulated / wall, (threads() - cpu) / simulated);
         }
 
+        /// Now: the newest snapshot may be of half a second ago, when nobody looks.
         private static double time(LiveRun run) {
-            return run.snapshot().time().toNanos() * 1e-9;
+            var fresh = new CompletableFuture<Duration>();
+            Subscription looking =
+                    run.onSnapshot(() -> fresh.complete(run.snapshot().time()));
+            run.snapshot(); // asks for one
+            try {
+                return fresh.get(PATIENCE_SECONDS, TimeUnit.SECONDS).toNanos() * 1e-9;
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                throw new IllegalStateException("Interrupted while a run was looked at.", e);
+            } catch (ExecutionException | TimeoutException e) {
+                throw new IllegalStateException("The run does not go on.", e);
+            } finally {
+                looking.cancel();
+            }
         }
 
         /// Of all runs' threads [s]; there is one run.
