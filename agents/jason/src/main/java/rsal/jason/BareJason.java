@@ -122,7 +122,9 @@ public final class BareJason implements BareLanguage {
             system.finish(0, false, 0); // on a thread of its own
             try {
                 for (LocalAgArch agent : agents) {
-                    agent.getThread().join(PATIENCE);
+                    if (!agent.getThread().join(PATIENCE)) {
+                        throw new IllegalStateException("Agent (%s) does not end.".formatted(agent.getAgName()));
+                    }
                 }
             } catch (InterruptedException _) {
                 Thread.currentThread().interrupt();

@@ -15,8 +15,8 @@ record Load(double cpu, double rate) {
     /// @param pass lets time pass for them
     static Load of(LongSupplier count, Consumer<Duration> pass) {
         pass.accept(HostBench.WARM);
+        var watch = new Stopwatch(); // before they are asked, which takes a while on some systems: at the end, too
         long before = count.getAsLong();
-        var watch = new Stopwatch();
         pass.accept(HostBench.WINDOW);
         double cpu = watch.cpu();
         double wall = watch.wall();

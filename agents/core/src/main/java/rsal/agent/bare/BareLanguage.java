@@ -22,7 +22,7 @@ public interface BareLanguage {
     /// Starts a platform, in real time and on threads of its own. One at a time in a process.
     Platform start();
 
-    /// What agents do for benchmarks. Each counts in one belief what it has done.
+    /// What agents do for benchmarks. All but bidders count in one belief what they have done.
     enum Program {
         /// Counts one when it has begun, and does no more.
         BEGINNER,
@@ -44,7 +44,7 @@ public interface BareLanguage {
         /// @param agents what each does, by name, in the order in which they start
         void start(Map<String, Program> agents);
 
-        /// What an agent has counted so far, as it believes between two of its steps.
+        /// What an agent that counts has counted so far, as it believes between two of its steps.
         ///
         /// @throws IllegalStateException when it does not tell for seconds
         long count(String agent);
