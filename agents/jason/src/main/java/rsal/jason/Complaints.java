@@ -13,13 +13,15 @@ import org.jspecify.annotations.Nullable;
 final class Complaints extends Handler {
     private static final System.Logger LOG = System.getLogger("rsal.jason");
     private static final String BEGINS_ANEW = "*** ERROR in the transition system";
-    private static final List<String> TOLD_BETTER = List.of(
-            "No fail", "Could not finish intention", "Error in internal action", "Found a goal for which", "\n");
+    private static final String IN_ACTION = "Error in internal action";
+    private static final List<String> TOLD_BETTER =
+            List.of("No fail", "Could not finish intention", IN_ACTION, "Found a goal for which", "\n");
 
     private final String agent;
     private String last = "";
     private @Nullable String broken;
     private boolean endless;
+    private String inAction = "";
 
     /// @param agent its name
     Complaints(String agent) {
@@ -49,6 +51,15 @@ final class Complaints extends Handler {
         return endless;
     }
 
+    /// What an internal action threw since this was asked, in words; empty when nothing. What is no failure as Jason
+    /// has
+    /// them (a `JasonException`) is logged with its trace, too, as it may be a fault of the action.
+    String takeThrownInAction() {
+        String words = inAction;
+        inAction = "";
+        return words;
+    }
+
     @Override
     public void publish(LogRecord said) {
         if (said.getLevel().intValue() < java.util.logging.Level.WARNING.intValue()) {
@@ -59,6 +70,10 @@ final class Complaints extends Handler {
         if (cause instanceof StackOverflowError) {
             endless = true;
             return; // the agent fails with that
+        }
+        if (cause != null && words.startsWith(IN_ACTION)) {
+            inAction = cause.getMessage() == null ? cause.toString() : cause.getMessage();
+            LOG.log(Level.WARNING, () -> "Agent (%s): %s".formatted(agent, Terms.masked(words)), cause);
         }
         if (TOLD_BETTER.stream().anyMatch(words::startsWith)) {
             return; // by the deliberation

@@ -30,6 +30,7 @@ final class Deliberation extends TransitionSystem {
 
     private final AgArch architecture;
     private final transient List<Deadline> deadlines = new ArrayList<>();
+    private transient @Nullable Complaints complaints;
 
     /// @param size of the intention without the goal
     private record Deadline(Task task, Intention intention, int size) {
@@ -41,6 +42,12 @@ final class Deliberation extends TransitionSystem {
     Deliberation(Agent agent, Circumstance circumstance, AgArch architecture) {
         super(agent, circumstance, new Settings(), architecture);
         this.architecture = architecture;
+    }
+
+    /// To be told before the first cycle.
+    void complainTo(Complaints whom) {
+        complaints = whom;
+        setLogger(whom.logger());
     }
 
     @Override
@@ -109,14 +116,17 @@ final class Deliberation extends TransitionSystem {
         return failures >= goals;
     }
 
-    /// Says what has failed where, when nobody has a plan for that.
+    /// Says what has failed where, when nobody has a plan for that. Plans for it learn, too, what an internal action
+    /// threw; Jason leaves that out where it is no `JasonException`.
     @Override
     public boolean generateGoalDeletion(Intention intention, List<Term> annotations, Term reason)
             throws JasonException {
         IntendedMeans failed = intention.peek();
-        boolean goesOn = super.generateGoalDeletion(intention, annotations, reason);
+        String thrown = complaints == null ? "" : complaints.takeThrownInAction();
+        List<Term> about = thrown.isEmpty() ? annotations : JasonException.createBasicErrorAnnots("ia_failed", thrown);
+        boolean goesOn = super.generateGoalDeletion(intention, about, reason);
         if (!goesOn) {
-            getLogger().warning(words(failed, annotations));
+            getLogger().warning(words(failed, about));
         }
         return goesOn;
     }

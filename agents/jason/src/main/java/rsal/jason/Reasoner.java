@@ -22,6 +22,7 @@ final class Reasoner extends Agent {
     private final transient @Nullable Map<String, InternalAction> replaced;
     private final transient ArithFunction clock;
     private final Beliefs beliefs;
+    private final transient Deliberation deliberation;
 
     static {
         Quiet.make();
@@ -53,7 +54,7 @@ final class Reasoner extends Agent {
                 return millis.getAsLong();
             }
         };
-        new Deliberation(this, circumstance, architecture);
+        deliberation = new Deliberation(this, circumstance, architecture);
         this.beliefs = new Beliefs();
         setBB(beliefs);
         setPL(new Plans());
@@ -62,6 +63,11 @@ final class Reasoner extends Agent {
 
     Beliefs beliefs() {
         return beliefs;
+    }
+
+    /// To be told before the first cycle.
+    void complainTo(Complaints complaints) {
+        deliberation.complainTo(complaints);
     }
 
     @Override

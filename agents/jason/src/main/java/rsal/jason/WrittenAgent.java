@@ -69,7 +69,7 @@ final class WrittenAgent implements Agent {
                 new Reasoner(replaced, () -> self.scheduler().instant().toEpochMilli(), architecture, new Pending());
         life = new Life(self, complaints, reasoner, new Deeds(self, this), post, waits);
         TransitionSystem deliberation = reasoner.getTS();
-        deliberation.setLogger(complaints.logger());
+        reasoner.complainTo(complaints);
         deliberation.getC().addEventListener(waits);
         program.into(reasoner);
         reasoner.getInitialBels().replaceAll(this::set);

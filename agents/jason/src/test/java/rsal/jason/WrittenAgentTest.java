@@ -900,12 +900,20 @@ class WrittenAgentTest extends RobotBench {
     }
 
     @Test
-    void whatGoesWrongInAnInternalActionIsToldOnceWithItsPlace() {
-        start("a", "!wait. !go.\n+!go <- .wait(\"a\", 5).\n+!wait <- .wait(5000).");
+    void whatGoesWrongInAnInternalActionIsToldOnceWithItsPlaceAndWhy() {
+        start("a", "!wait. !go.\n+!go <- .map.get(5, key, X).\n+!wait <- .wait(5000).");
         advance(1);
         assertThat(failure("a"))
-                .startsWith("Goal (go) has failed at a.asl:2: .wait(\"a\",5)")
-                .doesNotContain("\n");
+                .startsWith("Goal (go) has failed at a.asl:2: .map.get(5,key,")
+                .contains(" (Cannot invoke ") // as the Java machine says it
+                .endsWith(" is null). There is no plan for that.");
+    }
+
+    @Test
+    void aPlanForAFailureLearnsWhatAnInternalActionThrew() {
+        start("a", "!go.\n+!go <- .map.get(5, key, X).\n-!go[error_msg(Why)] <- .print(Why).");
+        advance(1);
+        assertThat(states).anyMatch(state -> state.startsWith("a: Cannot invoke "));
     }
 
     /// What the agent complained of last.
