@@ -2,17 +2,25 @@ package rsal.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.BufferedReader;
+import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.net.http.WebSocket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -139,6 +147,39 @@ class RecordIT {
         assertThat(recording.get("result").get("outcome").asString()).isEqualTo("stopped");
     }
 
+    /// Who watches sees it as it is recorded, and changes neither.
+    @Test
+    void aRunThatIsWatchedIsRecordedAsAnyOther() throws Exception {
+        Ended alone = rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "20", "--json");
+        Process process = rsal.withPage()
+                .start("run --once --speed 10 --seed 7 --for 20 --json --record run.mcap --port 0".split(" ", -1));
+        var frames = new AtomicInteger();
+        try (var err = process.errorReader();
+                var client = HttpClient.newHttpClient()) {
+            URI page = page(err);
+            client.newWebSocketBuilder()
+                    .buildAsync(URI.create("ws://" + page.getAuthority() + "/api/live"), new WebSocket.Listener() {
+                        @Override
+                        public CompletionStage<?> onBinary(WebSocket line, ByteBuffer frame, boolean last) {
+                            frames.incrementAndGet();
+                            line.request(1);
+                            return CompletableFuture.completedFuture(null);
+                        }
+                    })
+                    .join();
+            String result = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertThat(JsonMapper.shared().readTree(result).get("eventHash"))
+                    .isEqualTo(json(alone).get("eventHash"));
+            client.shutdownNow();
+        } finally {
+            process.destroyForcibly().waitFor();
+        }
+        assertThat(frames).hasPositiveValue();
+        assertThat(rsal.run("replay", "run.mcap", "--verify").out())
+                .startsWith("The same: ")
+                .contains("20.00 s");
+    }
+
     /// The page of a recording: it can be looked at, and not be told anything; Ctrl-C ends it.
     @Test
     void aRecordingIsShownInThePage() throws Exception {
@@ -151,12 +192,7 @@ class RecordIT {
         for (String file : List.of("run.mcap", "cut.mcap")) {
             Process process = rsal.withPage().start("replay", file, "--port", "0");
             try (var err = process.errorReader()) {
-                String line = "";
-                while (!line.startsWith("Watch it at ")) {
-                    line = err.readLine();
-                    assertThat(line).as("tells the address").isNotNull();
-                }
-                URI url = URI.create(line.substring("Watch it at ".length()));
+                URI url = page(err);
                 assertThat(ask(url.resolve("/api/run"))
                                 .get("recording")
                                 .get("name")
@@ -178,6 +214,15 @@ class RecordIT {
                 process.destroyForcibly().waitFor();
             }
         }
+    }
+
+    private static URI page(BufferedReader err) throws IOException {
+        String line = "";
+        while (!line.startsWith("Watch it at ")) {
+            line = err.readLine();
+            assertThat(line).as("tells the address").isNotNull();
+        }
+        return URI.create(line.substring("Watch it at ".length()));
     }
 
     private static JsonNode ask(URI url) throws Exception {
