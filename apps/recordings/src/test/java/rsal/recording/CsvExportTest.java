@@ -1,0 +1,83 @@
+package rsal.recording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import rsal.recording.mcap.McapFile;
+
+class CsvExportTest {
+    private static final String SCENARIO = "find-and-collect";
+
+    @TempDir
+    Path folder;
+
+    @BeforeEach
+    void export() throws Exception {
+        Path recording = folder.resolve("run.mcap");
+        Recorded.run(Recorded.plan(SCENARIO, 1, 20), recording);
+        try (McapFile file = McapFile.open(recording)) {
+            var export = new CsvExport(file);
+            assertThat(export.write(folder).stream()
+                            .map(path -> path.getFileName().toString()))
+                    .containsExactlyElementsOf(export.names());
+        }
+    }
+
+    @Test
+    void eachParticleIsARow() throws Exception {
+        List<Map<String, String>> rows = table("explorer-1.particles.csv");
+        assertThat(rows.getFirst().keySet()).containsExactly("log_time_s", "frame_id", "x", "y", "heading", "weight");
+        Map<String, Double> weights = new LinkedHashMap<>(); // of all at once
+        rows.forEach(row -> weights.merge(row.get("log_time_s"), Double.parseDouble(row.get("weight")), Double::sum));
+        assertThat(weights).hasSizeGreaterThan(5);
+        assertThat(weights.values()).allSatisfy(sum -> assertThat(sum).isCloseTo(1, within(1e-3)));
+    }
+
+    @Test
+    void eachPointOfAPathIsARow() throws Exception {
+        List<Map<String, String>> rows = table("explorer-1.path.csv");
+        assertThat(rows.getFirst().keySet()).containsExactly("log_time_s", "frame_id", "point", "x", "y");
+        List<Map<String, String>> points =
+                rows.stream().filter(row -> !row.get("point").isEmpty()).toList();
+        assertThat(points).isNotEmpty();
+        for (int i = 1; i < points.size(); i++) {
+            Map<String, String> before = points.get(i - 1);
+            Map<String, String> here = points.get(i);
+            boolean isSamePath = before.get("log_time_s").equals(here.get("log_time_s"));
+            assertThat(here.get("point"))
+                    .isEqualTo(isSamePath ? Integer.toString(Integer.parseInt(before.get("point")) + 1) : "0");
+        }
+    }
+
+    @Test
+    void stateHasARowForEachRobotAndNothingThatIsNoNumberOrWordIsWritten() throws Exception {
+        List<Map<String, String>> rows = table("state.csv");
+        assertThat(rows).extracting(row -> row.get("robots.id")).contains("collector-1", "collector-2");
+        assertThat(folder.resolve("world.csv")).doesNotExist();
+        assertThat(folder.resolve("things.csv")).doesNotExist();
+    }
+
+    private List<Map<String, String>> table(String name) throws Exception {
+        List<String> lines = Files.readAllLines(folder.resolve(name));
+        String[] columns = lines.getFirst().split(",", -1);
+        var rows = new ArrayList<Map<String, String>>();
+        for (String line : lines.subList(1, lines.size())) {
+            String[] cells = line.split(",", -1);
+            var row = new LinkedHashMap<String, String>();
+            for (int i = 0; i < columns.length; i++) {
+                row.put(columns[i], i < cells.length ? cells[i] : "");
+            }
+            rows.add(row);
+        }
+        return rows;
+    }
+}
