@@ -77,6 +77,7 @@ export interface ConfigurationInfo {
 
 export interface Details {
   run: number;
+  whole: boolean;
   ending: Ending | null;
   robots: RobotDetails[];
   agents: AgentDetails[];

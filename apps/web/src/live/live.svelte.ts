@@ -10,6 +10,7 @@ import type {
   ServerMessage,
 } from '../api/messages';
 import { connect, type Listener } from './connection';
+import { merged } from './details';
 import { withShades } from '../shades';
 import { marksAmong } from '../timeline/marks';
 import { decodeFrame, type Frame } from './frame';
@@ -81,7 +82,7 @@ class Live implements Listener {
     } else if (message.things) {
       this.things = this.things.after(message.things);
     } else if (message.details) {
-      this.details = message.details;
+      this.details = merged(this.details, message.details);
     } else if (message.events) {
       const { events } = message.events;
       const most = this.recording ? MOST_RECORDED_EVENTS : MOST_EVENTS;

@@ -259,6 +259,7 @@ final class Descriptions {
     static Details details(int number, Snapshot snapshot, CompletableFuture<RunResult> result) {
         return new Details(
                 number,
+                true,
                 ending(result),
                 snapshot.robots().stream().map(Descriptions::robot).toList(),
                 snapshot.agents().stream().map(Descriptions::agent).toList());

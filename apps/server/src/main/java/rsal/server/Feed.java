@@ -22,8 +22,13 @@ interface Feed {
     /// What of the world is no robot; the same until something comes or goes.
     Roster things();
 
-    /// [Messages.Details] as JSON.
-    String details();
+    /// Of the details, from 1; 0 while there are none.
+    long detailsVersion();
+
+    /// [Messages.Details] as JSON, as far as they are others than in a version that the viewer has.
+    ///
+    /// @param known that version; 0 for none
+    String details(long known);
 
     /// As [FrameEncoder] writes it; not to be changed.
     byte[] frame();

@@ -39,7 +39,7 @@ final class History implements Past {
         Duration newest = moments.isEmpty() ? null : moments.getLast().time();
         boolean due =
                 newest == null || time.compareTo(newest.plus(spacing)) >= 0 || (last && time.compareTo(newest) > 0);
-        var moment = new Moment(time, feed.things(), feed.details(), feed.frame());
+        var moment = new Moment(time, feed.things(), feed.details(0), feed.frame());
         if (last && time.equals(newest) && !moments.getLast().details().equals(moment.details())) {
             bytes -= bytes(moments.size() > 1 ? moments.get(moments.size() - 2) : null, moments.removeLast());
             due = true; // how it ended is known a little later

@@ -18,6 +18,8 @@ final class Looking implements Feed {
     private Moment moment;
     private byte[] frame = {};
     private long sequence;
+    private String details = "";
+    private long detailsVersion;
 
     /// From the beginning on.
     Looking(Past past) {
@@ -86,6 +88,10 @@ final class Looking implements Feed {
 
     /// The moment's frame, but for what depends on the viewer.
     private void show() {
+        if (!moment.details().equals(details)) {
+            details = moment.details();
+            detailsVersion++;
+        }
         frame = moment.frame().clone();
         ByteBuffer header = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
         int flags = (header.getInt(FrameEncoder.FLAGS_AT) & ~FrameEncoder.PAUSED) | FrameEncoder.PAST;
@@ -121,8 +127,14 @@ final class Looking implements Feed {
     }
 
     @Override
-    public String details() {
-        return moment.details();
+    public long detailsVersion() {
+        return detailsVersion;
+    }
+
+    /// All of them: moments that one jumps between have little in common.
+    @Override
+    public String details(long known) {
+        return details;
     }
 
     @Override

@@ -220,8 +220,10 @@ final class Messages {
 
     /// What changes now and then.
     ///
+    /// @param whole whether these are all robots and agents; else those that are new or others than before
     /// @param ending once the run is over
-    record Details(int run, Optional<Ending> ending, List<RobotDetails> robots, List<AgentDetails> agents) {}
+    record Details(
+            int run, boolean whole, Optional<Ending> ending, List<RobotDetails> robots, List<AgentDetails> agents) {}
 
     /// @param outcome as in [rsal.scenario.run.RunResult]; `broken` when the run itself failed
     /// @param measures by name (`captureTime`; `distance.prey-1` of those per robot); `null` where there was none

@@ -21,7 +21,7 @@ final class RunFeed implements Feed {
     private final FrameEncoder encoder = new FrameEncoder();
     private long looks;
     private long shown = -1; // sequence of the snapshot
-    private String details = "";
+    private final Changes details = new Changes();
     private byte[] frame = {};
     private Snapshot seen;
     private long sequence;
@@ -53,10 +53,8 @@ final class RunFeed implements Feed {
         }
         surveyor.look(snapshot.things());
         if (looks++ % LOOKS_PER_DETAILS == 0) {
-            String before = details;
-            details = Json.write(ServerMessage.of(Descriptions.details(
-                    run.number(), snapshot, run.run().result().toCompletableFuture())));
-            changed |= !details.equals(before);
+            changed |= details.take(Descriptions.details(
+                    run.number(), snapshot, run.run().result().toCompletableFuture()));
         }
         if (changed) {
             shown = snapshot.sequence();
@@ -102,8 +100,13 @@ final class RunFeed implements Feed {
     }
 
     @Override
-    public String details() {
-        return details;
+    public long detailsVersion() {
+        return details.version();
+    }
+
+    @Override
+    public String details(long known) {
+        return details.since(known);
     }
 
     @Override

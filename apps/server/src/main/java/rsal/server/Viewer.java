@@ -48,7 +48,7 @@ final class Viewer {
     private final Deque<Long> framesUnderWay = new ArrayDeque<>();
     private int run; // 0 is none
     private long newestFrame;
-    private String details = "";
+    private long details; // their version; 0 is none
     private int robots;
     private final Set<Integer> things = new HashSet<>(); // their numbers
     private @Nullable Roster told; // all of it
@@ -102,7 +102,8 @@ final class Viewer {
             looking = live == null ? new Looking(past) : null;
         }
         if (looking != before) {
-            newestFrame = 0; // frames are counted anew
+            newestFrame = 0; // frames and details are counted anew
+            details = 0;
         }
     }
 
@@ -155,9 +156,9 @@ final class Viewer {
         if (newestFrame >= feed.sequence() || framesUnderWay.size() == FRAMES) {
             return;
         }
-        if (!details.equals(feed.details())) {
-            details = feed.details();
-            send(Kind.DETAILS, details);
+        if (details != feed.detailsVersion()) {
+            send(Kind.DETAILS, feed.details(details));
+            details = feed.detailsVersion();
         }
         if (newestFrame > 0) {
             counts.skipped(feed.sequence() - newestFrame - 1);
@@ -177,7 +178,7 @@ final class Viewer {
         run = feed.number();
         framesUnderWay.clear();
         newestFrame = 0;
-        details = "";
+        details = 0;
         robots = feed.robots();
         things.clear();
         told = null;

@@ -190,7 +190,13 @@ class HistoryTest {
         }
 
         @Override
-        public String details() {
+        public long detailsVersion() {
+            return tenth + 1L;
+        }
+
+        @Override
+        public String details(long known) {
+            assertThat(known).as("moments have all details").isZero();
             return "details of " + tenth;
         }
 

@@ -91,7 +91,7 @@ class RecordedPastTest {
                 played.pass(Duration.ofMillis(100));
                 Moment sought = past.at(played.time());
                 assertThat(robotsOf(sought.frame())).isEqualTo(robotsOf(played.frame()));
-                assertThat(sought.details()).isEqualTo(played.details());
+                assertThat(sought.details()).isEqualTo(played.details(0));
                 past.at(Duration.ofMillis(random.nextInt(20_000)));
             }
         }
@@ -123,7 +123,7 @@ class RecordedPastTest {
             assertThat(time(fast)).isEqualTo(5);
             assertThat(flags(fast) & FrameEncoder.PAUSED).isNotZero();
             assertThat(flags(fast) & FrameEncoder.ENDED).isNotZero();
-            assertThat(fast.details()).contains("\"ending\":{\"outcome\":\"limit\"");
+            assertThat(fast.details(0)).contains("\"ending\":{\"outcome\":\"limit\"");
             for (double nowhere : new double[] {-7, 1e300, Double.NaN, Double.NEGATIVE_INFINITY}) {
                 assertThat(time(Looking.at(past, wish(nowhere, 0, true, "1"), Duration.ZERO)))
                         .isBetween(0.0, 5.0);

@@ -48,7 +48,7 @@ class ViewerTest {
         line.takeAll();
         viewer.received(frame(1));
         viewer.offer(feed(1, 9, 0));
-        assertThat(line.takeAll()).containsExactly("details of 9", "frame 9");
+        assertThat(line.takeAll()).containsExactly("details of 9 since 2", "frame 9");
     }
 
     @Test
@@ -157,7 +157,7 @@ class ViewerTest {
         robots = 5;
         viewer.offer(feed(1, 2, 0));
         viewer.offer(feed(1, 2, 0));
-        assertThat(line.takeAll()).containsExactly("robots from 2", "details of 2", "frame 2");
+        assertThat(line.takeAll()).containsExactly("robots from 2", "details of 2 since 1", "frame 2");
         viewer.offer(feed(2, 1, 0));
         assertThat(line.takeAll()).containsExactly("run 2", "details of 1", "frame 1");
     }
@@ -230,8 +230,13 @@ class ViewerTest {
             }
 
             @Override
-            public String details() {
-                return "details of " + frame;
+            public long detailsVersion() {
+                return frame;
+            }
+
+            @Override
+            public String details(long known) {
+                return "details of " + frame + (known == 0 ? "" : " since " + known);
             }
 
             @Override
