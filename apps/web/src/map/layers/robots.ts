@@ -56,7 +56,9 @@ function drawSprites(context: CanvasRenderingContext2D, scene: Scene): ReadonlyS
   const { width, height } = context.canvas;
   const density = Math.hypot(a, b) / view.scale;
   const drawn = new Set<number>();
-  sprites.begin(view, density, palette);
+  if (!sprites.begin(view, density, palette)) {
+    return drawn;
+  }
   context.save();
   context.resetTransform();
   info.robots.forEach((robot, i) => {

@@ -20,15 +20,30 @@ export class Sprites {
   private palette: Palette | null = null;
   private density = 1;
 
-  /** What follows is seen so; what was made for another view is forgotten. */
-  begin(view: View, density: number, palette: Palette) {
-    const same = view.scale === this.view.scale && view.turn === this.view.turn;
-    if (!same || palette !== this.palette || density !== this.density) {
-      this.made.clear();
+  /**
+   * What follows is seen so. Pictures for another view are forgotten; none are worth making while each is looked at
+   * once, as when the map is zoomed.
+   *
+   * @returns whether it is seen as it was before, so that pictures pay
+   */
+  begin(view: View, density: number, palette: Palette): boolean {
+    const same =
+      view.scale === this.view.scale &&
+      view.turn === this.view.turn &&
+      palette === this.palette &&
+      density === this.density;
+    if (!same) {
+      this.forget();
     }
     this.view = view;
     this.palette = palette;
     this.density = density;
+    return same;
+  }
+
+  private forget() {
+    this.made.forEach((headings) => headings.forEach((picture) => picture.close()));
+    this.made.clear();
   }
 
   /**
