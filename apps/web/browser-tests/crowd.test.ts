@@ -110,6 +110,18 @@ describe.skipIf(!chromium)('a crowd of robots', () => {
     }
   });
 
+  it('has links of the one that is selected, as all would be too many', async () => {
+    const hint = page.getByText('So many robots');
+    await page.getByRole('button', { name: 'Links', exact: true }).click();
+    await hint.waitFor();
+    await page.keyboard.press('1');
+    await hint.waitFor({ state: 'detached' });
+    await page.keyboard.press('Escape');
+    await hint.waitFor();
+    await page.getByRole('button', { name: 'Links', exact: true }).click();
+    await hint.waitFor({ state: 'detached' });
+  });
+
   it('leaves the page accessible', async () => {
     const { violations } = await new AxeBuilder({ page }).analyze();
     expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);

@@ -4,6 +4,7 @@ import type {
   Addition,
   AgentInside,
   Drive,
+  Links,
   MapInfo,
   Mistake,
   Motors,
@@ -50,6 +51,8 @@ export const api = {
   /** @param time of a recording [s of the run] */
   agent: (name: string, time: number | null = null) =>
     found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}`),
+  /** @param robot that is chosen, of many; empty for none */
+  links: (robot: string) => about<Links>('links', robot),
   topics: () => found<Topics>('topics'),
   scenarios: () => found<Scenarios>('scenarios'),
   scenarioPicture: (id: string) => `/api/scenarios/picture?scenario=${encodeURIComponent(id)}`,

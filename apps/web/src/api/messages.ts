@@ -178,6 +178,20 @@ export interface LightInfo {
   color: string;
 }
 
+export interface LinkInfo {
+  one: string;
+  other: string;
+  there: boolean;
+  back: boolean;
+  saidThere: boolean;
+  saidBack: boolean;
+}
+
+export interface Links {
+  links: LinkInfo[];
+  ofChosen: boolean;
+}
+
 export interface LookBack {
   live: boolean | null;
   time: number | null;

@@ -3,6 +3,7 @@ import { drawCones } from './layers/cones';
 import { drawDraft } from './layers/drafts';
 import { drawEstimates } from './layers/estimates';
 import { drawGoals } from './layers/goals';
+import { drawLinks } from './layers/links';
 import { drawNames } from './layers/names';
 import { drawParticles } from './layers/particles';
 import { drawPaths } from './layers/paths';
@@ -24,6 +25,7 @@ export type Switchable =
   | 'paths'
   | 'goals'
   | 'estimates'
+  | 'links'
   | 'axes'
   | 'names';
 
@@ -43,6 +45,7 @@ const lying: Ordered = [
 
 /** What is drawn over that, again and again between two frames: what stands there and moves, and what is said of it. */
 const bodies: Ordered = [
+  ['links', drawLinks],
   [null, drawMovedThings],
   [null, drawRobots],
 ];
@@ -56,7 +59,10 @@ const above: Ordered = [
   [null, drawTape],
 ];
 /** In an oblique view they are drawn by their depth. */
-const obliqueBodies: Ordered = [[null, drawStanding]];
+const obliqueBodies: Ordered = [
+  ['links', drawLinks],
+  [null, drawStanding],
+];
 
 class Layers {
   shown = $state<Record<Switchable, boolean>>({
@@ -69,6 +75,7 @@ class Layers {
     paths: true,
     goals: true,
     estimates: true,
+    links: false,
     axes: false,
     names: true,
   });

@@ -1,4 +1,4 @@
-import type { RealDetails, RunInfo } from '../api/messages';
+import type { LinkInfo, RealDetails, RunInfo } from '../api/messages';
 import type { Frame, MovedThing, Pose } from '../live/frame';
 import type { Things } from '../live/things';
 import type { Trails } from '../live/trails';
@@ -27,6 +27,8 @@ export interface Scene {
   /** Things that are elsewhere than was told, by number. */
   moved: ReadonlyMap<number, MovedThing>;
   trails: Trails;
+  /** Which robots hear each other, while that is shown. */
+  links: readonly LinkInfo[];
   view: View;
   palette: Palette;
   selected: number | null;

@@ -110,6 +110,10 @@ final class Api {
         routes.get(
                 "/api/communication",
                 request -> answerWhenDone(request, running().communication()));
+        routes.get("/api/links", request -> {
+            String robot = request.queryParam("robot");
+            answerWhenDone(request, running().links(robot == null ? "" : robot));
+        });
         routes.get("/api/topics", request -> answerWhenDone(request, running().topics()));
         routes.get("/api/agent", request -> {
             String name = request.queryParam("name");
@@ -370,6 +374,7 @@ final class Api {
                         case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));
                         case Answer.Counted(var topics) -> answer(request, Descriptions.topics(topics));
                         case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");
+                        case Answer.Linked linked -> answer(request, Descriptions.links(linked));
                         case Answer.Seen(var agent) -> answer(request, Descriptions.inside(agent));
                         case Answer.Refused(String why) -> throw new Refusal(409, why);
                     }

@@ -21,6 +21,7 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.AgentView;
+import rsal.scenario.run.Answer;
 import rsal.scenario.run.DeviceView;
 import rsal.scenario.run.Hearing;
 import rsal.scenario.run.Inside;
@@ -47,6 +48,8 @@ import rsal.server.Messages.Ending;
 import rsal.server.Messages.EventInfo;
 import rsal.server.Messages.GoalInfo;
 import rsal.server.Messages.HearingInfo;
+import rsal.server.Messages.LinkInfo;
+import rsal.server.Messages.Links;
 import rsal.server.Messages.MailInfo;
 import rsal.server.Messages.MapInfo;
 import rsal.server.Messages.MeasureInfo;
@@ -145,6 +148,20 @@ final class Descriptions {
 
     static Communication communication(List<Hearing> all) {
         return new Communication(hearings(all));
+    }
+
+    static Links links(Answer.Linked told) {
+        return new Links(
+                told.links().stream()
+                        .map(link -> new LinkInfo(
+                                link.one(),
+                                link.other(),
+                                link.there().open(),
+                                link.back().open(),
+                                link.there().used(),
+                                link.back().used()))
+                        .toList(),
+                told.ofChosen());
     }
 
     static Topics topics(List<TopicTraffic> all) {

@@ -421,6 +421,19 @@ final class Messages {
     /// Who heard what so far in a run that limits communication; else nothing. Of more than 10,000 pairs the sums only.
     record Communication(List<HearingInfo> communication) {}
 
+    /// Which robots' agents hear each other now. Where nothing limits that, all do, and those are told that spoke.
+    ///
+    /// @param ofChosen whether there are so many robots that only links of the one asked for are told
+    record Links(List<LinkInfo> links, boolean ofChosen) {}
+
+    /// @param one id of a robot
+    /// @param other likewise
+    /// @param there whether agents of the other would hear, but for chance, what those of the one say
+    /// @param back the other way
+    /// @param saidThere whether they heard something within the last second
+    /// @param saidBack the other way
+    record LinkInfo(String one, String other, boolean there, boolean back, boolean saidThere, boolean saidBack) {}
+
     /// What was said so far, by topic.
     record Topics(List<TopicInfo> topics) {}
 

@@ -91,6 +91,21 @@ class CommunicationApiTest {
     }
 
     @Test
+    void tellsWhichRobotsHearEachOther() throws Exception {
+        advanceTo(5);
+        JsonNode told = get("/api/links?robot=nobody");
+        assertThat(told.get("ofChosen").asBoolean()).isFalse();
+        assertThat(each(told.get("links")))
+                .extracting(link ->
+                        link.get("one").asString() + " " + link.get("other").asString())
+                .containsExactlyInAnyOrder("courier-1 courier-2", "courier-1 prey", "courier-2 prey");
+        assertThat(each(told.get("links")))
+                .allMatch(link ->
+                        link.get("there").asBoolean() && link.get("back").asBoolean())
+                .noneMatch(link -> link.get("saidThere").asBoolean()); // nobody had looked
+    }
+
+    @Test
     void tellsWhatAnAgentTalksAboutInOrder() throws Exception {
         advanceTo(10);
         JsonNode spread = get("/api/agent?name=spread");
@@ -196,7 +211,7 @@ class CommunicationApiTest {
 
     @Test
     void openToNobodyElsesPages() throws Exception {
-        for (String path : new String[] {"/api/communication", "/api/topics", "/api/agent?name=evade"}) {
+        for (String path : new String[] {"/api/communication", "/api/topics", "/api/links", "/api/agent?name=evade"}) {
             assertThat(RawHttp.get(port, path, "Host: example.org").status()).isEqualTo(421);
             assertThat(RawHttp.get(port, path, host, "Origin: http://example.org")
                             .status())
@@ -211,7 +226,7 @@ class CommunicationApiTest {
     void refusedWhenTheRunIsOver() throws Exception {
         server.run().stop();
         server.run().result().toCompletableFuture().join();
-        for (String path : new String[] {"/api/communication", "/api/topics", "/api/agent?name=evade"}) {
+        for (String path : new String[] {"/api/communication", "/api/topics", "/api/links", "/api/agent?name=evade"}) {
             Response response = RawHttp.get(port, path, host);
             assertThat(response.status()).isEqualTo(409);
             assertThat(response.body()).contains("The run is over.");
@@ -242,5 +257,6 @@ class CommunicationApiTest {
         assertThat(run.inside("evade").toCompletableFuture().join()).isInstanceOf(Answer.Seen.class);
         assertThat(run.inside("spread").toCompletableFuture().join()).isInstanceOf(Answer.Seen.class);
         assertThat(run.communication().toCompletableFuture().join()).isInstanceOf(Answer.Heard.class);
+        assertThat(run.links("").toCompletableFuture().join()).isInstanceOf(Answer.Linked.class);
     }
 }

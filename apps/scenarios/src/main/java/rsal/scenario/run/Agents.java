@@ -1,8 +1,10 @@
 package rsal.scenario.run;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,6 +13,7 @@ import java.util.stream.Collectors;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentSpec;
+import rsal.agent.Directory;
 import rsal.agent.Message;
 import rsal.agent.Society;
 import rsal.agent.Turns;
@@ -59,6 +62,8 @@ final class Agents implements AutoCloseable {
     private final Conversations conversations = new Conversations();
     private final Talks talks;
     private final Mailboxes mailboxes;
+    private final Links links;
+    private Optional<Radio> radio = Optional.empty();
     private Optional<Society> society = Optional.empty();
     private boolean closed;
 
@@ -82,6 +87,7 @@ final class Agents implements AutoCloseable {
         this.traffic = traffic;
         this.talks = new Talks(scheduler.instant());
         this.mailboxes = new Mailboxes(scheduler.instant());
+        this.links = new Links(scheduler, this::robotOf);
         this.turns = turns;
     }
 
@@ -96,15 +102,16 @@ final class Agents implements AutoCloseable {
         agents.reserve(Topics.ALL);
         agents.onMessage(this::heard);
         agents.onChange(this::changed);
-        agents.deliverBy(new Post(plan.communication().map(this::radio), faults, traffic, mailboxes));
+        radio = plan.communication().map(this::radio);
+        agents.deliverBy(new Post(radio, faults, traffic, mailboxes, links));
     }
 
     private Radio radio(Communication limits) {
-        return new Radio(
-                limits,
-                plan.map(),
-                this::robotOf,
-                robot -> where.mapFromBase(robot).map(pose -> new Point2d(pose.x(), pose.y())));
+        return new Radio(limits, plan.map(), this::robotOf, this::place);
+    }
+
+    private Optional<Point2d> place(String robot) {
+        return where.mapFromBase(robot).map(pose -> new Point2d(pose.x(), pose.y()));
     }
 
     /// Empty when it has none.
@@ -232,6 +239,45 @@ final class Agents implements AutoCloseable {
                         Optional.of(mailboxes.of(name)),
                         talks.of(name),
                         traffic.hearings(name)));
+    }
+
+    /// Which robots' agents hear each other. Where nothing is limited, and all hear all, only what is used is told.
+    ///
+    /// @param chosen id of the robot whose links are told when there are many robots; maybe of none
+    /// @param now in real time [ns]
+    Answer links(String chosen, long now) {
+        var speakers = new LinkedHashMap<String, List<String>>(); // names of those who run, by robot
+        for (Directory.Entry agent : society.orElseThrow().directory().agents()) {
+            if (!agent.robot().isEmpty()) {
+                speakers.computeIfAbsent(agent.robot(), _ -> new ArrayList<>()).add(agent.name());
+            }
+        }
+        var places = new HashMap<String, Optional<Point2d>>();
+        speakers.keySet().forEach(robot -> places.put(robot, place(robot)));
+        return links.look(
+                speakers.keySet(),
+                chosen,
+                (from, to) -> radio.filter(way -> way.reaches(
+                                        places.getOrDefault(from, Optional.empty()),
+                                        places.getOrDefault(to, Optional.empty()))
+                                && hears(
+                                        way,
+                                        speakers.getOrDefault(from, List.of()),
+                                        speakers.getOrDefault(to, List.of())))
+                        .isPresent(),
+                now);
+    }
+
+    /// Whether anybody of those in range would be heard by one of the others.
+    private boolean hears(Radio way, List<String> senders, List<String> listeners) {
+        return senders.stream()
+                .filter(sender -> way.sends(sender, scheduler.instant()))
+                .anyMatch(sender -> listeners.stream().anyMatch(listener -> !faults.blocks(sender, listener)));
+    }
+
+    /// @param now in real time [ns]
+    void beat(long now) {
+        links.beat(now);
     }
 
     /// What those believe and want that show it, by name.

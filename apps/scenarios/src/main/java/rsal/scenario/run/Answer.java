@@ -44,6 +44,14 @@ public sealed interface Answer {
 
     record Seen(Inside agent) implements Answer {}
 
+    /// @param links between robots that have agents; each pair once, those that hear nothing of each other left out
+    /// @param ofChosen whether there are too many robots to tell more than those of one
+    record Linked(List<Link> links, boolean ofChosen) implements Answer {
+        public Linked {
+            links = List.copyOf(links);
+        }
+    }
+
     /// @param why a sentence for people
     record Refused(String why) implements Answer {}
 }

@@ -81,6 +81,11 @@ final class Faults {
         return mishaps.isSilent(agent);
     }
 
+    /// Whether all that an agent says to another is lost now.
+    boolean blocks(String sender, String listener) {
+        return mishaps.blocks(sender, listener);
+    }
+
     /// From now on things go wrong; some maybe at once.
     void begin() {
         for (PlannedFault fault : plan.faults()) {

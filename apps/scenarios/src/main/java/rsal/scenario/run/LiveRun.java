@@ -270,6 +270,15 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.inside(agent));
     }
 
+    /// Which robots' agents hear each other now, as [Answer.Linked]. Looking changes nothing in the run, but costs it a
+    /// little for the seconds after: what is heard meanwhile is noted.
+    ///
+    /// @param chosen the robot whose links are told when there are more than 50 robots; empty, or unknown, for none
+    public CompletionStage<Answer> links(String chosen) {
+        long now = handClock.getAsLong();
+        return ask(stage -> stage.links(chosen, now));
+    }
+
     /// Offers the robots to others, until the run ends, those that come later, too. Who has them over the bridge drives
     /// them like their agents: what people want comes first.
     ///
@@ -502,7 +511,7 @@ public final class LiveRun implements AutoCloseable {
         }
         if (stage != null && stage.isReady()) {
             requests.take();
-            stage.orders().beat(handClock.getAsLong());
+            stage.beat(handClock.getAsLong());
         }
     }
 

@@ -64,6 +64,18 @@ final class Mishaps implements Delivery {
         return silent.contains(agent);
     }
 
+    /// Whether all that an agent says to another is lost now, whatever it is about.
+    boolean blocks(String sender, String listener) {
+        return isSilent(sender)
+                || isSilent(listener)
+                || active.stream()
+                        .map(each -> each.messages)
+                        .anyMatch(messages -> messages.mishap() instanceof Mishap.Lost
+                                && messages.share() >= 1
+                                && messages.topics().isEmpty()
+                                && messages.concerns("", sender, listener));
+    }
+
     @Override
     public List<Duration> copies(Message<?> message, String listener) {
         List<Duration> copies = AT_ONCE;

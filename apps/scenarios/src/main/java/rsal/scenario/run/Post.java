@@ -14,13 +14,15 @@ final class Post implements Delivery {
     private final Faults faults;
     private final Traffic traffic;
     private final Mailboxes mailboxes;
+    private final Links links;
 
     /// @param radio empty when all hear all
-    Post(Optional<Radio> radio, Faults faults, Traffic traffic, Mailboxes mailboxes) {
+    Post(Optional<Radio> radio, Faults faults, Traffic traffic, Mailboxes mailboxes, Links links) {
         this.radio = radio;
         this.faults = faults;
         this.traffic = traffic;
         this.mailboxes = mailboxes;
+        this.links = links;
     }
 
     @Override
@@ -51,6 +53,7 @@ final class Post implements Delivery {
     public void heard(Message<?> message, String listener) {
         traffic.heard(message, listener);
         mailboxes.heard(message, listener);
+        links.heard(message, listener);
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
@@ -96,6 +97,26 @@ final class Radio implements Delivery {
         return limits.loss() > 0 && random.nextDouble() < limits.loss();
     }
 
+    /// Whether what an agent says now would be sent in time, and reach somebody who is in range, but for chance.
+    /// Remembers nothing, so that who looks changes nothing.
+    boolean sends(String agent, Instant now) {
+        Instant ready = free.getOrDefault(agent, now);
+        return limits.loss() < 1 && Duration.between(now, ready).compareTo(PATIENCE) <= 0;
+    }
+
+    /// Whether robots are in range of each other; empty where nobody knows where one is. Remembers nothing, either.
+    boolean reaches(Optional<Point2d> one, Optional<Point2d> other) {
+        return one.isEmpty()
+                || other.isEmpty()
+                || isNear(one.get(), other.get(), () -> !walls.standBetween(one.get(), other.get()));
+    }
+
+    /// @param sight whether no wall is between them; takes a while
+    private boolean isNear(Point2d one, Point2d other, BooleanSupplier sight) {
+        double distance = one.distanceTo(other);
+        return distance <= limits.behindWalls() || (distance <= limits.range() && sight.getAsBoolean());
+    }
+
     /// How long a message waits until its sender has sent what it said before; empty when that is too long. The same
     /// for all who listen, who are asked for one after the other.
     @SuppressWarnings("ReferenceEquality") // two may say the same
@@ -136,9 +157,9 @@ final class Radio implements Delivery {
         if (one.isEmpty() || other.isEmpty()) {
             return true;
         }
-        double distance = one.get().distanceTo(other.get());
-        return distance <= limits.behindWalls()
-                || (distance <= limits.range()
-                        && sights.computeIfAbsent(Pair.of(from, to), _ -> !walls.standBetween(one.get(), other.get())));
+        return isNear(
+                one.get(),
+                other.get(),
+                () -> sights.computeIfAbsent(Pair.of(from, to), _ -> !walls.standBetween(one.get(), other.get())));
     }
 }

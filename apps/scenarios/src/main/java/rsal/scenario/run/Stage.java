@@ -236,6 +236,19 @@ final class Stage implements AutoCloseable {
                 .orElseGet(() -> new Answer.Refused("There is no agent (%s).".formatted(agent)));
     }
 
+    /// @param now in real time [ns]
+    Answer links(String chosen, long now) {
+        return agents.links(chosen, now);
+    }
+
+    /// Looks after what people began and did not end.
+    ///
+    /// @param now in real time [ns]
+    void beat(long now) {
+        orders.beat(now);
+        agents.beat(now);
+    }
+
     /// What went wrong with each, by name.
     Map<String, String> failedAgents() {
         return agents.failed();

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rsal.data.Pose2d;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.scenario.run.Link.Way;
 
 @Timeout(120)
 class CommunicationTest {
@@ -136,6 +137,75 @@ class CommunicationTest {
         Answer answer = run.communication().toCompletableFuture().get(10, TimeUnit.SECONDS);
         assertThat(answer).isInstanceOf(Answer.Heard.class);
         return ((Answer.Heard) answer).communication();
+    }
+
+    @Test
+    void robotsThatHearEachOtherAreLinked() throws Exception {
+        try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
+            assertThat(links(run)).isEmpty();
+            run.place("west", new Pose2d(4, 6, 0));
+            run.place("east", new Pose2d(8, 6, 0)).toCompletableFuture().get(10, TimeUnit.SECONDS);
+            assertThat(links(run))
+                    .containsExactly(new Link("west", "east", new Way(true, false), new Way(true, false)));
+            run.step();
+            run.step();
+            recorded(run, 10.1);
+            assertThat(links(run)).containsExactly(new Link("west", "east", new Way(true, true), new Way(true, true)));
+        }
+    }
+
+    @Test
+    void whomNobodyHearsHearsTheOthersAllTheSame() throws Exception {
+        try (var run = stopped("""
+                communication: {range: 100}
+                faults: [{kind: lost, from: amy}]
+                """)) {
+            recorded(run, 9);
+            assertThat(links(run))
+                    .containsExactly(new Link("west", "east", new Way(false, false), new Way(true, false)));
+        }
+    }
+
+    @Test
+    void whoHasMoreToSayThanTheBandwidthAllowsIsNotHeard() throws Exception {
+        try (var run = stopped("communication: {bandwidth: 0.1}\n")) {
+            recorded(run, 9);
+            assertThat(links(run)).isEmpty();
+        }
+    }
+
+    @Test
+    void whereNothingIsLimitedOnlyWhatIsUsedIsALink() throws Exception {
+        try (var run = stopped("")) {
+            recorded(run, 9);
+            assertThat(links(run)).isEmpty();
+            run.step();
+            recorded(run, 10);
+            assertThat(links(run))
+                    .containsExactly(new Link("west", "east", new Way(false, true), new Way(false, true)));
+        }
+    }
+
+    private static List<Link> links(LiveRun run) throws Exception {
+        Answer answer = run.links("").toCompletableFuture().get(10, TimeUnit.SECONDS);
+        assertThat(answer).isInstanceOf(Answer.Linked.class);
+        return ((Answer.Linked) answer).links();
+    }
+
+    @Test
+    void lookingForLinksChangesNothing() throws Exception {
+        String limits = "communication: {range: 9, behindWalls: 4.5, loss: 0.3, delay: [0, 0.5], bandwidth: 9}\n";
+        String unseen = Runs.result(plan(limits)).eventHash();
+        try (var run = LiveRun.start(plan(limits, RunOptions.NONE.withSpeed(1)))) {
+            run.pause();
+            for (int i = 0; i < 100; i++) {
+                run.step();
+                links(run);
+            }
+            run.speed(Double.POSITIVE_INFINITY);
+            run.resume();
+            assertThat(Runs.result(run).eventHash()).isEqualTo(unseen);
+        }
     }
 
     @Test
