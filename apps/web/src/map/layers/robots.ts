@@ -31,14 +31,12 @@ const sprites = new Sprites();
 /** Robots as seen from above: outline and heading. */
 export const drawRobots: Layer = (context, scene) => {
   const { info, frame, poses, selected } = scene;
-  const drawn = info.robots.length > MANY ? drawSprites(context, scene) : new Set<number>();
+  const draw = drawerOf(context, scene);
   info.robots.forEach((_, i) => {
     if (!poses[i]) {
       return;
     }
-    if (!drawn.has(i)) {
-      drawInState(context, scene, i);
-    }
+    draw(i);
     if (frame.robots[i]!.stalled || i === selected) {
       drawMarks(context, scene, i);
     }
@@ -46,40 +44,42 @@ export const drawRobots: Layer = (context, scene) => {
 };
 
 /**
- * Draws robots that are small, and have nothing on them that changes.
+ * What draws robots of a scene by their numbers: where they are many, and small, by copying pictures of them.
  *
- * @returns those that are drawn, or out of sight
+ * @returns it tells whether it has copied one
  */
-function drawSprites(context: CanvasRenderingContext2D, scene: Scene): ReadonlySet<number> {
-  const { info, poses, faded, view, palette } = scene;
+export function drawerOf(context: CanvasRenderingContext2D, scene: Scene): (i: number) => boolean {
+  const { info, view, palette } = scene;
   const { a, b, c, d, e, f } = context.getTransform();
-  const { width, height } = context.canvas;
-  const density = Math.hypot(a, b) / view.scale;
-  const drawn = new Set<number>();
-  if (!sprites.begin(view, density, palette)) {
-    return drawn;
+  const density = Math.sqrt(Math.abs(a * d - b * c) / view.squeeze) / view.scale;
+  if (info.robots.length <= MANY || !sprites.begin(view, density, palette)) {
+    return (i) => {
+      drawInState(context, scene, i);
+      return false;
+    };
   }
-  context.save();
-  context.resetTransform();
-  info.robots.forEach((robot, i) => {
-    const pose = poses[i];
+  return (i) => {
+    const pose = scene.poses[i];
+    const robot = info.robots[i]!;
     const reach = radius(robot.footprint, view.scale) * view.scale + LINES;
-    if (!pose || reach > SMALL || robot.gripper || robot.light || faded.has(i)) {
-      return;
+    if (!pose || reach > SMALL || robot.gripper || robot.light || scene.faded.has(i)) {
+      drawInState(context, scene, i); // something on it changes, or it is large enough to be looked at
+      return false;
     }
-    drawn.add(i);
-    const x = a * pose.x + c * pose.y + e;
-    const y = b * pose.x + d * pose.y + f;
-    const room = reach * density;
-    if (x > -room && y > -room && x < width + room && y < height + room) {
-      const sprite = sprites.of(robot, pose.heading, reach, (at, heading, seen) =>
-        drawRobot(at, { x: 0, y: 0, heading }, robot, seen, palette),
-      );
-      context.drawImage(sprite, Math.round(x - sprite.width / 2), Math.round(y - sprite.height / 2));
+    const room = reach + heightOf(robot, view.scale) * view.rise * view.scale;
+    const sprite = sprites.of(robot, pose.heading, room, (at, heading, seen) =>
+      drawRobot(at, { x: 0, y: 0, heading }, robot, seen, palette),
+    );
+    const left = Math.round(a * pose.x + c * pose.y + e - sprite.width / 2);
+    const top = Math.round(b * pose.x + d * pose.y + f - sprite.height / 2);
+    const { width, height } = context.canvas;
+    if (left > -sprite.width && top > -sprite.height && left < width && top < height) {
+      context.resetTransform();
+      context.drawImage(sprite, left, top);
+      context.setTransform(a, b, c, d, e, f);
     }
-  });
-  context.restore();
-  return drawn;
+    return true;
+  };
 }
 
 /** A robot, if it is there, as it is now. */

@@ -29,8 +29,8 @@ describe('sprites', () => {
 
   afterEach(() => vi.unstubAllGlobals());
 
-  const seen = (sprites: Sprites, scale: number, turn = 0) =>
-    sprites.begin(new View(scale, 0, 0, { turn, oblique: false }), 1, palette);
+  const seen = (sprites: Sprites, scale: number, turn = 0, oblique = false) =>
+    sprites.begin(new View(scale, 0, 0, { turn, oblique }), 1, palette);
 
   it('do not pay while each frame has another scale, or another turn', () => {
     const sprites = new Sprites();
@@ -39,6 +39,8 @@ describe('sprites', () => {
     expect(seen(sprites, 21)).toBe(true);
     expect(seen(sprites, 21, 0.1)).toBe(false);
     expect(seen(sprites, 21, 0.1)).toBe(true);
+    expect(seen(sprites, 21, 0.1, true)).toBe(false);
+    expect(seen(sprites, 21, 0.1, true)).toBe(true);
   });
 
   it('are made once for each direction, and closed when they are of no more use', () => {
@@ -49,10 +51,13 @@ describe('sprites', () => {
       sprites.of(robot, heading, 10, draw);
     }
     expect(draw).toHaveBeenCalledTimes(2);
+    expect(draw.mock.lastCall![2]).toMatchObject({ scale: 20, oblique: false });
     expect(open).toBe(2);
     seen(sprites, 20);
     expect(open).toBe(2);
-    seen(sprites, 30);
+    seen(sprites, 30, 0, true);
     expect(open).toBe(0);
+    sprites.of(robot, 0, 10, draw);
+    expect(draw.mock.lastCall![2]).toMatchObject({ scale: 30, oblique: true });
   });
 });

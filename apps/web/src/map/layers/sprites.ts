@@ -30,6 +30,7 @@ export class Sprites {
     const same =
       view.scale === this.view.scale &&
       view.turn === this.view.turn &&
+      view.oblique === this.view.oblique &&
       palette === this.palette &&
       density === this.density;
     if (!same) {
@@ -64,11 +65,11 @@ export class Sprites {
   }
 
   private make(heading: number, reach: number, draw: Draw): ImageBitmap {
-    const { scale, turn } = this.view;
+    const { scale, turn, oblique } = this.view;
     const half = Math.ceil(reach * this.density);
     const canvas = new OffscreenCanvas(2 * half, 2 * half);
     const context = canvas.getContext('2d')!;
-    const view = new View(scale, half / this.density, half / this.density, { turn, oblique: false });
+    const view = new View(scale, half / this.density, half / this.density, { turn, oblique });
     context.scale(this.density, this.density);
     view.enter(context);
     draw(context, heading, view);

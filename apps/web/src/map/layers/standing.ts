@@ -1,5 +1,5 @@
 import type { Layer } from '../scene';
-import { drawInState, drawMarks, heightOf, radius } from './robots';
+import { drawerOf, drawMarks, heightOf, radius } from './robots';
 import { drawThing, movedThings, top } from './things';
 
 /** What is hidden shines through what hides it. */
@@ -7,17 +7,22 @@ const HIDING = 0.7;
 
 /**
  * In an oblique view, what moves: robots, and things that were moved, the farthest first. What stands before them is
- * drawn over them alone, to be seen through, so that no robot is out of sight.
+ * drawn over them alone, to be seen through, so that no robot is out of sight; not over small ones where they are many,
+ * which are drawn larger than they are: it would take most of the time, and be a few pixels.
  */
 export const drawStanding: Layer = (context, scene) => {
   const { info, poses, view, palette, uprights } = scene;
   const { up } = view;
+  const drawRobot = drawerOf(context, scene);
   const bodies = movedThings(scene).map((thing) => ({
     depth: thing.pose.x * up.x + thing.pose.y * up.y,
     place: thing.pose,
     reach: thing.reach,
     height: top(thing),
-    draw: () => drawThing(context, thing, view, palette),
+    draw: (): boolean => {
+      drawThing(context, thing, view, palette);
+      return false;
+    },
   }));
   info.robots.forEach((robot, i) => {
     const pose = poses[i];
@@ -28,14 +33,14 @@ export const drawStanding: Layer = (context, scene) => {
         place: pose,
         reach: radius(robot.footprint, view.scale),
         height: heightOf(robot, view.scale),
-        draw: () => drawInState(context, scene, i),
+        draw: () => drawRobot(i),
       });
     }
   });
   bodies.sort((a, b) => b.depth - a.depth);
   for (const { place, reach, height, draw } of bodies) {
-    draw();
-    if (uprights) {
+    const isSmall = draw();
+    if (uprights && !isSmall) {
       context.globalCompositeOperation = 'source-atop';
       context.globalAlpha = HIDING;
       uprights.drawBefore(context, place, reach, height, view, palette);
