@@ -133,6 +133,51 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await eventually(async () => Promise.resolve(asked.includes('/api/agent')), 'it asks');
   });
 
+  it('takes words from the operator, and says so in the events', async () => {
+    const page = await open(1400, 900, 'light');
+    await look(page, 'evade');
+    await agent(page, 'evade').getByRole('button', { name: 'Say…' }).click();
+    await page.getByLabel('Topic', { exact: true }).selectOption('pose');
+    await page.getByLabel('mapFromBase').fill('1 2');
+    await page.getByLabel('robot', { exact: true }).fill('courier-1');
+    await page.getByLabel('role', { exact: true }).fill('courier');
+    await page.getByRole('button', { name: 'Say it' }).click();
+    await page.getByText('Field (mapFromBase) takes x, y [m] and heading [°]').waitFor();
+    await picture(page, 'say-light');
+    await isAccessible(page);
+    await page.getByLabel('mapFromBase').fill('1 2 90');
+    await page.getByRole('button', { name: 'Say it' }).click();
+    await page.getByText('says on pose: courier-1 is at (1.00, 2.00, 90°)').first().waitFor();
+  });
+
+  it('are stopped, started again, and joined by others like them', async () => {
+    const page = await open(1400, 900, 'dark');
+    await look(page, 'spread');
+    const spread = agent(page, 'spread');
+    await spread.getByRole('button', { name: 'Stop it' }).click();
+    await spread.getByRole('button', { name: 'Start it again' }).click();
+    await spread.getByRole('button', { name: 'Stop it' }).waitFor();
+    await page.getByText('started again').first().waitFor();
+    await look(page, 'nav-1');
+    await agent(page, 'nav-1').getByRole('button', { name: 'Another like it' }).click();
+    await page.getByLabel('For robot').selectOption('prey');
+    await picture(page, 'another-dark');
+    await isAccessible(page);
+    await page.getByRole('button', { name: 'Start', exact: true }).click();
+    await agent(page, 'nav-3').getByRole('button', { name: 'Stop it' }).click();
+    await agent(page, 'nav-3').getByRole('button', { name: 'Start it again' }).waitFor();
+    expect(await page.getByText('started, like nav-1, for prey').count()).toBeGreaterThan(0);
+  });
+
+  it('are left alone by who may only watch', async () => {
+    context = await browser!.newContext();
+    const page = await context.newPage();
+    await page.goto(rsal.origin);
+    await look(page, 'evade');
+    await agent(page, 'evade').getByText(/^Arguments/).waitFor();
+    expect(await agent(page, 'evade').getByRole('button', { name: 'Stop it' }).count()).toBe(0);
+  });
+
   it('shows the arguments of an agent, and which are not the default', async () => {
     const page = await open(1400, 900, 'light');
     await look(page, 'evade');

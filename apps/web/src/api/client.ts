@@ -2,6 +2,7 @@ import type {
   Abilities,
   Added,
   Addition,
+  AgentAddition,
   AgentInside,
   Drive,
   Links,
@@ -17,6 +18,8 @@ import type {
   Restart,
   RobotPose,
   RunInfo,
+  Sayables,
+  Saying,
   Scenarios,
   Topics,
 } from './messages';
@@ -53,6 +56,11 @@ export const api = {
     found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}`),
   /** @param robot that is chosen, of many; empty for none */
   links: (robot: string) => about<Links>('links', robot),
+  sayable: () => found<Sayables>('sayable'),
+  say: (wish: Saying) => post('say', wish),
+  addAgent: (wish: AgentAddition) => post('add-agent', wish) as Promise<Added>,
+  startAgent: (name: string) => post('start-agent', { name }),
+  stopAgent: (name: string) => post('stop-agent', { name }),
   topics: () => found<Topics>('topics'),
   scenarios: () => found<Scenarios>('scenarios'),
   scenarioPicture: (id: string) => `/api/scenarios/picture?scenario=${encodeURIComponent(id)}`,

@@ -21,6 +21,11 @@ export interface Addition {
   heading: number;
 }
 
+export interface AgentAddition {
+  like: string;
+  robot: string;
+}
+
 export interface AgentDetails {
   name: string;
   role: string;
@@ -43,6 +48,10 @@ export interface AgentInside {
   mail: MailInfo[] | null;
   talks: TalkInfo[];
   hearings: HearingInfo[];
+}
+
+export interface AgentName {
+  name: string;
 }
 
 export interface ArgumentInfo {
@@ -138,6 +147,14 @@ export interface Fact {
   value: string;
   color: string | null;
 }
+
+export interface FieldInfo {
+  name: string;
+  kind: FieldKind;
+  choices: string[];
+}
+
+export type FieldKind = 'WORDS' | 'NUMBER' | 'CHOICE' | 'PLACE' | 'PLACES' | 'POSE';
 
 export interface GoalInfo {
   name: string;
@@ -398,6 +415,21 @@ export interface SaidInfo {
   conversation: string;
   protocol: string;
   act: string;
+}
+
+export interface SayableInfo {
+  topic: string;
+  fields: FieldInfo[];
+}
+
+export interface Sayables {
+  sayable: SayableInfo[];
+}
+
+export interface Saying {
+  to: string;
+  topic: string;
+  fields: Record<string, string>;
 }
 
 export interface ScenarioInfo {

@@ -36,6 +36,8 @@ import rsal.scenario.run.Snapshot;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Added;
 import rsal.server.Messages.Addition;
+import rsal.server.Messages.AgentAddition;
+import rsal.server.Messages.AgentName;
 import rsal.server.Messages.Drive;
 import rsal.server.Messages.Motors;
 import rsal.server.Messages.Order;
@@ -46,6 +48,7 @@ import rsal.server.Messages.Removal;
 import rsal.server.Messages.Restart;
 import rsal.server.Messages.RobotPose;
 import rsal.server.Messages.RunInfo;
+import rsal.server.Messages.Saying;
 import rsal.server.Messages.Speed;
 import rsal.server.Page.Asset;
 
@@ -114,6 +117,7 @@ final class Api {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running().links(robot == null ? "" : robot));
         });
+        routes.get("/api/sayable", request -> answer(request, Descriptions.sayable(LiveRun.sayable())));
         routes.get("/api/topics", request -> answerWhenDone(request, running().topics()));
         routes.get("/api/agent", request -> {
             String name = request.queryParam("name");
@@ -166,6 +170,26 @@ final class Api {
         command(routes, "behavior", request -> {
             Order wish = read(request, Order.class);
             answerWhenDone(request, running().behave(wish.robot(), wish.behavior()));
+        });
+        command(routes, "add-agent", request -> {
+            AgentAddition wish = read(request, AgentAddition.class);
+            answerWhenDone(request, running().addAgent(wish.like(), wish.robot()));
+        });
+        command(
+                routes,
+                "start-agent",
+                request -> answerWhenDone(
+                        request,
+                        running().startAgent(read(request, AgentName.class).name())));
+        command(
+                routes,
+                "stop-agent",
+                request -> answerWhenDone(
+                        request,
+                        running().stopAgent(read(request, AgentName.class).name())));
+        command(routes, "say", request -> {
+            Saying wish = read(request, Saying.class);
+            answerWhenDone(request, running().say(wish.to(), wish.topic(), wish.fields()));
         });
         command(routes, "estop", request -> answerWhenDone(request, running().estop()));
         command(routes, "rearm", request -> answerWhenDone(request, running().rearm()));

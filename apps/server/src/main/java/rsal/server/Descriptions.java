@@ -31,6 +31,7 @@ import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Said;
+import rsal.scenario.run.Sayable;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
 import rsal.scenario.run.TopicTraffic;
@@ -46,6 +47,8 @@ import rsal.server.Messages.DeviceDetails;
 import rsal.server.Messages.DrawnMap;
 import rsal.server.Messages.Ending;
 import rsal.server.Messages.EventInfo;
+import rsal.server.Messages.FieldInfo;
+import rsal.server.Messages.FieldKind;
 import rsal.server.Messages.GoalInfo;
 import rsal.server.Messages.HearingInfo;
 import rsal.server.Messages.LinkInfo;
@@ -60,6 +63,8 @@ import rsal.server.Messages.RobotDetails;
 import rsal.server.Messages.RobotStatus;
 import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.SaidInfo;
+import rsal.server.Messages.SayableInfo;
+import rsal.server.Messages.Sayables;
 import rsal.server.Messages.SettingInfo;
 import rsal.server.Messages.StatusInfo;
 import rsal.server.Messages.TalkInfo;
@@ -162,6 +167,19 @@ final class Descriptions {
                                 link.back().used()))
                         .toList(),
                 told.ofChosen());
+    }
+
+    static Sayables sayable(List<Sayable> all) {
+        return new Sayables(all.stream()
+                .map(one -> new SayableInfo(
+                        one.topic(),
+                        one.fields().stream()
+                                .map(field -> new FieldInfo(
+                                        field.name(),
+                                        FieldKind.valueOf(field.kind().name()),
+                                        field.choices()))
+                                .toList()))
+                .toList());
     }
 
     static Topics topics(List<TopicTraffic> all) {

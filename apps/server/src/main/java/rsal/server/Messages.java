@@ -434,6 +434,25 @@ final class Messages {
     /// @param saidBack the other way
     record LinkInfo(String one, String other, boolean there, boolean back, boolean saidThere, boolean saidBack) {}
 
+    /// What people can say to agents: the same in all runs.
+    record Sayables(List<SayableInfo> sayable) {}
+
+    /// @param topic on which it is said
+    record SayableInfo(String topic, List<FieldInfo> fields) {}
+
+    /// @param choices all that may be written there; empty where that is not limited
+    record FieldInfo(String name, FieldKind kind, List<String> choices) {}
+
+    /// What is written in a field: places as `x y` [m], several of them as `x y; x y`, poses as `x y heading` [m, °].
+    enum FieldKind {
+        WORDS,
+        NUMBER,
+        CHOICE,
+        PLACE,
+        PLACES,
+        POSE
+    }
+
     /// What was said so far, by topic.
     record Topics(List<TopicInfo> topics) {}
 
@@ -553,6 +572,19 @@ final class Messages {
 
     /// @param name that what was added has
     record Added(String name) {}
+
+    /// Asks for another agent like one.
+    ///
+    /// @param robot that it is to act for; empty when the other one has none
+    record AgentAddition(String like, String robot) {}
+
+    record AgentName(String name) {}
+
+    /// Something to be said to agents.
+    ///
+    /// @param to name of an agent; empty for all
+    /// @param fields what was typed, by name
+    record Saying(String to, String topic, Map<String, String> fields) {}
 
     /// @param name of a robot or thing to take out of the simulated world
     record Removal(String name) {}

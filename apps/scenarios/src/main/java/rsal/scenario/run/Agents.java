@@ -45,6 +45,7 @@ import rsal.time.Scheduler;
 /// calls on the run's thread.
 final class Agents implements AutoCloseable {
     private static final int LAST_MESSAGES = 5;
+    private static final String OPERATOR = "operator"; // who speaks for people
 
     private final RunPlan plan;
     private final Scheduler scheduler;
@@ -137,6 +138,75 @@ final class Agents implements AutoCloseable {
                         agent.seed()));
     }
 
+    /// How one was started; empty when there never was one of that name.
+    Optional<PlannedAgent> planned(String name) {
+        return Optional.ofNullable(started.get(name));
+    }
+
+    /// Starts one because a person wants it.
+    ///
+    /// @param how in words, for the event
+    /// @param done the answer when it is there
+    Answer start(PlannedAgent agent, String how, Answer done) {
+        if (isRunning(agent.name())) {
+            return new Answer.Refused("Agent (%s) runs already.".formatted(agent.name()));
+        }
+        Optional<String> missing = agent.robot().filter(robot -> !team.has(robot) || faults.isGone(robot));
+        if (missing.isPresent()) {
+            return new Answer.Refused("Robot (%s) is not there, for which it would act.".formatted(missing.get()));
+        }
+        try {
+            start(agent);
+        } catch (RuntimeException e) { // of a host that can't, as its system is another's code
+            return new Answer.Refused("Agent (%s) can't be started: %s".formatted(agent.name(), e.getMessage()));
+        }
+        journal.event(OPERATOR, agent.name(), how);
+        return done;
+    }
+
+    /// Ends one because a person wants it.
+    Answer stop(String name) {
+        if (!isRunning(name)) {
+            return notRunning(name);
+        }
+        journal.event(OPERATOR, name, "stopped");
+        society.orElseThrow().stop(name);
+        return new Answer.Done();
+    }
+
+    /// Says something in the operator's name.
+    ///
+    /// @param to name of an agent; empty for all
+    /// @throws IllegalArgumentException with a sentence when that is no message
+    Answer say(String to, String topic, Map<String, String> typed) {
+        return to.isEmpty() || isRunning(to) ? say(to, Phrasebook.read(topic, typed)) : notRunning(to);
+    }
+
+    private <M> Answer say(String to, Phrasebook.Phrase<M> phrase) {
+        String words =
+                Words.clipped(new Message<>(phrase.topic(), OPERATOR, to, scheduler.instant(), phrase.message()));
+        journal.event(OPERATOR, to, "says on %s: %s".formatted(phrase.topic().name(), words));
+        if (to.isEmpty()) {
+            society.orElseThrow().publish(OPERATOR, phrase.topic(), phrase.message());
+        } else {
+            society.orElseThrow().send(OPERATOR, to, phrase.topic(), phrase.message());
+        }
+        return new Answer.Done();
+    }
+
+    private boolean isRunning(String name) {
+        return society.flatMap(agents -> agents.view(name))
+                .filter(view -> view.status() == Society.Status.RUNNING)
+                .isPresent();
+    }
+
+    private Answer notRunning(String name) {
+        return new Answer.Refused(
+                planned(name).isPresent()
+                        ? "Agent (%s) does not run. Maybe start it again.".formatted(name)
+                        : "There is no agent (%s).".formatted(name));
+    }
+
     /// A robot has left: its agents end as they would at the end of the run.
     void leave(String robot) {
         mapFromAsked.remove(robot);
@@ -153,9 +223,9 @@ final class Agents implements AutoCloseable {
 
     /// Asks those of a robot to have it drive somewhere.
     void ask(String robot, Pose2d mapFromGoal) {
-        journal.event("operator", robot, "sent to " + Words.of(mapFromGoal));
+        journal.event(OPERATOR, robot, "sent to " + Words.of(mapFromGoal));
         mapFromAsked.put(robot, mapFromGoal);
-        society.orElseThrow().publish("operator", NewGoal.TOPIC, new NewGoal(robot, mapFromGoal));
+        society.orElseThrow().publish(OPERATOR, NewGoal.TOPIC, new NewGoal(robot, mapFromGoal));
     }
 
     private void heard(Message<?> message) {

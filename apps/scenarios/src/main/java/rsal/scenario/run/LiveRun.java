@@ -279,6 +279,39 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.links(chosen, now));
     }
 
+    /// Starts another agent like one that is or was there, with its type and arguments.
+    ///
+    /// @param robot that it is to act for; empty when the other one has none
+    /// @return [Answer.Added] when it runs
+    public CompletionStage<Answer> addAgent(String like, String robot) {
+        return ask(stage -> stage.addAgent(like, robot));
+    }
+
+    /// Starts an agent again that has ended or failed.
+    public CompletionStage<Answer> startAgent(String name) {
+        return ask(stage -> stage.startAgent(name));
+    }
+
+    /// Ends an agent, as it would at the end of the run.
+    public CompletionStage<Answer> stopAgent(String name) {
+        return ask(stage -> stage.stopAgent(name));
+    }
+
+    /// Says something to agents in the operator's name. The radio carries it as it does what agents without a robot
+    /// say.
+    ///
+    /// @param to name of an agent; empty for all who listen
+    /// @param topic name of one in [#sayable]
+    /// @param typed what a person typed, by name of the field
+    public CompletionStage<Answer> say(String to, String topic, Map<String, String> typed) {
+        return ask(stage -> stage.say(to, topic, typed));
+    }
+
+    /// What people can say: the same in all runs.
+    public static List<Sayable> sayable() {
+        return Phrasebook.ALL;
+    }
+
     /// Offers the robots to others, until the run ends, those that come later, too. Who has them over the bridge drives
     /// them like their agents: what people want comes first.
     ///

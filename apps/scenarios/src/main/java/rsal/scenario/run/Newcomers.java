@@ -127,6 +127,19 @@ final class Newcomers {
         return free;
     }
 
+    /// Plans another agent like one, with the role's name and the next number.
+    ///
+    /// @param robot that it acts for
+    PlannedAgent another(PlannedAgent like, Optional<String> robot) {
+        int number = 1;
+        while (agentNames.contains(like.role() + "-" + number)) {
+            number++;
+        }
+        String name = like.role() + "-" + number;
+        agentNames.add(name);
+        return new PlannedAgent(name, like.role(), like.type(), like.arguments(), robot, seed(like.seed(), name));
+    }
+
     /// The agents of a robot.
     List<PlannedAgent> agents(String robot) {
         return agents.getOrDefault(robot, List.of());

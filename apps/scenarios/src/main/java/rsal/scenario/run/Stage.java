@@ -11,6 +11,7 @@ import rsal.agent.bdi.Mind;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
+import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
@@ -247,6 +248,45 @@ final class Stage implements AutoCloseable {
     void beat(long now) {
         orders.beat(now);
         agents.beat(now);
+    }
+
+    /// Starts another agent like one.
+    ///
+    /// @param robot that it is to act for; empty for none
+    Answer addAgent(String like, String robot) {
+        Optional<PlannedAgent> example = agents.planned(like);
+        if (example.isEmpty()) {
+            return new Answer.Refused("There is no agent (%s).".formatted(like));
+        }
+        if (example.get().robot().isPresent() == robot.isEmpty()) {
+            return new Answer.Refused(
+                    robot.isEmpty()
+                            ? "Agent (%s) has a robot, and another one like it needs one.".formatted(like)
+                            : "Agent (%s) has no robot, and neither has another one like it.".formatted(like));
+        }
+        if (!robot.isEmpty() && !team.has(robot)) {
+            return world.unknown(robot);
+        }
+        PlannedAgent another =
+                newcomers.another(example.get(), Optional.of(robot).filter(id -> !id.isEmpty()));
+        String words = "started, like " + like + (robot.isEmpty() ? "" : ", for " + robot);
+        return agents.start(another, words, new Answer.Added(another.name()));
+    }
+
+    /// Starts an agent again that has ended.
+    Answer startAgent(String name) {
+        return agents.planned(name)
+                .map(agent -> agents.start(agent, "started again", new Answer.Done()))
+                .orElseGet(() -> new Answer.Refused("There is no agent (%s).".formatted(name)));
+    }
+
+    Answer stopAgent(String name) {
+        return agents.stop(name);
+    }
+
+    /// @param to name of an agent; empty for all
+    Answer say(String to, String topic, Map<String, String> typed) {
+        return agents.say(to, topic, typed);
     }
 
     /// What went wrong with each, by name.
