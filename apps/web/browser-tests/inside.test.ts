@@ -174,7 +174,9 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     const page = await context.newPage();
     await page.goto(rsal.origin);
     await look(page, 'evade');
-    await agent(page, 'evade').getByText(/^Arguments/).waitFor();
+    await agent(page, 'evade')
+      .getByText(/^Arguments/)
+      .waitFor();
     expect(await agent(page, 'evade').getByRole('button', { name: 'Stop it' }).count()).toBe(0);
   });
 
