@@ -10,7 +10,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.LongStream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
@@ -22,6 +21,7 @@ import rsal.experiment.Factor;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest;
 import rsal.experiment.Row;
+import rsal.experiment.SeedRange;
 import rsal.experiment.Sweep;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.SweepRun;
@@ -76,7 +76,7 @@ final class SweepCommand extends Subcommand {
     @Option(
             names = "--seeds",
             paramLabel = "A-B",
-            converter = SeedRange.Converter.class,
+            converter = Seeds.class,
             description = "Run each combination with the seeds A to B.")
     private @Nullable SeedRange seeds;
 
@@ -206,31 +206,21 @@ final class SweepCommand extends Subcommand {
 
     private List<Long> seeds() {
         SeedRange range = seeds != null ? seeds : new SeedRange(1, repeat != null ? repeat : SEEDS);
-        return LongStream.rangeClosed(range.first(), range.last()).boxed().toList();
+        return range.seeds();
     }
 
     private void tellNotes(Sweep sweep) {
         sweep.notes().forEach(note -> err().println(ValidateCommand.note(note)));
     }
 
-    /// What `--seeds` says: both ends are among them.
-    record SeedRange(long first, long last) {
-        private static final long MOST = 1_000_000;
-
-        static final class Converter implements ITypeConverter<SeedRange> {
-            @Override
-            public SeedRange convert(String typed) {
-                int dash = typed.indexOf('-', 1); // seeds may be below 0
-                if (dash < 0) {
-                    throw new TypeConversionException("(%s) is not a range of seeds, like 1-20.".formatted(typed));
-                }
-                long first = Words.longer(typed.substring(0, dash));
-                long last = Words.longer(typed.substring(dash + 1));
-                if (last < first || last - first >= MOST) {
-                    throw new TypeConversionException(
-                            "(%s) must go up, and be of at most %d seeds.".formatted(typed, MOST));
-                }
-                return new SeedRange(first, last);
+    /// What `--seeds` says.
+    static final class Seeds implements ITypeConverter<SeedRange> {
+        @Override
+        public SeedRange convert(String typed) {
+            try {
+                return SeedRange.parse(typed);
+            } catch (IllegalArgumentException e) {
+                throw new TypeConversionException(String.valueOf(e.getMessage()));
             }
         }
     }

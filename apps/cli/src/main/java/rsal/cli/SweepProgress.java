@@ -3,6 +3,7 @@ package rsal.cli;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.List;
+import rsal.experiment.Pace;
 import rsal.experiment.Row;
 import rsal.time.AllowedToReadWallClock;
 
@@ -103,13 +104,10 @@ final class SweepProgress {
     /// `12/40, 1 broken, 2 min 5 s left`: as long as runs have taken so far in this session.
     static String line(int ended, int before, int wanted, int broken, Duration passed) {
         String line = "%d/%d".formatted(ended, wanted) + (broken > 0 ? ", %d broken".formatted(broken) : "");
-        int done = ended - before;
-        if (done == 0 || ended == wanted) {
-            return line;
-        }
-        return line
-                + ", %s left"
-                        .formatted(words(passed.multipliedBy(wanted - ended).dividedBy(done)));
+        return new Pace(wanted, before, ended, passed)
+                .left()
+                .map(left -> line + ", %s left".formatted(words(left)))
+                .orElse(line);
     }
 
     private static String words(Duration time) {

@@ -32,7 +32,7 @@ public record Design(
     }
 
     /// How many there are; `Long.MAX_VALUE` for more than can be counted.
-    long runs() {
+    public long runs() {
         long runs = (long) configurations.size() * seeds.size();
         for (Factor factor : factors) {
             runs = runs > Integer.MAX_VALUE

@@ -1,8 +1,12 @@
 package rsal.experiment;
 
+import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
@@ -116,6 +120,29 @@ public final class Sweep {
 
     public Design design() {
         return design;
+    }
+
+    /// The command that does the same, word by word. Its seeds go up one by one.
+    ///
+    /// @param named the scenario: its built-in name, or its file
+    /// @param jobs how many runs at once
+    /// @param out where the rows are to be kept
+    public List<String> command(String named, int jobs, Path out) {
+        var words = new ArrayList<>(
+                List.of("rsal", "sweep", named, "--configuration", String.join(",", design.configurations())));
+        design.factors()
+                .forEach(factor ->
+                        words.addAll(List.of("--vary", factor.argument() + "=" + String.join(",", factor.levels()))));
+        design.settings().forEach((name, value) -> words.addAll(List.of("--set", name + "=" + value)));
+        words.add("--seeds=%d-%d"
+                .formatted(design.seeds().getFirst(), design.seeds().getLast())); // in one word, as it may be below 0
+        design.limit().ifPresent(limit -> words.addAll(List.of("--for", seconds(limit))));
+        words.addAll(List.of("--jobs", Integer.toString(jobs), "--out", out.toString()));
+        return List.copyOf(words);
+    }
+
+    private static String seconds(Duration limit) {
+        return BigDecimal.valueOf(limit.toNanos(), 9).stripTrailingZeros().toPlainString();
     }
 
     /// In the order in which they begin.

@@ -133,6 +133,11 @@ public final class SweepFolder implements AutoCloseable {
         return List.copyOf(known.values());
     }
 
+    /// What is known so far. Also once it is closed.
+    public Findings findings() {
+        return new Findings(manifest(folder), rows());
+    }
+
     /// Adds a row. Returns when it is on the disk.
     ///
     /// @throws UncheckedIOException when it can't be written; then nothing more should be

@@ -28,18 +28,27 @@ public final class SweepRun implements AutoCloseable {
     private final Sweep sweep;
     private final SweepFolder folder;
     private final int jobs;
+    private final int cores;
     private final Consumer<? super Row> listener;
     private final Queue<Trial> waiting = new ConcurrentLinkedQueue<>();
     private final Set<LiveRun> underWay = ConcurrentHashMap.newKeySet();
     private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
     private volatile boolean closed;
 
+    /// With all cores of the machine.
+    ///
     /// @param jobs how many runs at once
     /// @param listener told of each row once it is on the disk, by one thread at a time; must be quick
     public SweepRun(Sweep sweep, SweepFolder folder, int jobs, Consumer<? super Row> listener) {
+        this(sweep, folder, jobs, Runtime.getRuntime().availableProcessors(), listener);
+    }
+
+    /// @param cores how many of them the runs may keep busy in all; a run takes one at least
+    public SweepRun(Sweep sweep, SweepFolder folder, int jobs, int cores, Consumer<? super Row> listener) {
         this.sweep = sweep;
         this.folder = folder;
         this.jobs = jobs;
+        this.cores = cores;
         this.listener = listener;
         var done = new HashSet<Integer>();
         folder.rows().forEach(row -> done.add(row.run()));
@@ -147,7 +156,7 @@ public final class SweepRun implements AutoCloseable {
         } catch (RuntimeException | OutOfMemoryError e) {
             return Row.broken(trial, arguments, reason(e));
         }
-        int helpers = Math.max(1, Runtime.getRuntime().availableProcessors() / jobs);
+        int helpers = Math.max(1, cores / jobs);
         try (LiveRun run = LiveRun.start(plan, helpers)) {
             underWay.add(run);
             try {

@@ -63,6 +63,11 @@ public final class Report {
         return written;
     }
 
+    /// The page alone.
+    public static String html(Findings findings) {
+        return new Report(findings).page();
+    }
+
     private String page() {
         Session first = findings.manifest().sessions().getFirst();
         String title = findings.manifest().title();

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /// A command as it can be pasted into a shell.
-final class ShellWords {
+public final class ShellWords {
     private ShellWords() {}
 
-    static String of(List<String> words) {
+    public static String of(List<String> words) {
         return words.stream().map(ShellWords::quoted).collect(Collectors.joining(" "));
     }
 

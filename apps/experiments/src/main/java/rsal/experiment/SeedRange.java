@@ -1,0 +1,39 @@
+package rsal.experiment;
+
+import java.util.List;
+import java.util.stream.LongStream;
+
+/// Seeds one after the other, both ends included.
+public record SeedRange(long first, long last) {
+    private static final long MOST = 1_000_000;
+
+    public SeedRange {
+        if (last < first || last - first < 0 || last - first >= MOST) {
+            throw new IllegalArgumentException(
+                    "(%d-%d) must go up, and be of at most %d seeds.".formatted(first, last, MOST));
+        }
+    }
+
+    /// As typed: `1-20`.
+    ///
+    /// @throws IllegalArgumentException with a sentence about what is wrong with it
+    public static SeedRange parse(String typed) {
+        int dash = typed.indexOf('-', 1); // seeds may be below 0
+        if (dash < 0) {
+            throw new IllegalArgumentException("(%s) is not a range of seeds, like 1-20.".formatted(typed));
+        }
+        return new SeedRange(whole(typed.substring(0, dash)), whole(typed.substring(dash + 1)));
+    }
+
+    private static long whole(String typed) {
+        try {
+            return Long.parseLong(typed.strip());
+        } catch (NumberFormatException _) {
+            throw new IllegalArgumentException("(%s) is not a whole number, like 42.".formatted(typed));
+        }
+    }
+
+    public List<Long> seeds() {
+        return LongStream.rangeClosed(first, last).boxed().toList();
+    }
+}

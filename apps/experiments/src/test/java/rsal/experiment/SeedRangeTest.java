@@ -1,0 +1,30 @@
+package rsal.experiment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class SeedRangeTest {
+    @Test
+    void bothEndsAreAmongThem() {
+        assertThat(SeedRange.parse("7-9").seeds()).containsExactly(7L, 8L, 9L);
+        assertThat(SeedRange.parse("-2--1").seeds()).containsExactly(-2L, -1L);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            5                                          | is not a range of seeds
+            5-4                                        | must go up
+            1-x                                        | (x) is not a whole number
+            1-1000001                                  | at most 1000000
+            -9223372036854775808-9223372036854775807   | at most 1000000
+            """)
+    void saysWhatIsWrong(String typed, String told) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> SeedRange.parse(typed))
+                .withMessageContaining(told);
+    }
+}
