@@ -73,6 +73,15 @@ export interface BeliefInfo {
   value: string;
 }
 
+export interface Box {
+  low: number;
+  first: number;
+  median: number;
+  third: number;
+  high: number;
+  outside: number[];
+}
+
 export interface Communication {
   communication: HearingInfo[];
 }
@@ -272,6 +281,13 @@ export interface NumberInfo {
 export interface Order {
   robot: string;
   behavior: string;
+}
+
+export interface OutcomeShare {
+  outcome: string;
+  count: number;
+  low: number | null;
+  high: number | null;
 }
 
 export interface PieceInfo {
@@ -478,6 +494,66 @@ export interface StatusInfo {
   stopped: boolean;
   outcome: string;
   robots: RobotStatus[];
+}
+
+export interface SweepCombination {
+  label: string;
+  ended: number;
+  outcomes: OutcomeShare[];
+  measures: Record<string, SweepEstimate>;
+}
+
+export interface SweepEstimate {
+  count: number;
+  mean: number;
+  low: number | null;
+  high: number | null;
+  box: Box;
+}
+
+export interface SweepInfo {
+  number: number;
+  scenario: string;
+  title: string;
+  status: SweepStatus;
+  problem: string;
+  command: string;
+  folder: string;
+  jobs: number;
+  runs: number;
+  ended: number;
+  broken: number;
+  left: number | null;
+  measures: SweepMeasure[];
+  combinations: SweepCombination[];
+}
+
+export interface SweepMeasure {
+  name: string;
+  unit: string;
+}
+
+export interface SweepSize {
+  combinations: number;
+  seeds: number;
+  runs: number;
+}
+
+export interface SweepState {
+  possible: boolean;
+  jobs: number;
+  newest: SweepInfo | null;
+}
+
+export type SweepStatus = 'RUNS' | 'ENDED' | 'STOPPED' | 'FAILED';
+
+export interface SweepWish {
+  scenario: string;
+  configurations: string[];
+  arguments: Record<string, string>;
+  seeds: string;
+  limit: string;
+  jobs: number | null;
 }
 
 export interface TalkInfo {

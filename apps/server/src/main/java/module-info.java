@@ -1,7 +1,8 @@
 /// Shows a run to browsers on this machine and takes their commands: HTTP, WebSocket, JSON. Knows runs only as
 /// [rsal.scenario.LiveRun], or as [rsal.recording.Playback] when they were recorded; knows nothing of simulators, agent
-/// hosts or the command line.
+/// hosts or the command line. Sweeps that are begun in a page it leaves to [rsal.experiment].
 module rsal.server {
+    requires rsal.experiments;
     requires transitive rsal.recordings;
     requires transitive rsal.scenarios;
     requires io.javalin;

@@ -18,8 +18,6 @@ import rsal.time.AllowedToReadWallClock;
 /// Starts runs for all who look on: a recording, Foxglove, both or nobody. All methods may be called from any thread.
 @AllowedToReadWallClock("What is recorded tells when it was begun.")
 final class Onlookers implements AutoCloseable {
-    private static final String PROGRAM = "rsal 0.1.0";
-
     private final RunRecorder recorder;
     private final Optional<FoxgloveServer> foxglove;
     private final String command;
@@ -48,7 +46,7 @@ final class Onlookers implements AutoCloseable {
     }
 
     synchronized LiveRun start(RunPlan plan) {
-        var origin = new Origin(plan, PROGRAM, command, Instant.now());
+        var origin = new Origin(plan, Main.VERSION, command, Instant.now());
         var witnesses = new ArrayList<Witness>();
         recorder.begin(origin).ifPresent(witnesses::add);
         foxglove.ifPresent(server -> witnesses.add(server.next(origin)));

@@ -2,6 +2,7 @@ package rsal.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ITypeConverter;
@@ -38,6 +39,18 @@ final class PageChoices {
             converter = Port.class,
             description = "The port for that; 0: any that is free. Left out: " + FoxgloveServer.PORT + ".")
     private @Nullable Integer foxglovePort;
+
+    @Option(
+            names = "--sweeps",
+            paramLabel = "DIR",
+            defaultValue = "sweeps",
+            description = "Where sweeps that are begun in the page are kept, each in a folder of its own;"
+                    + " ${DEFAULT-VALUE} when left out.")
+    private String sweeps = "";
+
+    Path sweeps() {
+        return Destination.path(sweeps);
+    }
 
     /// Null for the usual one, or any when that is in use.
     @Nullable

@@ -52,18 +52,19 @@ final class PageRuns {
     /// What is shown first.
     ///
     /// @param scenarios what can be chosen in the page, as for [Scenario#load]
-    record First(RunPlan plan, List<String> scenarios, Stay stay) {
+    /// @param sweeps where sweeps are kept that are begun there; empty where none can be
+    record First(RunPlan plan, List<String> scenarios, Stay stay, Optional<Path> sweeps) {
         /// A run that only others of its scenario may follow.
         static First alone(RunPlan plan) {
-            return new First(plan, List.of(), Stay.FOR_MORE);
+            return new First(plan, List.of(), Stay.FOR_MORE, Optional.empty());
         }
 
         /// A run that others may follow: of what comes with RSAL, and of a person's own, which come first.
-        static First of(RunPlan plan, List<String> own, Stay stay) {
+        static First of(RunPlan plan, List<String> own, Stay stay, Path sweeps) {
             List<String> all = Stream.concat(own.stream(), Scenario.builtInNames().stream())
                     .distinct()
                     .toList();
-            return new First(plan, all, stay);
+            return new First(plan, all, stay, Optional.of(sweeps));
         }
     }
 
@@ -124,7 +125,14 @@ final class PageRuns {
                 (free, page) -> RunServer.start(
                         first.plan(),
                         new RunServer.Options(
-                                free, token, page, first.scenarios(), onStart, eye::start, eye::recorded)));
+                                free,
+                                token,
+                                page,
+                                first.scenarios(),
+                                onStart,
+                                eye::start,
+                                eye::recorded,
+                                first.sweeps().map(folder -> new RunServer.Sweeping(folder, Main.VERSION)))));
     }
 
     /// Starts a server at a port, with the built page.

@@ -143,7 +143,8 @@ final class RunCommand extends Subcommand {
         var first = PageRuns.First.of(
                 plan,
                 List.of(ScenarioReference.parse(scenario).nameOrFile()),
-                once ? PageRuns.Stay.FOR_THE_FIRST : PageRuns.Stay.FOR_MORE);
+                once ? PageRuns.Stay.FOR_THE_FIRST : PageRuns.Stay.FOR_MORE,
+                page.sweeps());
         return PageRuns.show(first, page.port(), err(), new PageRuns.Eye() {
             @Override
             public LiveRun start(RunPlan next) {

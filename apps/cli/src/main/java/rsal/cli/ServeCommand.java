@@ -41,7 +41,7 @@ final class ServeCommand extends Subcommand {
     int run() throws Exception {
         own.forEach(Scenario::load); // mistakes are told now
         Onlookers onlookers = page.onlookers(force, false, typed(), err());
-        var first = PageRuns.First.of(waiting(), own, PageRuns.Stay.FOR_A_CHOICE);
+        var first = PageRuns.First.of(waiting(), own, PageRuns.Stay.FOR_A_CHOICE, page.sweeps());
         return RunCommand.exit(PageRuns.show(first, page.port(), err(), eye(onlookers)));
     }
 

@@ -72,18 +72,20 @@ final class Api {
     private final Gate gate;
     private final Page page;
     private final Exposition exposition;
+    private final SweepApi sweeps;
     private final AtomicReference<@Nullable PackedMap> map = new AtomicReference<>();
 
     /// The map of a run, which takes a while to draw.
     private record PackedMap(int run, byte[] bytes) {}
 
     /// @param exposition what monitors are shown
-    Api(CurrentRun current, Shelf shelf, Gate gate, Page page, Exposition exposition) {
+    Api(CurrentRun current, Shelf shelf, Gate gate, Page page, Exposition exposition, SweepApi sweeps) {
         this.current = current;
         this.shelf = shelf;
         this.gate = gate;
         this.page = page;
         this.exposition = exposition;
+        this.sweeps = sweeps;
     }
 
     void configure(RoutesConfig routes) {
@@ -204,10 +206,13 @@ final class Api {
             answer(request, new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan)));
         });
         command(routes, "restart", request -> {
-            current.restart(plan(read(request, Restart.class)));
+            RunPlan plan = plan(read(request, Restart.class));
+            sweeps.checkBeside(plan);
+            current.restart(plan);
             answer(request, info());
         });
 
+        sweeps.configure(routes);
         serve(routes, page);
     }
 
@@ -374,7 +379,7 @@ final class Api {
         request.contentType(asset.type()).result(asset.content());
     }
 
-    private static <T extends Record> T read(Context request, Class<T> type) throws IOException {
+    static <T extends Record> T read(Context request, Class<T> type) throws IOException {
         byte[] body = request.bodyInputStream().readNBytes(RunServer.MAX_MESSAGE + 1);
         if (body.length > RunServer.MAX_MESSAGE) {
             throw new Refusal(413, "A request has at most %d bytes.".formatted(RunServer.MAX_MESSAGE));

@@ -380,6 +380,93 @@ final class Messages {
     /// What another run would be, for the form.
     record Plan(String seed, List<ArgumentInfo> arguments) {}
 
+    /// Asks for a sweep: every configuration with every value of every argument, each with all seeds.
+    ///
+    /// @param scenario as [ScenarioInfo] has it; read anew
+    /// @param arguments as typed, by name: a value, or several as `1,2,4` or `1:10:3`; all others are the
+    /// scenario's
+    /// @param seeds how many, from 1, or a range like `101-130`
+    /// @param limit simulated time after which runs end [s], as typed; empty when only the scenario says
+    /// @param jobs how many runs at once; left out: as many as may be
+    record SweepWish(
+            String scenario,
+            List<String> configurations,
+            Map<String, String> arguments,
+            String seeds,
+            String limit,
+            Optional<Integer> jobs) {}
+
+    /// What a sweep would be, for the form.
+    record SweepSize(int combinations, int seeds, long runs) {}
+
+    /// @param possible whether sweeps can be begun here
+    /// @param jobs how many runs there may be at once
+    /// @param newest the one that was begun last here, whether it goes on or not
+    record SweepState(boolean possible, int jobs, Optional<SweepInfo> newest) {}
+
+    /// A sweep as it is now.
+    ///
+    /// @param number counts this server's sweeps, from 1
+    /// @param problem why it failed; empty when it did not
+    /// @param command what does the same in a terminal
+    /// @param folder where its rows are
+    /// @param jobs how many runs at once
+    /// @param runs how many there will be
+    /// @param ended how many of them have ended
+    /// @param broken how many of those could not go on, or not begin
+    /// @param left until all have ended, at the pace so far [s]; absent while nobody can tell
+    record SweepInfo(
+            int number,
+            String scenario,
+            String title,
+            SweepStatus status,
+            String problem,
+            String command,
+            String folder,
+            int jobs,
+            int runs,
+            int ended,
+            int broken,
+            Optional<Double> left,
+            List<SweepMeasure> measures,
+            List<SweepCombination> combinations) {
+        enum SweepStatus {
+            RUNS,
+            ENDED,
+            STOPPED,
+            FAILED
+        }
+    }
+
+    /// @param unit empty when it has none
+    record SweepMeasure(String name, String unit) {}
+
+    /// What came of a combination so far.
+    ///
+    /// @param label what it is called among the others
+    /// @param ended how many of its runs have
+    /// @param outcomes that occurred in the sweep; the same for all combinations
+    /// @param measures by name; without those of which nothing was measured
+    record SweepCombination(
+            String label, int ended, List<OutcomeShare> outcomes, Map<String, SweepEstimate> measures) {}
+
+    /// Of the runs of a combination.
+    ///
+    /// @param low end of the 95 % confidence interval of the share; absent while no run has ended
+    record OutcomeShare(String outcome, int count, Optional<Double> low, Optional<Double> high) {}
+
+    /// @param count of how many runs
+    /// @param low end of the 95 % confidence interval of the mean; absent of one run
+    record SweepEstimate(int count, double mean, Optional<Double> low, Optional<Double> high, Box box) {}
+
+    /// As in a box plot.
+    ///
+    /// @param low where the lower whisker ends
+    /// @param first quartile
+    /// @param high where the upper whisker ends
+    /// @param outside values beyond the whiskers
+    record Box(double low, double first, double median, double third, double high, List<Double> outside) {}
+
     /// @param factor 0.1 to 1000 times real time, or `max`
     record Speed(String factor) {}
 
@@ -592,7 +679,7 @@ final class Messages {
     /// Why something was not done.
     record Refused(String message, List<Mistake> problems) {}
 
-    /// @param where what of a [Restart] is wrong (`seed`, `speed`, `arguments.hunters`), or file and place
+    /// @param where what of a [Restart] or [SweepWish] is wrong (`seed`, `arguments.hunters`), or file and place
     /// @param remedy what to try; empty when nobody can tell
     record Mistake(String where, String message, String remedy) {}
 }

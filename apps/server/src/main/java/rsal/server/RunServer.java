@@ -24,6 +24,7 @@ public final class RunServer implements AutoCloseable {
     static final int MAX_MESSAGE = 16 * 1024;
 
     private final CurrentRun current;
+    private final Sweeps sweeps;
     private final PageServer server;
     private final String token;
 
@@ -34,6 +35,7 @@ public final class RunServer implements AutoCloseable {
     /// @param onStart told of each run, the first and those that replace it, when it begins
     /// @param starter starts a run
     /// @param recorded what came of recordings so far; empty when nothing is recorded. Must not wait, on any thread
+    /// @param sweeping empty where no sweeps can be begun
     public record Options(
             int port,
             String token,
@@ -41,16 +43,23 @@ public final class RunServer implements AutoCloseable {
             List<String> scenarios,
             Consumer<LiveRun> onStart,
             Function<RunPlan, LiveRun> starter,
-            Supplier<Optional<Recorder.Tally>> recorded) {
+            Supplier<Optional<Recorder.Tally>> recorded,
+            Optional<Sweeping> sweeping) {
         public Options {
             scenarios = List.copyOf(scenarios);
         }
 
         /// With runs of one scenario that nobody else sees all of.
         public Options(int port, String token, Path page, Consumer<LiveRun> onStart) {
-            this(port, token, page, List.of(), onStart, LiveRun::start, Optional::empty);
+            this(port, token, page, List.of(), onStart, LiveRun::start, Optional::empty, Optional.empty());
         }
     }
+
+    /// Where sweeps that are begun in the page are kept, each in a folder of its own.
+    ///
+    /// @param folder made when the first begins
+    /// @param program its name and version, to be noted with them
+    public record Sweeping(Path folder, String program) {}
 
     /// Opens the port, then starts the run.
     ///
@@ -69,14 +78,17 @@ public final class RunServer implements AutoCloseable {
 
     private RunServer(RunPlan plan, Options options, Page page, ServerSocketChannel door) throws IOException {
         token = options.token();
+        var shelf = new Shelf(options.scenarios());
+        sweeps = new Sweeps(options.sweeping(), shelf, Sweeps.coresBesideARun());
         current = new CurrentRun(plan, options.onStart(), options.starter());
         try {
             var gate = new Gate(PageServer.port(door), token);
             var showing = new LiveShowing(current);
             var live = new Live(showing, gate);
-            var shelf = new Shelf(options.scenarios());
             var exposition = new Exposition(current, live, showing::bytesKept, options.recorded());
-            server = new PageServer(door, token, live, new Api(current, shelf, gate, page, exposition)::configure);
+            var sweepApi = new SweepApi(current, sweeps, gate);
+            server = new PageServer(
+                    door, token, live, new Api(current, shelf, gate, page, exposition, sweepApi)::configure);
         } catch (IOException | RuntimeException e) {
             current.close();
             throw e;
@@ -105,10 +117,11 @@ public final class RunServer implements AutoCloseable {
         return current.now().run();
     }
 
-    /// Ends the run and the server within a second. Closing twice does nothing.
+    /// Ends the run, a sweep and the server within a second. Closing twice does nothing.
     @Override
     public void close() {
         server.close();
+        sweeps.close();
         current.close();
     }
 }

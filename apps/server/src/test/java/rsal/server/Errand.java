@@ -35,12 +35,24 @@ final class Errand {
         return serve("errand.yaml", directory, port);
     }
 
+    /// Where sweeps are kept that are begun in the page.
+    static Path sweeps(Path directory) {
+        return directory.resolve("sweeps");
+    }
+
     static RunServer serve(String name, Path directory, int port) throws IOException, PortInUse {
         Files.writeString(directory.resolve("index.html"), "<!doctype html><title>The page</title>");
         Path assets = Files.createDirectories(directory.resolve("assets"));
         Files.writeString(assets.resolve("index-1a2b.js"), "/* the page's code */");
-        var options =
-                new RunServer.Options(port, TOKEN, directory, SCENARIOS, run -> {}, LiveRun::start, Optional::empty);
+        var options = new RunServer.Options(
+                port,
+                TOKEN,
+                directory,
+                SCENARIOS,
+                run -> {},
+                LiveRun::start,
+                Optional::empty,
+                Optional.of(new RunServer.Sweeping(sweeps(directory), "test")));
         return RunServer.start(plan(name, RunOptions.NONE), options);
     }
 }

@@ -278,7 +278,8 @@ class ExpositionTest {
     private RunServer serve(RunPlan plan, Function<RunPlan, LiveRun> starter, Optional<Recorder.Tally> tally)
             throws Exception {
         Files.writeString(directory.resolve("index.html"), "");
-        var options = new RunServer.Options(0, TOKEN, directory, List.of(), run -> {}, starter, () -> tally);
+        var options = new RunServer.Options(
+                0, TOKEN, directory, List.of(), run -> {}, starter, () -> tally, Optional.empty());
         return RunServer.start(plan, options);
     }
 

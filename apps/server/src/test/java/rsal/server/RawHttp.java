@@ -32,6 +32,10 @@ final class RawHttp {
         return send(port, "POST", path, body, List.of(headers));
     }
 
+    static Response delete(int port, String path, String... headers) throws IOException {
+        return send(port, "DELETE", path, "", List.of(headers));
+    }
+
     /// Asks for a WebSocket as a browser does; 101 is a yes.
     static Response upgrade(int port, String... headers) throws IOException {
         return upgradeAndSend(port, new byte[0], headers);

@@ -1,0 +1,82 @@
+package rsal.server;
+
+import io.javalin.config.RoutesConfig;
+import io.javalin.http.Context;
+import io.javalin.http.Header;
+import java.util.Map;
+import rsal.scenario.RunPlan;
+import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.SweepWish;
+
+/// Sweeps over HTTP. As in [Api], `GET` shows; all else needs the token.
+final class SweepApi {
+    private static final String STYLED = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none';"
+            + " form-action 'none'; frame-ancestors 'none'"; // a report carries its style
+
+    private final CurrentRun current;
+    private final Sweeps sweeps;
+    private final Gate gate;
+
+    /// @param current the run that sweeps may not disturb
+    SweepApi(CurrentRun current, Sweeps sweeps, Gate gate) {
+        this.current = current;
+        this.sweeps = sweeps;
+        this.gate = gate;
+    }
+
+    void configure(RoutesConfig routes) {
+        routes.get("/api/sweeps", this::state);
+        routes.get("/api/sweeps/report", request -> {
+            request.header("Content-Security-Policy", STYLED);
+            request.contentType("text/html; charset=utf-8").result(sweeps.report());
+        });
+        routes.post("/api/sweeps/check", request -> {
+            authorize(request);
+            Api.answer(request, sweeps.size(Api.read(request, SweepWish.class)));
+        });
+        routes.post("/api/sweeps", request -> {
+            authorize(request);
+            checkBeside();
+            sweeps.begin(Api.read(request, SweepWish.class));
+            state(request);
+        });
+        routes.post("/api/sweeps/resume", request -> {
+            authorize(request);
+            checkBeside();
+            sweeps.resume();
+            state(request);
+        });
+        routes.delete("/api/sweeps", request -> {
+            authorize(request);
+            sweeps.stop();
+            Api.answer(request, Map.of());
+        });
+    }
+
+    /// Before another run begins.
+    ///
+    /// @throws Refusal when it would be disturbed
+    void checkBeside(RunPlan plan) {
+        if (plan.clock() == RunPlan.Clock.WALL && sweeps.isUnderWay()) {
+            throw new Refusal(
+                    409, "This goes in real time, and a sweep beside it would make it late. Stop that first.");
+        }
+    }
+
+    /// Before a sweep begins.
+    private void checkBeside() {
+        Numbered now = current.now();
+        if (now.run().plan().clock() == RunPlan.Clock.WALL && !now.isOver()) {
+            throw new Refusal(
+                    409, "The run goes in real time, and a sweep beside it would make it late. Stop it first.");
+        }
+    }
+
+    private void authorize(Context request) {
+        gate.authorize(request.header(Header.AUTHORIZATION));
+    }
+
+    private void state(Context request) {
+        Api.answer(request, sweeps.state());
+    }
+}

@@ -1,0 +1,67 @@
+package rsal.server;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Optional;
+import rsal.experiment.Combination;
+import rsal.experiment.Findings;
+import rsal.experiment.Manifest.Measure;
+import rsal.experiment.Row;
+import rsal.experiment.statistics.BoxPlot;
+import rsal.experiment.statistics.Interval;
+import rsal.experiment.statistics.Mean;
+import rsal.experiment.statistics.Share;
+import rsal.server.Messages.Box;
+import rsal.server.Messages.OutcomeShare;
+import rsal.server.Messages.SweepCombination;
+import rsal.server.Messages.SweepEstimate;
+import rsal.server.Messages.SweepMeasure;
+
+/// What came of a sweep so far, as the page shows it. The numbers are those of `rsal report`.
+record SweepDescription(int broken, List<SweepMeasure> measures, List<SweepCombination> combinations) {
+    static SweepDescription of(Findings findings) {
+        List<Measure> measures = findings.manifest().measures();
+        List<String> outcomes =
+                findings.rows().stream().map(Row::outcome).distinct().sorted().toList();
+        return new SweepDescription(
+                (int) findings.rows().stream().filter(Row::isBroken).count(),
+                measures.stream().map(m -> new SweepMeasure(m.name(), m.unit())).toList(),
+                findings.design().combinations().stream()
+                        .map(combination -> combination(findings, combination, outcomes, measures))
+                        .toList());
+    }
+
+    private static SweepCombination combination(
+            Findings findings, Combination combination, List<String> outcomes, List<Measure> measures) {
+        List<Row> rows = findings.of(combination);
+        var estimates = new LinkedHashMap<String, SweepEstimate>();
+        for (Measure measure : measures) {
+            double[] values = findings.values(combination, measure);
+            if (values.length > 0) {
+                estimates.put(measure.name(), estimate(Mean.of(values), BoxPlot.of(values)));
+            }
+        }
+        return new SweepCombination(
+                findings.label(combination),
+                rows.size(),
+                outcomes.stream().map(outcome -> share(outcome, rows)).toList(),
+                estimates);
+    }
+
+    private static OutcomeShare share(String outcome, List<Row> rows) {
+        int count =
+                (int) rows.stream().filter(row -> row.outcome().equals(outcome)).count();
+        Optional<Interval> interval =
+                rows.isEmpty() ? Optional.empty() : Optional.of(new Share(count, rows.size()).interval());
+        return new OutcomeShare(outcome, count, interval.map(Interval::low), interval.map(Interval::high));
+    }
+
+    private static SweepEstimate estimate(Mean mean, BoxPlot plot) {
+        return new SweepEstimate(
+                mean.count(),
+                mean.value(),
+                mean.interval().map(Interval::low),
+                mean.interval().map(Interval::high),
+                new Box(plot.low(), plot.first(), plot.median(), plot.third(), plot.high(), plot.outside()));
+    }
+}

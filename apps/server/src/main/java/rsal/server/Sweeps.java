@@ -1,0 +1,187 @@
+package rsal.server;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import rsal.experiment.Manifest;
+import rsal.experiment.Sweep;
+import rsal.experiment.SweepFolder;
+import rsal.server.Messages.Mistake;
+import rsal.server.Messages.SweepSize;
+import rsal.server.Messages.SweepState;
+import rsal.server.Messages.SweepWish;
+import rsal.settings.InvalidSettings;
+import rsal.time.AllowedToReadWallClock;
+
+/// Sweeps that are begun in the page: one at a time, each in a folder of its own below the one that the operator
+/// gave. All methods may be called from any thread.
+@AllowedToReadWallClock("Notes when a sweep was made.")
+final class Sweeps implements AutoCloseable {
+    private final Optional<RunServer.Sweeping> sweeping;
+    private final Shelf shelf;
+    private final int cores;
+    private @Nullable BackgroundSweep newest;
+    private boolean closed;
+
+    /// @param sweeping empty where none can be begun
+    /// @param shelf where scenarios are
+    /// @param cores how many of them sweeps may keep busy
+    Sweeps(Optional<RunServer.Sweeping> sweeping, Shelf shelf, int cores) {
+        this.sweeping = sweeping;
+        this.shelf = shelf;
+        this.cores = cores;
+    }
+
+    /// One core less than the machine has, which is left to the run that is shown, and to the page.
+    static int coresBesideARun() {
+        return Math.max(1, Runtime.getRuntime().availableProcessors() - 1);
+    }
+
+    SweepState state() {
+        return new SweepState(sweeping.isPresent(), cores, newest().map(BackgroundSweep::info));
+    }
+
+    /// @throws Refusal with what is wrong with the wish
+    SweepSize size(SweepWish wish) {
+        return new SweepReader(shelf, wish).size();
+    }
+
+    /// @throws Refusal when one goes on, or with what is wrong with the wish
+    void begin(SweepWish wish) {
+        RunServer.Sweeping here = here();
+        checkFree();
+        int jobs = jobs(wish);
+        Sweep sweep = new SweepReader(shelf, wish).sweep(); // may take a while
+        synchronized (this) {
+            checkFree();
+            Path out = unused(here.folder(), sweep.scenario().name());
+            int number = newest().map(last -> last.order().number() + 1).orElse(1);
+            var order = new BackgroundSweep.Order(number, sweep, wish.scenario(), jobs, out);
+            newest = begin(order, open(order, () -> SweepFolder.create(out, sweep, session(order, here))), false);
+        }
+    }
+
+    /// Goes on with the newest that was stopped, or failed.
+    ///
+    /// @throws Refusal when there is none
+    synchronized void resume() {
+        RunServer.Sweeping here = here();
+        checkFree();
+        BackgroundSweep.Order order = newest().orElseThrow(Sweeps::none).order();
+        newest = begin(
+                order, open(order, () -> SweepFolder.resume(order.out(), order.sweep(), session(order, here))), true);
+    }
+
+    private static SweepFolder open(BackgroundSweep.Order order, Supplier<SweepFolder> opening) {
+        try {
+            return opening.get();
+        } catch (InvalidSettings e) {
+            throw new Refusal(409, e.problems().getFirst().message());
+        } catch (UncheckedIOException e) {
+            throw unwritable(order.out(), e);
+        }
+    }
+
+    private static Refusal unwritable(Path folder, Exception e) {
+        return new Refusal(409, "The sweep can't be written to (%s): %s.".formatted(folder, e.getMessage()));
+    }
+
+    private BackgroundSweep begin(BackgroundSweep.Order order, SweepFolder folder, boolean again) {
+        return new BackgroundSweep(order, folder, cores, again);
+    }
+
+    /// Gives up the runs under way; nothing happens when there are none.
+    void stop() {
+        newest().ifPresent(BackgroundSweep::stop);
+    }
+
+    /// The page that `rsal report` writes.
+    ///
+    /// @throws Refusal while there is nothing to report
+    String report() {
+        return newest().orElseThrow(Sweeps::none).report();
+    }
+
+    boolean isUnderWay() {
+        return newest().filter(BackgroundSweep::isUnderWay).isPresent();
+    }
+
+    private synchronized Optional<BackgroundSweep> newest() {
+        return Optional.ofNullable(newest);
+    }
+
+    private RunServer.Sweeping here() {
+        return sweeping.orElseThrow(() -> new Refusal(404, "No sweeps can be begun here."));
+    }
+
+    private static Refusal none() {
+        return new Refusal(404, "No sweep was begun here.");
+    }
+
+    private synchronized void checkFree() {
+        if (closed) {
+            throw new Refusal(503, "The server is ending.");
+        }
+        if (isUnderWay()) {
+            throw new Refusal(409, "A sweep goes on already. Stop it first, or wait until it has ended.");
+        }
+    }
+
+    private int jobs(SweepWish wish) {
+        int jobs = wish.jobs().orElse(cores);
+        if (jobs < 1 || jobs > cores) {
+            throw new Refusal(
+                    422,
+                    "This can't be swept as it is.",
+                    List.of(new Mistake(
+                            "jobs",
+                            "(jobs) must be from 1 to %d, not (%d).".formatted(cores, jobs),
+                            "One core is left to the run that is shown.")));
+        }
+        return jobs;
+    }
+
+    /// Makes a folder that nobody has used, `hunt-and-prey-3`: nothing that the page says is part of its path.
+    ///
+    /// @param name of the scenario, by its file
+    private static Path unused(Path folder, String name) {
+        String plain = name.replaceAll("[^A-Za-z0-9_-]", "_");
+        try {
+            Files.createDirectories(folder);
+            for (int i = 1; ; i++) {
+                try {
+                    return Files.createDirectory(folder.resolve(plain + "-" + i));
+                } catch (FileAlreadyExistsException _) {
+                    // the next one then
+                }
+            }
+        } catch (IOException e) {
+            throw unwritable(folder, e);
+        }
+    }
+
+    private static Manifest.Session session(BackgroundSweep.Order order, RunServer.Sweeping here) {
+        return new Manifest.Session(
+                Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(),
+                order.named(),
+                order.sweep().command(order.named(), order.jobs(), order.out()),
+                order.jobs(),
+                Manifest.Machine.here(here.program()));
+    }
+
+    @Override
+    public void close() {
+        synchronized (this) {
+            closed = true;
+        }
+        newest().ifPresent(BackgroundSweep::close);
+    }
+}

@@ -1,0 +1,252 @@
+package rsal.server;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static rsal.server.Errand.TOKEN;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.experiment.Findings;
+import rsal.experiment.SweepFolder;
+import rsal.experiment.statistics.Mean;
+import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.LiveRun;
+import rsal.server.Messages.SweepCombination;
+import rsal.server.Messages.SweepInfo;
+import rsal.server.Messages.SweepInfo.SweepStatus;
+import rsal.server.Messages.SweepState;
+import rsal.server.Messages.SweepWish;
+import rsal.server.RawHttp.Response;
+
+@Timeout(120)
+class SweepApiTest {
+    private static final String WITH_TOKEN = "Authorization: Bearer " + TOKEN;
+    private static final String GUARD = """
+            rsal: 1
+            scenario: guard
+            title: Robots wander
+            arguments:
+              guards: {type: integer, default: 1, min: 1, max: 4, description: How many robots wander.}
+            world: {map: office}
+            robots:
+              guard: {count: $guards, model: pioneer2dx, pose: {free: true}, devices: {laser: urg04lx, pilot: {}}}
+            agents: {wander: {type: wander, robot: guard}}
+            run: {stop: [{when: time > 2, outcome: success}]}
+            measure:
+              - {name: way, unit: m, from: distance, better: more}
+            configurations:
+              long: {}
+              short: {run: {stop: [{when: time > 1, outcome: timeout}]}}
+              slow: {run: {stop: [{when: time > 600, outcome: timeout}]}}
+              real: {run: {clock: {mode: wall}}}
+            """;
+
+    @TempDir
+    private Path directory;
+
+    private Path scenario;
+    private RunServer server;
+    private int port;
+    private String host;
+
+    @BeforeEach
+    void start() throws IOException, PortInUse {
+        scenario = Files.writeString(directory.resolve("guard.yaml"), GUARD);
+        serve(Errand.plan());
+    }
+
+    @AfterEach
+    void stop() {
+        server.close();
+    }
+
+    private void serve(RunPlan plan) throws IOException, PortInUse {
+        Files.writeString(directory.resolve("index.html"), "<!doctype html><title>The page</title>");
+        server = RunServer.start(
+                plan,
+                new RunServer.Options(
+                        0,
+                        TOKEN,
+                        directory,
+                        List.of(scenario.toString()),
+                        _ -> {},
+                        LiveRun::start,
+                        Optional::empty,
+                        Optional.of(new RunServer.Sweeping(Errand.sweeps(directory), "test"))));
+        port = server.url().getPort();
+        host = "Host: 127.0.0.1:" + port;
+    }
+
+    private Response post(String what, Object body) throws IOException {
+        return RawHttp.post(port, "/api/sweeps" + what, Json.write(body), host, WITH_TOKEN);
+    }
+
+    private SweepState state() throws IOException {
+        return Json.read(RawHttp.get(port, "/api/sweeps", host).body(), SweepState.class);
+    }
+
+    private SweepInfo await(Predicate<SweepInfo> wanted) throws Exception {
+        while (true) {
+            SweepInfo now = state().newest().orElseThrow();
+            if (wanted.test(now)) {
+                return now;
+            }
+            Thread.sleep(20);
+        }
+    }
+
+    private SweepInfo awaitEnd() throws Exception {
+        return await(sweep -> sweep.status() != SweepStatus.RUNS);
+    }
+
+    private SweepWish wish(List<String> configurations, Map<String, String> arguments, String seeds) {
+        return new SweepWish(scenario.toString(), configurations, arguments, seeds, "", Optional.of(1));
+    }
+
+    @Test
+    void growsToItsEndAndIsWhatTheReportSays() throws Exception {
+        SweepWish wish = wish(List.of("long", "short"), Map.of("guards", "1:2"), "3");
+        assertThat(state().newest()).isEmpty();
+        assertThat(RawHttp.get(port, "/api/sweeps/report", host).status()).isEqualTo(404);
+        assertThat(post("/check", wish).body()).isEqualTo("{\"combinations\":4,\"seeds\":3,\"runs\":12}");
+
+        assertThat(post("", wish).status()).isEqualTo(200);
+        assertThat(post("", wish).body()).contains("A sweep goes on already");
+        SweepInfo growing = await(sweep -> sweep.ended() > 0);
+        assertThat(growing.runs()).isEqualTo(12);
+        SweepInfo ended = awaitEnd();
+
+        assertThat(ended.status()).isEqualTo(SweepStatus.ENDED);
+        assertThat(ended.ended()).isEqualTo(12);
+        assertThat(ended.left()).isEmpty();
+        assertThat(ended.command())
+                .contains("rsal sweep ", "--configuration long,short --vary guards=1,2 --seeds=1-3 --jobs 1 --out ");
+        Findings findings = Findings.read(Errand.sweeps(directory).resolve("guard-1"));
+        for (int i = 0; i < 4; i++) {
+            SweepCombination told = ended.combinations().get(i);
+            Mean mean = findings.mean(
+                            findings.design().combinations().get(i),
+                            findings.manifest().measures().getFirst())
+                    .orElseThrow();
+            assertThat(told.ended()).isEqualTo(3);
+            assertThat(told.measures().get("way").mean()).isEqualTo(mean.value());
+            assertThat(told.measures().get("way").low())
+                    .hasValue(mean.interval().orElseThrow().low());
+            assertThat(told.outcomes())
+                    .extracting(share -> share.outcome() + " " + share.count())
+                    .containsExactly(i < 2 ? "success 3" : "success 0", i < 2 ? "timeout 0" : "timeout 3");
+        }
+        Response report = RawHttp.get(port, "/api/sweeps/report", host);
+        assertThat(report.text()).contains("text/html", "default-src 'none'; style-src 'unsafe-inline'");
+        assertThat(report.body()).contains("Robots wander", "guards=2", "12 runs of 4 combinations with 3 seeds");
+    }
+
+    @Test
+    void isStoppedAndGoneOnWithAndLosesNoRow() throws Exception {
+        post("", wish(List.of("long"), Map.of(), "15"));
+        await(sweep -> sweep.ended() >= 2);
+        assertThat(RawHttp.delete(port, "/api/sweeps", host, WITH_TOKEN).status())
+                .isEqualTo(200);
+        SweepInfo stopped = awaitEnd();
+        assertThat(stopped.status()).isEqualTo(SweepStatus.STOPPED);
+        assertThat(stopped.ended()).isBetween(2, 14);
+        Path folder = Errand.sweeps(directory).resolve("guard-1");
+        List<String> rows = Files.readAllLines(folder.resolve(SweepFolder.ROWS));
+        assertThat(rows).hasSize(stopped.ended());
+
+        assertThat(post("/resume", Map.of()).status()).isEqualTo(200);
+        SweepInfo ended = awaitEnd();
+        assertThat(ended.problem()).isEmpty();
+        assertThat(ended.status()).isEqualTo(SweepStatus.ENDED);
+        List<String> all = Files.readAllLines(folder.resolve(SweepFolder.ROWS));
+        assertThat(all).hasSize(15).startsWith(rows.toArray(String[]::new));
+
+        post("", wish(List.of("short"), Map.of(), "1"));
+        assertThat(awaitEnd().folder()).endsWith("guard-2");
+    }
+
+    @Test
+    void endsWithTheServer() throws Exception {
+        post("", wish(List.of("slow"), Map.of(), "20"));
+        server.close();
+        assertThat(Thread.getAllStackTraces().keySet())
+                .extracting(Thread::getName)
+                .doesNotContain("sweep");
+    }
+
+    @Test
+    void needsTheTokenForAllButLooking() throws IOException {
+        String wish = Json.write(wish(List.of("long"), Map.of(), "1"));
+        for (String what : List.of("", "/check", "/resume")) {
+            assertThat(RawHttp.post(port, "/api/sweeps" + what, wish, host).status())
+                    .isEqualTo(401);
+        }
+        assertThat(RawHttp.delete(port, "/api/sweeps", host).status()).isEqualTo(401);
+        assertThat(state().newest()).isEmpty();
+        assertThat(Errand.sweeps(directory)).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            long   | guards=1,9      | 3      |     | arguments.guards
+            long   | guards=7        | 3      |     | arguments.guards
+            long   | guard=1         | 3      |     | arguments.guard
+            long   | guards=1        | none   |     | seeds
+            long   | guards=1        | 5-4    |     | seeds
+            long   | guards=1        | 0      |     | seeds
+            long   | guards=1        | 3      | -1  | limit
+            long   | guards=1        | 10001  |     | at most 10000
+            real   | guards=1        | 3      |     | runs in real time
+            nobody | guards=1        | 3      |     | nobody
+            """)
+    void saysWhatIsWrong(String configuration, String argument, String seeds, String limit, String told)
+            throws IOException {
+        List<String> words = Stream.of(argument.split("=", 2)).toList();
+        var wish = new SweepWish(
+                scenario.toString(),
+                List.of(configuration),
+                Map.of(words.getFirst(), words.getLast()),
+                seeds,
+                limit == null ? "" : limit,
+                Optional.empty());
+        Response refused = post("", wish);
+        assertThat(refused.status()).isEqualTo(422);
+        assertThat(refused.body()).contains(told);
+        assertThat(Errand.sweeps(directory)).doesNotExist();
+    }
+
+    @Test
+    void takesNoOtherScenariosAndNoMoreCoresThanAreLeft() throws IOException {
+        var foreign = new SweepWish("/etc/passwd", List.of("a"), Map.of(), "1", "", Optional.empty());
+        assertThat(post("", foreign).status()).isEqualTo(404);
+        int most = state().jobs();
+        assertThat(most).isEqualTo(Math.max(1, Runtime.getRuntime().availableProcessors() - 1));
+        var greedy = new SweepWish(scenario.toString(), List.of("long"), Map.of(), "1", "", Optional.of(most + 1));
+        assertThat(post("", greedy).body()).contains("\"where\":\"jobs\"");
+    }
+
+    @Test
+    void doesNotDisturbRealTime() throws Exception {
+        server.close();
+        serve(Errand.plan("errand.yaml", RunOptions.NONE.inRealTimeOn("plain")));
+        SweepWish wish = wish(List.of("long"), Map.of(), "1");
+        assertThat(post("", wish).status()).isEqualTo(409);
+        RawHttp.post(port, "/api/run/stop", "", host, WITH_TOKEN);
+        server.run().result().toCompletableFuture().get();
+        assertThat(post("", wish).status()).isEqualTo(200);
+        awaitEnd();
+    }
+}
