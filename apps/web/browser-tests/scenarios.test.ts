@@ -68,7 +68,9 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
 
   it('runs another one, as it is told', async () => {
     const page = await open(rsal.url);
-    await card(page, 'hunt-and-prey').getByRole('button').click();
+    await card(page, 'hunt-and-prey')
+      .getByRole('button', { name: /^Choose/ })
+      .click();
     const form = page.getByRole('dialog', { name: /^Run: Hunters/ });
     await form.getByLabel('hunters', { exact: true }).waitFor();
     expect(await form.getByLabel('Seed').inputValue()).toBe('42');
@@ -101,7 +103,9 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
     await picture(page, 'scenarios-narrow-dark');
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     expect(wide).toBeLessThanOrEqual(480);
-    await card(page, OWN).getByRole('button').click();
+    await card(page, OWN)
+      .getByRole('button', { name: /^Choose/ })
+      .click();
     const form = page.getByRole('dialog', { name: /^Run: A team/ });
     await form.getByLabel('Agents on').selectOption('jason');
     await form.getByRole('button', { name: 'Run', exact: true }).click();

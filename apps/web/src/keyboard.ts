@@ -20,6 +20,7 @@ export type Action =
         | 'oblique'
         | 'menu'
         | 'scenarios'
+        | 'sweep'
         | 'restart'
         | 'help'
         | 'cancel';
@@ -60,6 +61,7 @@ export const keys: [string, string][] = [
   ['0', 'show the whole map'],
   ['M', 'add something in the middle of the map, or remove what is there'],
   ['C', 'choose a scenario'],
+  ['X', 'look at the newest sweep'],
   ['R', 'restart'],
   ['Esc', 'let go, close'],
   ['?', 'this help'],
@@ -91,6 +93,7 @@ const actions: Record<string, Action> = {
   o: { kind: 'zoom', factor: 1 / ZOOM },
   m: { kind: 'menu' },
   c: { kind: 'scenarios' },
+  x: { kind: 'sweep' },
   r: { kind: 'restart' },
   '?': { kind: 'help' },
   Escape: { kind: 'cancel' },

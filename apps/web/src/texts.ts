@@ -334,6 +334,50 @@ export const texts = {
     configurations: (names: readonly string[]) => `${names.length > 1 ? 'as ' : ''}${names.join(', ')}`,
     choose: 'Choose…',
     chooseIt: (title: string) => `Choose: ${title}`,
+    sweep: 'Sweep…',
+    sweepIt: (title: string) => `Sweep: ${title}`,
+    newestSweep: 'Newest sweep',
+  },
+  sweep: {
+    title: 'Sweep',
+    of: (title: string) => `Sweep: ${title}`,
+    how: 'Many runs, as fast as they can, to compare: every configuration with every value, each with the same seeds. Type several values as 1,2,4, or a range of numbers as 1:10:3 (1, 4, 7, 10). What is left empty is as the scenario says.',
+    configurations: 'Configurations',
+    seeds: 'Seeds',
+    seedsHint: 'How many, or a range as 101-130. Runs with other seeds begin and err otherwise.',
+    limit: 'End after [s]',
+    limitHint: 'Simulated time; empty: when the scenario says.',
+    jobs: 'At once',
+    jobsHint: 'One core of the machine is left to the run that is shown.',
+    size: (runs: number, combinations: number, seeds: number) =>
+      `${counted(runs, 'run')}: ${counted(combinations, 'combination')} × ${counted(seeds, 'seed')}`,
+    cancel: 'Cancel',
+    begin: 'Begin',
+    close: 'Close',
+    none: 'No sweep was begun here yet. Choose a scenario (C), and Sweep….',
+    status: { RUNS: 'Running', ENDED: 'Ended', STOPPED: 'Stopped', FAILED: 'Failed' },
+    ended: (ended: number, runs: number) => `${ended} of ${counted(runs, 'run')}`,
+    broken: (count: number) => `${count} broken`,
+    left: (time: string) => `${time} left`,
+    progress: 'Runs that have ended',
+    stop: 'Stop',
+    resume: 'Go on',
+    resumeHint: 'Do the runs that are missing; one is done again first, to see that nothing has changed',
+    report: 'Open the report',
+    folder: (folder: string) => `Rows are in ${folder}`,
+    command: 'The same in a terminal:',
+    commandToResume: 'To go on in a terminal:',
+    table: 'What came of it so far',
+    combination: 'Combination',
+    runs: 'Runs',
+    outcomes: 'Outcomes',
+    share: (outcome: string, percent: string) => `${outcome} ${percent} %`,
+    interval: (low: string, high: string) => `95 % confidence: ${low} to ${high} %`,
+    nothing: '–',
+    plot: (name: string, first: string, median: string, third: string) =>
+      `${name}: quartiles ${first} and ${third}, median ${median}`,
+    legend:
+      'Means ± half of their 95 % confidence intervals. Boxes: quartiles and median; points lie beyond 1.5 boxes. Below them: mean and interval.',
   },
   restart: {
     title: 'Restart',
@@ -371,4 +415,8 @@ export const texts = {
 
 export function deviceText({ name, driver, health, reason }: DeviceDetails): string {
   return `${name} (${driver}) ${texts.robots.health[health]}. ${reason}`.trim();
+}
+
+function counted(count: number, what: string): string {
+  return `${count} ${what}${count === 1 ? '' : 's'}`;
 }

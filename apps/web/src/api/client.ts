@@ -21,6 +21,9 @@ import type {
   Sayables,
   Saying,
   Scenarios,
+  SweepSize,
+  SweepState,
+  SweepWish,
   Topics,
 } from './messages';
 import { access } from './access.svelte';
@@ -72,18 +75,32 @@ export const api = {
   motors: (wish: Motors) => post('motors', wish),
   check: (wish: Restart) => post('check', wish) as Promise<Plan>,
   restart: (wish: Restart) => post('restart', wish) as Promise<RunInfo>,
+  sweeps: () => found<SweepState>('sweeps'),
+  sweepSize: (wish: SweepWish) => send('POST', 'sweeps/check', wish) as Promise<SweepSize>,
+  beginSweep: (wish: SweepWish) => send('POST', 'sweeps', wish),
+  resumeSweep: () => send('POST', 'sweeps/resume'),
+  stopSweep: () => send('DELETE', 'sweeps'),
+  sweepReport: '/api/sweeps/report',
   map,
   drawn,
   drawnFiles: (run: number, robot: string) =>
     `/api/drawn/${String(run)}/files?robot=${encodeURIComponent(robot)}`,
 };
 
+const post = (command: string, body: object = {}, evenAtTheEnd = false) =>
+  send('POST', `run/${command}`, body, evenAtTheEnd);
+
 /** @param evenAtTheEnd also when the page is about to be left */
-async function post(command: string, body: object = {}, evenAtTheEnd = false): Promise<unknown> {
+async function send(
+  method: 'POST' | 'DELETE',
+  what: string,
+  body: object = {},
+  evenAtTheEnd = false,
+): Promise<unknown> {
   let response: Response;
   try {
-    response = await fetch(`/api/run/${command}`, {
-      method: 'POST',
+    response = await fetch(`/api/${what}`, {
+      method,
       headers: { 'Content-Type': 'application/json', Authorization: `Bearer ${access.token ?? ''}` },
       body: JSON.stringify(body),
       keepalive: evenAtTheEnd,

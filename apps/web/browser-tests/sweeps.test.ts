@@ -1,0 +1,166 @@
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { AxeBuilder } from '@axe-core/playwright';
+import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
+import { Rsal } from './rsal';
+
+const OWN = fileURLToPath(new URL('wander.yaml', import.meta.url));
+/** Where pictures go of what was tested, for people to look at; none when it is not set. */
+const PICTURES = process.env.PICTURES;
+
+describe.skipIf(!chromium)('a sweep', () => {
+  let rsal: Rsal;
+  let folder: string;
+  let browser: Browser | undefined;
+  let context: BrowserContext | undefined;
+
+  beforeAll(async () => {
+    folder = mkdtempSync(join(tmpdir(), 'rsal-sweeps-'));
+    [rsal, browser] = await Promise.all([
+      Rsal.serve(OWN, '--port', '0', '--sweeps', folder),
+      driver.launch({ executablePath: chromium!, args: flags }),
+    ]);
+  });
+
+  afterAll(async () => {
+    await browser?.close();
+    await Rsal.endAll();
+    rmSync(folder, { recursive: true, force: true });
+  });
+
+  afterEach(() => context?.close());
+
+  async function open(url: string, colorScheme: 'light' | 'dark' = 'light'): Promise<Page> {
+    context = await browser!.newContext({ viewport: { width: 1280, height: 800 }, colorScheme });
+    const page = await context.newPage();
+    await page.goto(url);
+    return page;
+  }
+
+  const form = (page: Page) => page.getByRole('dialog', { name: 'Sweep: Robots that wander' });
+  const progress = (page: Page) => page.getByTestId('sweep-progress');
+  const status = (page: Page) => page.locator('dialog[open] .status');
+
+  async function choose(page: Page) {
+    await page
+      .locator(`[data-scenario="${OWN}"]`)
+      .getByRole('button', { name: /^Sweep/ })
+      .click();
+    await form(page).getByLabel('guards').waitFor();
+  }
+
+  /** How many have ended, as the page says. */
+  async function ended(page: Page): Promise<number> {
+    return parseInt(await progress(page).innerText());
+  }
+
+  async function picture(page: Page, name: string) {
+    if (PICTURES) {
+      await page.screenshot({ path: `${PICTURES}/${name}.png` });
+    }
+  }
+
+  async function expectAccessible(page: Page) {
+    const found = await new AxeBuilder({ page }).include('dialog[open]').analyze();
+    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+  }
+
+  it('is told how large it is before it begins, and what is wrong with it', async () => {
+    const page = await open(rsal.url);
+    await choose(page);
+    await form(page).getByText('10 runs: 1 combination × 10 seeds').waitFor();
+    await form(page).getByLabel('guards').fill('1,9');
+    await form(page)
+      .getByText(/must be.*not \(9\)/)
+      .waitFor();
+    expect(await form(page).getByRole('button', { name: 'Begin' }).isDisabled()).toBe(true);
+    expect(await form(page).getByLabel('guards').getAttribute('aria-invalid')).toBe('true');
+    await form(page).getByLabel('guards').fill('1:4');
+    await form(page).getByLabel('lasting: A minute').check();
+    await form(page).getByLabel('four-rooms').check();
+    await form(page).getByLabel('Seeds').fill('101-105');
+    await form(page).getByText('80 runs: 16 combinations × 5 seeds').waitFor();
+    await picture(page, 'sweep-form-light');
+    await expectAccessible(page);
+  });
+
+  it('grows to its end, and is reported', async () => {
+    const page = await open(rsal.url, 'dark');
+    await choose(page);
+    await form(page).getByLabel('guards').fill('1,2');
+    await form(page).getByLabel('Seeds').fill('3');
+    await form(page).getByText('6 runs: 2 combinations × 3 seeds').waitFor();
+    await picture(page, 'sweep-form-dark');
+    await form(page).getByRole('button', { name: 'Begin' }).click();
+    const seen = new Set<number>();
+    await eventually(async () => {
+      seen.add(await ended(page));
+      return (await status(page).innerText()) === 'Ended';
+    }, 'it ends');
+    expect(seen.size).toBeGreaterThan(1);
+    expect(await progress(page).innerText()).toBe('6 of 6 runs');
+    const row = page.locator('[data-combination="guards=2"]');
+    expect(await row.innerText()).toMatch(/100 %[^]*±/);
+    await row.getByRole('img', { name: /^way: quartiles/ }).waitFor();
+    await picture(page, 'sweep-dark');
+    await expectAccessible(page);
+
+    const [report] = await Promise.all([
+      context!.waitForEvent('page'),
+      page.getByRole('link', { name: 'Open the report' }).click(),
+    ]);
+    await report.getByRole('heading', { name: 'Robots that wander' }).waitFor();
+    expect(await report.getByText('6 runs of 2 combinations with 3 seeds').count()).toBe(1);
+    expect(await report.locator('h1').evaluate((h) => getComputedStyle(h).lineHeight)).toBe('35px'); // its style counts
+    await picture(report, 'sweep-report');
+  });
+
+  it('is stopped without half a row, and gone on with by the command that it shows', async () => {
+    const page = await open(rsal.url);
+    await choose(page);
+    await form(page).getByLabel('brief: Five seconds').uncheck();
+    await form(page).getByLabel('lasting: A minute').check();
+    await form(page).getByLabel('guards').fill('1:4');
+    await form(page).getByLabel('Seeds').fill('8');
+    await form(page).getByText('32 runs').waitFor();
+    await form(page).getByRole('button', { name: 'Begin' }).click();
+    await eventually(async () => (await ended(page)) >= 5, 'it grows');
+    await picture(page, 'sweep-light');
+    await page.getByRole('dialog').getByRole('button', { name: 'Stop' }).click();
+    await eventually(async () => (await status(page).innerText()) === 'Stopped', 'it stops');
+    const stopped = await ended(page);
+    expect(stopped).toBeLessThan(32);
+    const rows = () =>
+      readFileSync(join(folder, 'wander-2', 'rows.jsonl'), 'utf8')
+        .trimEnd()
+        .split('\n');
+    expect(rows().map((row) => (JSON.parse(row) as { outcome: string }).outcome)).toHaveLength(stopped);
+
+    await page.getByRole('button', { name: 'Go on' }).click();
+    await eventually(async () => (await ended(page)) > stopped, 'it goes on');
+    await page.getByRole('dialog').getByRole('button', { name: 'Stop' }).click();
+    await eventually(async () => (await status(page).innerText()) === 'Stopped', 'it stops again');
+    const command = (await page.locator('dialog[open] pre').innerText()).split(' ');
+    expect(command[0]).toBe('rsal');
+    await Rsal.headless(...command.slice(1));
+    expect(rows()).toHaveLength(32);
+  });
+
+  it('can be looked at by a key and without the token, and not be touched then', async () => {
+    const page = await open(rsal.url.split('#')[0]!, 'dark');
+    await page.locator('tr[data-robot]').first().waitFor();
+    await page.keyboard.press('x');
+    await status(page).waitFor();
+    await page.setViewportSize({ width: 480, height: 800 });
+    await picture(page, 'sweep-narrow-dark');
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(480);
+    const dialog = page.getByRole('dialog', { name: 'Sweep: Robots that wander' });
+    await dialog.getByRole('link', { name: 'Open the report' }).waitFor();
+    expect(await dialog.getByRole('button').allInnerTexts()).toEqual(['']); // the one that closes it
+  });
+});

@@ -1,0 +1,28 @@
+import type { SweepCombination, SweepEstimate } from '../api/messages';
+
+/** Where values lie in a plot, from 0 at its left to 1 at its right. */
+export type Scale = (value: number) => number;
+
+/** Of a measure, the same for all combinations, so that their plots can be compared; null when there is nothing. */
+export function scaleOf(measure: string, combinations: readonly SweepCombination[]): Scale | null {
+  const values = combinations.flatMap(({ measures }) => (measures[measure] ? ends(measures[measure]) : []));
+  if (values.length === 0) {
+    return null;
+  }
+  const least = Math.min(...values);
+  const span = Math.max(...values) - least;
+  return span === 0 ? () => 0.5 : (value) => (value - least) / span;
+}
+
+function ends({ mean, low, high, box }: SweepEstimate): number[] {
+  return [mean, low ?? mean, high ?? mean, box.low, box.high, ...box.outside];
+}
+
+/** `2 min 5 s` */
+export function duration(seconds: number): string {
+  const whole = Math.round(seconds);
+  if (whole >= 3600) {
+    return `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
+  }
+  return whole >= 60 ? `${Math.floor(whole / 60)} min ${whole % 60} s` : `${whole} s`;
+}
