@@ -131,6 +131,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     await form(page).getByRole('button', { name: 'Begin' }).click();
     await eventually(async () => (await ended(page)) >= 5, 'it grows');
     await picture(page, 'sweep-light');
+    await expectAccessible(page);
     await page.getByRole('dialog').getByRole('button', { name: 'Stop' }).click();
     await eventually(async () => (await status(page).innerText()) === 'Stopped', 'it stops');
     const stopped = await ended(page);
@@ -162,5 +163,9 @@ describe.skipIf(!chromium)('a sweep', () => {
     const dialog = page.getByRole('dialog', { name: 'Sweep: Robots that wander' });
     await dialog.getByRole('link', { name: 'Open the report' }).waitFor();
     expect(await dialog.getByRole('button').allInnerTexts()).toEqual(['']); // the one that closes it
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('c');
+    await page.getByRole('button', { name: 'Newest sweep' }).click();
+    await dialog.waitFor();
   });
 });
