@@ -30,7 +30,8 @@ final class Format {
     /// How to get those that are not part of the default assembly, by key.
     static final Map<String, String> HOSTS_APART = Map.of(
             "jadex",
-            "It is under GPL-3.0 and comes only when it is asked for: RSAL_WITH=jadex ./rsal … (docs/how-to/another-mas.md).");
+            "It is under GPL-3.0 and comes only when it is asked for. Maybe try RSAL_WITH=jadex ./rsal run hunt-and-prey"
+                    + " --mas jadex --clock wall (docs/how-to/jadex.md).");
 
     static final Parameter TOUCH = Parameter.choice(
             "touch",

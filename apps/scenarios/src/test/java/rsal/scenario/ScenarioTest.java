@@ -726,8 +726,15 @@ class ScenarioTest {
                 OptionalDouble.empty());
         assertThatThrownBy(() -> scenario.plan(mas)).hasMessageContaining("--mas jasn: There is no multi-agent system");
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.inRealTimeOn("jadex")))
-                .hasMessageContaining("--mas jadex: The multi-agent system (jadex) is not part of this installation.")
-                .hasMessageContaining("RSAL_WITH=jadex");
+                .hasMessageContaining("--mas jadex: The multi-agent system (jadex) is not part of this installation.");
+    }
+
+    @Test
+    void whoWantsJadexIsToldWhatThePageAboutItHasThemType() throws IOException {
+        String command = "RSAL_WITH=jadex ./rsal run hunt-and-prey --mas jadex --clock wall";
+        assertThatThrownBy(() -> Scenario.load("hunt-and-prey").plan(RunOptions.NONE.inRealTimeOn("jadex")))
+                .hasMessageContaining("Maybe try " + command + " (docs/how-to/jadex.md).");
+        assertThat(Path.of("../../docs/how-to/jadex.md")).content().contains("\n" + command + "\n");
     }
 
     @Test
