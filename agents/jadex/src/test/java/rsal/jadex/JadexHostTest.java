@@ -41,7 +41,8 @@ class JadexHostTest extends AgentHostContract {
 
     /// Jadex's clock makes a timer for each thread that is among the first to ask for one, and ends only the
     /// last of these; the others wait half a minute for answers. And it has a process started, whose end a
-    /// thread of the JDK saw. No other is let off: no timer of something else of Jadex's, nor one of ours.
+    /// thread of the JDK saw. No other is let off: no timer of something else of Jadex's, none of ours, nor one
+    /// that has nothing to do.
     @Override
     protected boolean endsLater(Thread thread) {
         return switch (thread.getClass().getName()) {

@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Agent;
@@ -46,6 +47,7 @@ import rsal.time.Task;
 public abstract class AgentHostContract extends ContractNetContract {
     private static final Topic<Integer> NUMBERS = new Topic<>("numbers", Integer.class);
     private static final int MANY = 1000;
+    private static final List<String> BIDDERS = List.of("amy", "bob", "eve");
 
     /// Whether the multi-agent system lets go of a thread by itself, but later than a test waits.
     protected boolean endsLater(Thread thread) {
@@ -546,53 +548,83 @@ public abstract class AgentHostContract extends ContractNetContract {
     @Test
     void whoPaysMostGetsIt() {
         try (var run = run()) {
-            for (int i = 1; i <= 3; i++) {
-                int purse = 10 * i;
-                run.start(
-                        "bidder-" + i,
-                        self -> Auction.english(self, "sale", String.class).answer((_, price) -> price <= purse));
-            }
+            bidders(run, AgentHostContract::english);
             run.untilAllHaveBegun();
             run.start(
                     "seller",
                     self -> self.scheduler()
                             .after(
                                     Duration.ofMillis(300),
-                                    () -> Auction.english(self, "sale", String.class)
-                                            .sell(
-                                                    List.of("bidder-1", "bidder-2", "bidder-3"),
-                                                    "vase",
-                                                    new Auction.Prices(5, 10, 5),
-                                                    Duration.ofMillis(500),
-                                                    sale -> log.add(
-                                                            sale.winner().orElse("nobody") + " for " + sale.price()))));
-            run.until("it is sold", () -> isLogged(1));
+                                    () -> sell(english(self), new Auction.Prices(5, 10, 5), Duration.ofMillis(500))));
+            run.until("all know", () -> isLogged(1 + BIDDERS.size()));
+            run.pass(100);
         }
-        assertThat(log).containsExactly("bidder-3 for 25.0");
+        assertSoldToTheRichest();
     }
 
     @Test
     void aDutchAuctionEndsWithTheFirstWhoWantsIt() {
         try (var run = run()) {
-            for (int i = 1; i <= 3; i++) {
-                int purse = 10 * i;
-                run.start(
-                        "bidder-" + i,
-                        self -> Auction.dutch(self, "sale", String.class).answer((_, price) -> price <= purse));
-            }
+            bidders(run, AgentHostContract::dutch);
             run.untilAllHaveBegun();
-            run.start(
-                    "seller",
-                    self -> Auction.dutch(self, "sale", String.class)
-                            .sell(
-                                    List.of("bidder-1", "bidder-2", "bidder-3"),
-                                    "vase",
-                                    new Auction.Prices(35, -10, 5),
-                                    Duration.ofSeconds(2), // for who must be woken on a busy machine
-                                    sale -> log.add(sale.winner().orElse("nobody") + " for " + sale.price())));
-            run.until("it is sold", () -> isLogged(1));
+            var enough = Duration.ofSeconds(2); // for who must be woken on a busy machine
+            run.start("seller", self -> sell(dutch(self), new Auction.Prices(35, -10, 5), enough));
+            run.until("all know", () -> isLogged(1 + BIDDERS.size()));
+            run.pass(100);
         }
-        assertThat(log).containsExactly("bidder-3 for 25.0");
+        assertSoldToTheRichest();
+    }
+
+    private static Auction<String> english(AgentContext self) {
+        return Auction.english(self, "sale", String.class);
+    }
+
+    private static Auction<String> dutch(AgentContext self) {
+        return Auction.dutch(self, "sale", String.class);
+    }
+
+    /// Each pays ten more than the one before, the first ten.
+    private void bidders(HostRun run, Function<AgentContext, Auction<String>> auction) {
+        for (int i = 0; i < BIDDERS.size(); i++) {
+            String name = BIDDERS.get(i);
+            int purse = 10 * (i + 1);
+            run.start(
+                    name,
+                    self -> auction.apply(self).answer(new Auction.Bidder<>() {
+                        @Override
+                        public boolean pays(String lot, double price) {
+                            return price <= purse;
+                        }
+
+                        @Override
+                        public void ended(String lot, Auction.Sale sale) {
+                            log.add("%s hears: %s to %s".formatted(name, lot, words(sale)));
+                        }
+
+                        @Override
+                        public void lost(String lot, String why) {
+                            log.add("%s has lost the seller: %s".formatted(name, why));
+                        }
+                    }));
+        }
+    }
+
+    private void sell(Auction<String> auction, Auction.Prices prices, Duration round) {
+        auction.sell(BIDDERS, "vase", prices, round, sale -> log.add("sold to " + words(sale)));
+    }
+
+    private static String words(Auction.Sale sale) {
+        return sale.winner().orElse("nobody") + " for " + sale.price();
+    }
+
+    /// And all are told so, once.
+    private void assertSoldToTheRichest() {
+        assertThat(log)
+                .containsExactlyInAnyOrder(
+                        "sold to eve for 25.0",
+                        "amy hears: vase to eve for 25.0",
+                        "bob hears: vase to eve for 25.0",
+                        "eve hears: vase to eve for 25.0");
     }
 
     @Test

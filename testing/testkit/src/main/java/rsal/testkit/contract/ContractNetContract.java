@@ -316,8 +316,8 @@ public abstract class ContractNetContract {
                     self -> haggling(self).call(Set.of("amy", "bob"), 10, EVER, new Manager<>() {
                         @Override
                         public Verdict<Integer> decide(Round<Integer> round) {
-                            log.add("round %d: %d bids"
-                                    .formatted(round.number(), round.proposals().size()));
+                            log.add("round %d: %d bids, refused: %s"
+                                    .formatted(round.number(), round.proposals().size(), round.refusals()));
                             return round.proposals().size() > 1
                                     ? Verdict.again(10 - 2 * round.number())
                                     : Verdict.award(round.proposals().getFirst());
@@ -332,7 +332,10 @@ public abstract class ContractNetContract {
         }
         assertThat(log)
                 .containsExactly(
-                        "round 1: 2 bids", "round 2: 2 bids", "round 3: 1 bids", "bob: Informed[result=for 6]");
+                        "round 1: 2 bids, refused: {}",
+                        "round 2: 2 bids, refused: {}",
+                        "round 3: 1 bids, refused: {amy=too little}",
+                        "bob: Informed[result=for 6]");
     }
 
     private static ContractNet<Integer, Integer, String> haggling(AgentContext self) {
