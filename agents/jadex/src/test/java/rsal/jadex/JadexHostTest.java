@@ -2,10 +2,13 @@ package rsal.jadex;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import jadex.bridge.IExternalAccess;
 import java.io.IOException;
 import java.lang.reflect.Field;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -13,12 +16,15 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.AgentHostProvider;
-import rsal.settings.Arguments;
+import rsal.agent.Topic;
 import rsal.testkit.contract.AgentHostContract;
-import rsal.time.LockstepScheduler;
+import rsal.testkit.contract.HostRun;
 
 class JadexHostTest extends AgentHostContract {
     private static final String CLOCK = "jadex.platform.service.clock.ClockService";
+    private static final Topic<String> WORDS = new Topic<>("words", String.class);
+    private static final Duration BEAT = Duration.ofMillis(20);
+    private static final Duration PATIENCE = Duration.ofSeconds(60);
 
     @Override
     protected AgentHostProvider provider() {
@@ -28,8 +34,15 @@ class JadexHostTest extends AgentHostContract {
     @Test
     void writesNoFiles() throws IOException {
         Set<Path> before = files();
-        var host = new JadexHostProvider().create(Arguments.defaults(List.of()), new LockstepScheduler());
-        host.close();
+        IExternalAccess platform = LonelyPlatform.start();
+        var heard = new ArrayList<String>();
+        try (var run = HostRun.inRealTime(time -> new JadexHost(time, platform))) {
+            run.start("amy", self -> self.subscribe(WORDS, m -> heard.add(m.sender() + ": " + m.content())));
+            run.start("bob", self -> self.scheduler().every(BEAT, () -> self.publish(WORDS, "hi")));
+            run.until("one has heard the other", () -> heard.contains("bob: hi"));
+            run.act(() -> run.society().stop("bob"));
+        }
+        platform.waitForTermination().get(PATIENCE.toMillis());
         assertThat(files()).isEqualTo(before);
     }
 
