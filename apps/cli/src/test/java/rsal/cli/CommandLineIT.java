@@ -516,6 +516,44 @@ class CommandLineIT {
     }
 
     @Test
+    void aMindInAgentSpeakIsLookedIntoFromOutside() throws Exception {
+        assertThat(mind("follow-1", "prey-1 is at ", "hunt-and-prey:jason"))
+                .containsPattern("\nBelieves\n(  .+\n)*  me +follow-1, follow\n")
+                .containsPattern("\nWants\n(  .+\n)*  [a-z]+ +hunt\\[source\\(self\\)] \\(0\\)\n")
+                .containsPattern("\n +does: \\+!hunt\\[source\\(self\\)]: .+\n +ways: hunter\\.asl:\\d+")
+                .containsPattern("\nMailbox\n(  .+\n)*  [0-9.]+ s +escape-1 → all +pose +prey-1 is at ")
+                .doesNotContain("tells no goals");
+    }
+
+    @Test
+    void aMindOnJadeIsLookedIntoFromOutside() throws Exception {
+        assertThat(mind("escape-1", "follow-1 → all", "hunt-and-prey:advanced", "--mas", "jade", "--clock", "wall"))
+                .containsPattern("\nWants\n  [a-z ]+ +not be caught \\(\\d+\\)\n(  .+\n)* +ways: run\n")
+                .containsPattern("\n +does: (not be caught: run|explore: follow the wall)\n")
+                .containsPattern("\nMailbox\n(  .+\n)*  [0-9.]+ s +follow-1 → all +[a-z-]+ +.+\n")
+                .doesNotContain("tells no goals");
+    }
+
+    /// What is told of it when it pursues something and has heard somebody.
+    private String mind(String agent, String heard, String... options) throws Exception {
+        var words = new ArrayList<>(List.of("run", "--port", "0"));
+        words.addAll(List.of(options));
+        Process process = rsal.withPage().start(words.toArray(String[]::new));
+        String url = process.errorReader().readLine().substring("Watch it at ".length());
+        String port = Integer.toString(URI.create(url).getPort());
+        Ended mind = rsal.run("agent", "mind", agent, "--port", port);
+        for (int look = 0;
+                look < 30 && !(mind.out().contains("does: ") && mind.out().contains(heard));
+                look++) {
+            mind = rsal.run("agent", "mind", agent, "--port", port);
+        }
+        Ended.signal("INT", process);
+        Ended.of(process);
+        assertThat(mind.code()).isZero();
+        return mind.out();
+    }
+
+    @Test
     void anOperatorSeesSendsAndStopsRobotsFromOutside() throws Exception {
         Rsal ours = rsal.inEnvironment(Map.of("XDG_RUNTIME_DIR", folder.toString()));
         Process process = ours.withPage().start("run", "teleop", "--port", "0", "--seed", "5");
