@@ -49,7 +49,7 @@ public final class BareJadex implements BareSystem {
             }
 
             private Body body(String name) {
-                var body = new Body(name);
+                var body = new Body(name, _ -> {});
                 bodies.add(body);
                 create(body, name);
                 return body;

@@ -3,6 +3,7 @@ package rsal.jadex;
 import jadex.bridge.IComponentStep;
 import jadex.bridge.IInternalAccess;
 import jadex.bridge.component.IExecutionFeature;
+import jadex.bridge.service.annotation.OnEnd;
 import jadex.bridge.service.annotation.OnInit;
 import jadex.commons.future.Future;
 import jadex.commons.future.IFuture;
@@ -14,6 +15,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /// An agent as Jadex has it: a micro agent that does what it is handed in steps of its own, several in one when they
@@ -23,6 +25,7 @@ public final class Body implements Executor {
     private static final Logger LOG = System.getLogger(Body.class.getName());
 
     private final String name;
+    private final Consumer<Body> killed;
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
     private final AtomicBoolean isDue = new AtomicBoolean();
     private final IComponentStep<Void> turn = _ -> {
@@ -33,8 +36,15 @@ public final class Body implements Executor {
     private volatile @Nullable IExecutionFeature steps; // may be handed steps by any thread, as its proxies do
     private volatile boolean ended;
 
-    Body(String name) {
+    /// @param name of our agent
+    /// @param killed told, on a thread of Jadex's, when Jadex has ended it by itself
+    Body(String name, Consumer<Body> killed) {
         this.name = name;
+        this.killed = killed;
+    }
+
+    String name() {
+        return name;
     }
 
     @OnInit
@@ -46,6 +56,17 @@ public final class Body implements Executor {
         }
         wake();
         return IFuture.DONE;
+    }
+
+    /// Also when nobody here wanted it to end.
+    @OnEnd
+    void gone() {
+        access = null; // it is not to be killed again
+        if (!ended) {
+            ended = true;
+            tasks.clear();
+            killed.accept(this);
+        }
     }
 
     /// In a step of its own, later. What is handed over after its end is dropped.

@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import rsal.agent.AgentHost;
 import rsal.agent.ThreadLane;
 import rsal.time.Scheduler;
@@ -23,6 +24,7 @@ final class JadexHost implements AgentHost {
     private final Map<String, Body> bodies = new HashMap<>(); // of those that run, by name
     private final List<IFuture<Map<String, Object>>> leaving = new ArrayList<>(); // and not yet gone
     private final Map<String, Integer> lives = new HashMap<>(); // how often there was one of that name, by Jadex's
+    private Consumer<String> onKilled = _ -> {};
 
     JadexHost(Scheduler run, IExternalAccess platform) {
         this.run = run;
@@ -31,7 +33,7 @@ final class JadexHost implements AgentHost {
 
     @Override
     public Scheduler lane(String name) {
-        var body = new Body(name);
+        var body = new Body(name, killed -> run.execute(() -> killed(killed)));
         bodies.put(name, body);
         platform.createComponent(new CreationInfo().setPojo(body).setName(componentName(name)))
                 .catchEx(e -> run.exclusively(() -> {
@@ -45,6 +47,18 @@ final class JadexHost implements AgentHost {
         String plain = agent.replaceAll("[^A-Za-z0-9_-]", "_");
         int life = lives.merge(plain, 1, Integer::sum);
         return life == 1 ? plain : plain + "_" + life;
+    }
+
+    /// Jadex has ended it by itself.
+    private void killed(Body body) {
+        if (bodies.remove(body.name(), body)) {
+            onKilled.accept(body.name());
+        }
+    }
+
+    @Override
+    public void onKilled(Consumer<String> listener) {
+        onKilled = listener;
     }
 
     @Override

@@ -1,7 +1,9 @@
 package rsal.jadex;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 
+import jadex.bridge.ComponentIdentifier;
 import jadex.bridge.IExternalAccess;
 import java.io.IOException;
 import java.lang.reflect.Field;
@@ -15,7 +17,10 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import rsal.agent.Agent;
+import rsal.agent.AgentContext;
 import rsal.agent.AgentHostProvider;
+import rsal.agent.Society.Status;
 import rsal.agent.Topic;
 import rsal.testkit.contract.AgentHostContract;
 import rsal.testkit.contract.HostRun;
@@ -44,6 +49,37 @@ class JadexHostTest extends AgentHostContract {
         }
         platform.waitForTermination().get(PATIENCE.toMillis());
         assertThat(files()).isEqualTo(before);
+    }
+
+    @Test
+    void whomJadexEndsByItselfEndsHereToo() {
+        IExternalAccess platform = LonelyPlatform.start();
+        var log = new ArrayList<String>();
+        try (var run = HostRun.inRealTime(time -> new JadexHost(time, platform))) {
+            run.start(
+                    "bob",
+                    self -> self.directory()
+                            .onDeparture(went -> log.add(went.agent().name() + " went")));
+            run.start("amy", new Agent() {
+                @Override
+                public void start(AgentContext self) {
+                    self.scheduler().every(BEAT, () -> log.add("amy lives"));
+                }
+
+                @Override
+                public void stop(AgentContext self) {
+                    log.add("last words");
+                }
+            });
+            run.until("it lives", () -> log.contains("amy lives"));
+            platform.getExternalAccess(new ComponentIdentifier("amy", platform.getId()))
+                    .killComponent();
+            run.until("the other knows", () -> log.contains("amy went"));
+            assertThat(log).containsSubsequence("last words", "amy went").endsWith("amy went");
+            assertThat(run.ask(() -> run.society().views()))
+                    .extracting(view -> view.agent().name(), view -> view.status())
+                    .containsExactly(tuple("bob", Status.RUNNING), tuple("amy", Status.ENDED));
+        }
     }
 
     private static Set<Path> files() throws IOException {
