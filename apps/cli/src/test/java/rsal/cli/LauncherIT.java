@@ -4,16 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
+import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -62,6 +65,20 @@ class LauncherIT {
                     mkdir -p "$made"; touch "$made/index.html";;
             esac
             """;
+    private static final String APT_GET = """
+            #!/bin/sh
+            cd "$(dirname "$0")"
+            echo "$@" >> installing
+            [ ! -e ../no-network ] || exit 100
+            [ "$1" = update ] || for name in chromium Xvfb; do ln -s unzip $name; done
+            """;
+    private static final String SUDO = """
+            #!/bin/sh
+            shift
+            exec "$@"
+            """;
+    private static final Set<String> WHAT_TESTS_NEED =
+            Set.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "Xvfb");
     private static final Duration PATIENCE = Duration.ofSeconds(10);
 
     @TempDir
@@ -78,6 +95,8 @@ class LauncherIT {
         writeMain(project.resolve("main.jar"));
         writeExecutable(project.resolve("mvnw"), MAVEN);
         writeExecutable(Files.createDirectories(folder.resolve("bin")).resolve("unzip"), "#!/bin/sh\n");
+        writeExecutable(folder.resolve("bin/apt-get"), APT_GET); // else a test would install
+        writeExecutable(folder.resolve("bin/sudo"), SUDO);
     }
 
     @Test
@@ -180,6 +199,60 @@ class LauncherIT {
         assertThat(ended.out().strip()).isEqualTo("2 passed, 1 failed");
         assertThat(ended.err()).contains("Fetching the documentation's libraries failed", "npm error code EUSAGE\n");
         assertThat(ended.err()).endsWith("rsal: FAILED a step without a test that failed, see above\n");
+    }
+
+    @Test
+    void installsWhatTestsNeedAtOnce() throws Exception {
+        Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
+        layOutPage("#!/bin/sh\n");
+
+        Ended first = testOnABareMachine();
+        Ended again = testOnABareMachine();
+
+        assertThat(first.out()).isEqualTo("2 passed, 0 failed\n");
+        assertThat(first.err()).contains("Installing chromium xvfb…").doesNotContain("SKIPPED");
+        assertThat(again.err()).doesNotContain("Installing", "SKIPPED");
+        assertThat(folder.resolve("bin/installing"))
+                .hasContent("update\ninstall -y --no-install-recommends chromium xvfb\n");
+        assertThat(builds()).contains("run test:browser");
+    }
+
+    @Test
+    void skipsTestsWhoseNeedsCanNotBeInstalled() throws Exception {
+        Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
+        Files.createFile(folder.resolve("no-network"));
+        layOutPage("#!/bin/sh\n");
+
+        Ended ended = testOnABareMachine();
+
+        assertThat(ended.out()).isEqualTo("2 passed, 0 failed\n");
+        assertThat(ended.err())
+                .contains(
+                        "TESTS OF JADE'S WINDOWS SKIPPED: they need Xvfb", "BROWSER TESTS SKIPPED: they need Chromium");
+        assertThat(builds()).doesNotContain("run test:browser");
+    }
+
+    /// As this one, but without browsers and screens.
+    private Ended testOnABareMachine() throws Exception {
+        Path programs = Files.createDirectories(folder.resolve("programs"));
+        List<Path> places = Stream.of(System.getenv("PATH").split(":", -1))
+                .map(Path::of)
+                .filter(Files::isDirectory)
+                .toList();
+        for (Path place : places) {
+            try (Stream<Path> there = Files.list(place)) {
+                for (Path program : there.toList()) {
+                    Path link = programs.resolve(program.getFileName());
+                    if (!WHAT_TESTS_NEED.contains(program.getFileName().toString())
+                            && Files.notExists(link, LinkOption.NOFOLLOW_LINKS)) {
+                        Files.createSymbolicLink(link, program.toAbsolutePath());
+                    }
+                }
+            }
+        }
+        var builder = builder(project, "./rsal", "test");
+        builder.environment().put("PATH", folder.resolve("bin") + ":" + programs);
+        return Ended.of(builder.start());
     }
 
     @Test
