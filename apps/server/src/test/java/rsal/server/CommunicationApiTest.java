@@ -27,6 +27,8 @@ class CommunicationApiTest {
     @TempDir
     private Path directory;
 
+    private static final double STEP = 0.1; // [s]
+
     private RunServer server;
     private int port;
     private String host;
@@ -34,6 +36,7 @@ class CommunicationApiTest {
     @BeforeEach
     void start() throws Exception {
         server = Errand.serve("talk.yaml", directory, 0);
+        server.run().pause();
         port = server.url().getPort();
         host = "Host: 127.0.0.1:" + port;
     }
@@ -49,13 +52,16 @@ class CommunicationApiTest {
         return JSON.readTree(response.body());
     }
 
-    /// Lets the run come so far, and stand still there.
+    /// Lets the run come so far, step by step, and stand still there.
     private void advanceTo(double seconds) {
-        while (server.run().snapshot().time().toMillis() < 1000 * seconds) {
+        while (!server.run().snapshot().paused()) {
             Thread.onSpinWait();
         }
-        server.run().pause();
-        while (!server.run().snapshot().paused()) {
+        double left = seconds - server.run().snapshot().time().toMillis() / 1000.0;
+        for (int i = 0; i < left / STEP; i++) {
+            server.run().step();
+        }
+        while (server.run().snapshot().time().toMillis() < 1000 * seconds) {
             Thread.onSpinWait();
         }
     }
