@@ -46,6 +46,7 @@ import rsal.time.Scheduler;
 final class Agents implements AutoCloseable {
     private static final int LAST_MESSAGES = 5;
     private static final String OPERATOR = "operator"; // who speaks for people
+    static final int MOST_BY_HAND = 500; // starts that people ask for, of a run
 
     private final RunPlan plan;
     private final Scheduler scheduler;
@@ -65,6 +66,7 @@ final class Agents implements AutoCloseable {
     private final Mailboxes mailboxes;
     private final Links links;
     private Optional<Radio> radio = Optional.empty();
+    private int byHand;
     private Optional<Society> society = Optional.empty();
     private boolean closed;
 
@@ -151,6 +153,11 @@ final class Agents implements AutoCloseable {
         if (isRunning(agent.name())) {
             return new Answer.Refused("Agent (%s) runs already.".formatted(agent.name()));
         }
+        if (byHand == MOST_BY_HAND) {
+            return new Answer.Refused(
+                    "People have started agents %d times in this run, which is all they may. Maybe the scenario starts them."
+                            .formatted(MOST_BY_HAND));
+        }
         Optional<String> missing = agent.robot().filter(robot -> !team.has(robot) || faults.isGone(robot));
         if (missing.isPresent()) {
             return new Answer.Refused("Robot (%s) is not there, for which it would act.".formatted(missing.get()));
@@ -160,6 +167,7 @@ final class Agents implements AutoCloseable {
         } catch (RuntimeException e) { // of a host that can't, as its system is another's code
             return new Answer.Refused("Agent (%s) can't be started: %s".formatted(agent.name(), e.getMessage()));
         }
+        byHand++;
         journal.event(OPERATOR, agent.name(), how);
         return done;
     }

@@ -137,6 +137,17 @@ class AgentsByHandTest {
     }
 
     @Test
+    void peopleStartNoMoreThanARunBears() throws Exception {
+        for (int i = 0; i < Agents.MOST_BY_HAND; i++) {
+            assertThat(answer(run.addAgent("base", ""))).isInstanceOf(Answer.Added.class);
+        }
+        assertThat(answer(run.addAgent("base", "")))
+                .isInstanceOfSatisfying(
+                        Answer.Refused.class,
+                        refused -> assertThat(refused.why()).contains("500 times"));
+    }
+
+    @Test
     void whatIsSaidReachesTheOneItIsFor() throws Exception {
         assertThat(answer(run.say("amy", "text", Map.of("words", "go home")))).isEqualTo(new Answer.Done());
         step();
