@@ -527,7 +527,7 @@ describe.skipIf(!chromium)('the page', () => {
       await page.keyboard.press('Escape');
       await page.keyboard.press('r');
       await check('with the form to run again');
-      await page.getByLabel('Seed').fill('seven');
+      await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').fill('seven');
       await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
       await page.getByRole('dialog').getByRole('alert').waitFor();
       await check('with mistakes in the form');
