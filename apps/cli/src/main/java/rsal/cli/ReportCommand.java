@@ -38,7 +38,7 @@ final class ReportCommand extends Subcommand {
         check(
                 page.toString().matches(".*\\.html?") && !Files.isDirectory(page),
                 "--out must be a file like report.html, not (%s).".formatted(page));
-        List<Path> written = write(findings, page);
+        List<Path> written = write(findings, folder, page);
         if (json) {
             printJson(Map.of("files", written.stream().map(Path::toString).toList()));
         } else {
@@ -52,9 +52,9 @@ final class ReportCommand extends Subcommand {
         return Exit.SUCCESS;
     }
 
-    private static List<Path> write(Findings findings, Path page) {
+    private static List<Path> write(Findings findings, Path folder, Path page) {
         try {
-            return Report.write(findings, page);
+            return Report.write(findings, folder, page);
         } catch (IOException e) {
             throw new Unreachable(
                     "The report can't be written to (%s): %s. Name a file in a folder that you may write to."

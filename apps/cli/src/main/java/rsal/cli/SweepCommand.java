@@ -20,6 +20,7 @@ import rsal.experiment.Design;
 import rsal.experiment.Factor;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest;
+import rsal.experiment.Recordings;
 import rsal.experiment.Row;
 import rsal.experiment.SeedRange;
 import rsal.experiment.Sweep;
@@ -99,6 +100,12 @@ final class SweepCommand extends Subcommand {
     private boolean resume;
 
     @Option(
+            names = "--record",
+            description =
+                    "Record each run, to DIR/recordings/RUN.mcap: 'rsal replay' shows it, and the report leads to it.")
+    private boolean record;
+
+    @Option(
             names = "--out",
             paramLabel = "DIR",
             required = true,
@@ -119,7 +126,7 @@ final class SweepCommand extends Subcommand {
         tellNotes(sweep);
         Path folder = Destination.path(out);
         try (SweepFolder opened = open(folder, sweep, reference.nameOrFile())) {
-            runAll(sweep, opened);
+            runAll(sweep, opened, record ? new SweepRecordings(folder, String.join(" ", command())) : Recordings.NONE);
         } catch (UncheckedIOException e) {
             throw unwritable(folder, e);
         }
@@ -133,9 +140,10 @@ final class SweepCommand extends Subcommand {
         return findings.rows().stream().anyMatch(Row::isBroken) ? Exit.NO_SUCCESS : Exit.SUCCESS;
     }
 
-    private void runAll(Sweep sweep, SweepFolder opened) throws InterruptedException {
+    private void runAll(Sweep sweep, SweepFolder opened, Recordings recordings) throws InterruptedException {
+        int cores = Runtime.getRuntime().availableProcessors();
         var progress = new SweepProgress(err(), sweep.trials().size());
-        try (var runs = new SweepRun(sweep, opened, jobs, progress::ended)) {
+        try (var runs = new SweepRun(sweep, opened, jobs, cores, recordings, progress::ended)) {
             var ending = new ClosedAtExit(() -> breakOff(runs, progress));
             if (resume && runs.left() > 0) {
                 runs.checkRepeatable();
@@ -156,13 +164,18 @@ final class SweepCommand extends Subcommand {
         progress.interrupted(out);
     }
 
-    private SweepFolder open(Path folder, Sweep sweep, String named) {
+    /// As it was typed.
+    private List<String> command() {
         var command = new ArrayList<>(List.of(spec.root().name()));
         command.addAll(spec.root().commandLine().getParseResult().originalArgs());
+        return command;
+    }
+
+    private SweepFolder open(Path folder, Sweep sweep, String named) {
         var session = new Manifest.Session(
                 Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(),
                 named,
-                command,
+                command(),
                 jobs,
                 Manifest.Machine.here(spec.root().version()[0]));
         return resume ? SweepFolder.resume(folder, sweep, session) : SweepFolder.create(folder, sweep, session);

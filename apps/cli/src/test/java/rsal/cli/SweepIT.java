@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -159,6 +160,31 @@ class SweepIT {
         assertThat(ended.err()).contains(message).doesNotContain("\tat ");
         assertThat(ended.out()).isEmpty();
         assertThat(folder.resolve("s")).doesNotExist();
+    }
+
+    @Test
+    void eachRunIsRecordedWhereThatIsWanted() throws Exception {
+        String[] plain = {"sweep", "guard.yaml:short", "--repeat", "3", "--jobs", "2", "--out", "plain"};
+        String[] recorded = {"sweep", "guard.yaml:short", "--repeat", "3", "--jobs", "2", "--out", "s", "--record"};
+        rsal.run(plain);
+        Ended ended = rsal.run(recorded);
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(hashes("s")).hasSize(3).isEqualTo(hashes("plain"));
+        for (int run = 1; run <= 3; run++) {
+            Ended verified = rsal.run("replay", "s/recordings/" + run + ".mcap", "--verify");
+            assertThat(verified.out()).as(verified.err()).startsWith("The same: ");
+        }
+        rsal.run("report", "s");
+        assertThat(folder.resolve("s/report.html")).content().contains("<a href=\"recordings/2.mcap\">2</a>");
+    }
+
+    private Set<String> hashes(String sweep) throws IOException {
+        var hashes = new TreeSet<String>();
+        for (String line : Files.readAllLines(folder.resolve(sweep).resolve("rows.jsonl"))) {
+            JsonNode row = new JsonMapper().readTree(line);
+            hashes.add(row.get("run").intValue() + " " + row.get("eventHash").asString());
+        }
+        return hashes;
     }
 
     @Test

@@ -1,5 +1,7 @@
 package rsal.experiment;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Queue;
@@ -12,9 +14,11 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import rsal.experiment.Recordings.Recording;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunBroken;
+import rsal.scenario.run.RunResult;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
@@ -29,26 +33,36 @@ public final class SweepRun implements AutoCloseable {
     private final SweepFolder folder;
     private final int jobs;
     private final int cores;
+    private final Recordings recordings;
     private final Consumer<? super Row> listener;
     private final Queue<Trial> waiting = new ConcurrentLinkedQueue<>();
     private final Set<LiveRun> underWay = ConcurrentHashMap.newKeySet();
     private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
     private volatile boolean closed;
 
-    /// With all cores of the machine.
+    /// With all cores of the machine, unrecorded.
     ///
     /// @param jobs how many runs at once
     /// @param listener told of each row once it is on the disk, by one thread at a time; must be quick
     public SweepRun(Sweep sweep, SweepFolder folder, int jobs, Consumer<? super Row> listener) {
-        this(sweep, folder, jobs, Runtime.getRuntime().availableProcessors(), listener);
+        this(sweep, folder, jobs, Runtime.getRuntime().availableProcessors(), Recordings.NONE, listener);
     }
 
+    /// @param jobs how many runs at once
     /// @param cores how many of them the runs may keep busy in all; a run takes one at least
-    public SweepRun(Sweep sweep, SweepFolder folder, int jobs, int cores, Consumer<? super Row> listener) {
+    /// @param listener told of each row once it is on the disk, by one thread at a time; must be quick
+    public SweepRun(
+            Sweep sweep,
+            SweepFolder folder,
+            int jobs,
+            int cores,
+            Recordings recordings,
+            Consumer<? super Row> listener) {
         this.sweep = sweep;
         this.folder = folder;
         this.jobs = jobs;
         this.cores = cores;
+        this.recordings = recordings;
         this.listener = listener;
         var done = new HashSet<Integer>();
         folder.rows().forEach(row -> done.add(row.run()));
@@ -75,7 +89,7 @@ public final class SweepRun implements AutoCloseable {
         if (quickest == null) {
             return;
         }
-        Row again = row(sweep.trials().get(quickest.run() - 1));
+        Row again = row(sweep.trials().get(quickest.run() - 1), Recordings.NONE);
         if (!closed && !again.eventHash().equals(quickest.eventHash())) {
             throw new InvalidSettings(
                     Location.of("--resume"),
@@ -99,7 +113,7 @@ public final class SweepRun implements AutoCloseable {
     /// Does all runs, and returns when they have ended or this is closed.
     ///
     /// @throws InterruptedException when this thread is; the runs are given up
-    /// @throws java.io.UncheckedIOException when a row can't be written; the runs under way are given up
+    /// @throws UncheckedIOException when a row or a recording can't be written; the runs under way are given up
     public void run() throws InterruptedException {
         var ended = new CountDownLatch(jobs);
         for (int i = 1; i <= jobs; i++) {
@@ -132,7 +146,7 @@ public final class SweepRun implements AutoCloseable {
 
     private void work() throws InterruptedException {
         for (Trial next = waiting.poll(); next != null && !closed; next = waiting.poll()) {
-            Row row = row(next);
+            Row row = row(next, recordings);
             synchronized (this) {
                 if (closed) { // it ended because of that
                     return;
@@ -143,7 +157,7 @@ public final class SweepRun implements AutoCloseable {
         }
     }
 
-    private Row row(Trial trial) throws InterruptedException {
+    private Row row(Trial trial, Recordings recorded) throws InterruptedException {
         Map<String, Object> arguments = sweep.arguments(trial.combination());
         RunPlan plan;
         try {
@@ -156,17 +170,25 @@ public final class SweepRun implements AutoCloseable {
         } catch (RuntimeException | OutOfMemoryError e) {
             return Row.broken(trial, arguments, reason(e));
         }
+        try (Recording recording = recorded.begin(trial, plan)) {
+            return row(trial, plan, recording);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private Row row(Trial trial, RunPlan plan, Recording recording) throws InterruptedException {
+        Map<String, Object> arguments = sweep.arguments(trial.combination());
         int helpers = Math.max(1, cores / jobs);
-        try (LiveRun run = LiveRun.start(plan, helpers)) {
+        try (LiveRun run = LiveRun.start(plan, helpers, recording.witness())) {
             underWay.add(run);
             try {
                 if (closed) {
                     run.stop();
                 }
-                return Row.of(
-                        trial,
-                        plan.arguments(),
-                        run.result().toCompletableFuture().get());
+                RunResult result = run.result().toCompletableFuture().get();
+                recording.ended(result);
+                return Row.of(trial, plan.arguments(), result);
             } finally {
                 underWay.remove(run);
             }

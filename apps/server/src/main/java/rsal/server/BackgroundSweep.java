@@ -10,6 +10,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.experiment.Findings;
 import rsal.experiment.Pace;
+import rsal.experiment.Recordings;
 import rsal.experiment.Sweep;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.SweepRun;
@@ -64,7 +65,7 @@ final class BackgroundSweep implements AutoCloseable {
         this.order = order;
         this.folder = folder;
         this.before = folder.rows().size();
-        this.runs = new SweepRun(order.sweep(), folder, order.jobs(), cores, _ -> {});
+        this.runs = new SweepRun(order.sweep(), folder, order.jobs(), cores, Recordings.NONE, _ -> {});
         this.thread = Thread.ofPlatform().daemon().name("sweep").start(() -> state = work(again));
     }
 

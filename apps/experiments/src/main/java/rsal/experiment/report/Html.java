@@ -19,6 +19,11 @@ final class Html {
     /// @param words how many of the first columns are words, to the left; those after are numbers, to the
     /// right
     static String table(String caption, int words, List<String> header, List<List<String>> rows) {
+        return table(caption, words, header, rows, List.of());
+    }
+
+    /// @param links where the first cell of each row leads to; none when nowhere
+    static String table(String caption, int words, List<String> header, List<List<String>> rows, List<String> links) {
         var html = new StringBuilder(
                 "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"%s\">\n<table>\n<caption>%s</caption>\n<thead><tr>"
                         .formatted(text(caption), text(caption)));
@@ -26,11 +31,17 @@ final class Html {
             html.append("<th scope=\"col\"%s>%s</th>".formatted(style(i, words), text(header.get(i))));
         }
         html.append("</tr></thead>\n<tbody>\n");
-        for (List<String> row : rows) {
+        for (int j = 0; j < rows.size(); j++) {
+            List<String> row = rows.get(j);
             html.append("<tr>");
             for (int i = 0; i < row.size(); i++) {
+                String cell = text(row.get(i));
                 html.append((i == 0 ? "<th scope=\"row\"%s>%s</th>" : "<td%s>%s</td>")
-                        .formatted(style(i, words), text(row.get(i))));
+                        .formatted(
+                                style(i, words),
+                                i == 0 && !links.isEmpty()
+                                        ? "<a href=\"%s\">%s</a>".formatted(text(links.get(j)), cell)
+                                        : cell));
             }
             html.append("</tr>\n");
         }

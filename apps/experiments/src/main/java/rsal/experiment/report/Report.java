@@ -1,15 +1,18 @@
 package rsal.experiment.report;
 
 import java.io.IOException;
+import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import rsal.experiment.Combination;
 import rsal.experiment.CsvLine;
@@ -18,6 +21,7 @@ import rsal.experiment.Findings;
 import rsal.experiment.Manifest.Argument;
 import rsal.experiment.Manifest.Measure;
 import rsal.experiment.Manifest.Session;
+import rsal.experiment.Recordings;
 import rsal.experiment.Row;
 import rsal.experiment.statistics.BoxPlot;
 import rsal.experiment.statistics.Mean;
@@ -26,46 +30,70 @@ import rsal.experiment.statistics.Share;
 /// What an experiment says, as a page that carries all it needs: it can be sent to others, read without a
 /// network, and printed. Its figures are also there as files, a picture and the numbers of each.
 public final class Report {
+    private static final int MOST_LISTED = 10_000; // runs
+
     private final Findings findings;
+    private final Map<Integer, String> recordings; // of runs: where they are, seen from the page
     private final List<Combination> combinations; // of which runs have ended
     private final List<Figure> figures = new ArrayList<>();
     private final StringBuilder html = new StringBuilder();
 
-    private Report(Findings findings) {
+    private Report(Findings findings, Map<Integer, String> recordings) {
         this.findings = findings;
+        this.recordings = recordings;
         this.combinations = findings.design().combinations().stream()
                 .filter(combination -> !findings.of(combination).isEmpty())
                 .toList();
     }
 
-    /// Writes the page, and its figures beside it: `report.html` and `report-figures/outcomes.png`.
+    /// Writes the page, and its figures beside it: `report.html` and `report-figures/outcomes.png`. It links to the
+    /// recordings of runs that are there.
     ///
+    /// @param folder of the sweep
     /// @return all files that were written, the page first
     /// @throws IOException when they can't be
-    public static List<Path> write(Findings findings, Path page) throws IOException {
-        var report = new Report(findings);
+    public static List<Path> write(Findings findings, Path folder, Path page) throws IOException {
+        var report = new Report(findings, recordings(findings, folder, page));
         String text = report.page();
         String name = String.valueOf(page.getFileName()).replaceAll("\\.html?$", "");
-        Path folder = page.resolveSibling(name + "-figures");
+        Path beside = page.resolveSibling(name + "-figures");
         var written = new ArrayList<Path>();
         written.add(Files.writeString(page, text));
         if (!report.figures.isEmpty()) {
-            Files.createDirectories(folder);
+            Files.createDirectories(beside);
         }
         for (Figure figure : report.figures) {
-            Path csv = folder.resolve(figure.name() + ".csv");
+            Path csv = beside.resolve(figure.name() + ".csv");
             String lines = Stream.concat(Stream.of(figure.header()), figure.numbers().stream())
                     .map(row -> CsvLine.of(row.stream()))
                     .collect(Collectors.joining());
             written.add(Files.writeString(csv, lines, StandardCharsets.UTF_8));
-            written.add(Files.write(folder.resolve(figure.name() + ".png"), PngDrawing.of(figure)));
+            written.add(Files.write(beside.resolve(figure.name() + ".png"), PngDrawing.of(figure)));
         }
         return written;
     }
 
-    /// The page alone.
+    private static Map<Integer, String> recordings(Findings findings, Path folder, Path page) {
+        Path from = page.toAbsolutePath().normalize().getParent();
+        var recordings = new HashMap<Integer, String>();
+        for (Row row : findings.rows()) {
+            Path file = Recordings.file(folder, row.run()).toAbsolutePath().normalize();
+            if (from != null && Files.exists(file)) {
+                recordings.put(
+                        row.run(),
+                        IntStream.range(0, from.relativize(file).getNameCount())
+                                .mapToObj(i -> from.relativize(file).getName(i).toString())
+                                .map(name -> URLEncoder.encode(name, StandardCharsets.UTF_8)
+                                        .replace("+", "%20"))
+                                .collect(Collectors.joining("/")));
+            }
+        }
+        return recordings;
+    }
+
+    /// The page alone, without links to recordings.
     public static String html(Findings findings) {
-        return new Report(findings).page();
+        return new Report(findings, Map.of()).page();
     }
 
     private String page() {
@@ -88,6 +116,7 @@ public final class Report {
                 measure(measure);
             }
             failures();
+            recorded();
         }
         made();
         return html.append("</main>\n</body>\n</html>\n").toString();
@@ -316,6 +345,39 @@ public final class Report {
                     rows));
         }
         html.append("</section>\n");
+    }
+
+    /// Runs that can be seen again.
+    private void recorded() {
+        List<Row> rows = findings.rows().stream()
+                .filter(row -> recordings.containsKey(row.run()))
+                .limit(MOST_LISTED)
+                .toList();
+        if (rows.isEmpty()) {
+            return;
+        }
+        html.append("<section>\n<h2>Recordings</h2>\n<p>'rsal replay FILE.mcap' shows a run in the page, Foxglove opens"
+                + " the file, too.</p>\n<details>\n<summary>%s</summary>\n"
+                        .formatted(counted(rows.size(), "recorded run")));
+        html.append(Html.table(
+                "Runs with their recordings",
+                3,
+                List.of("run", "combination", "outcome", "seed", "simulated [s]"),
+                rows.stream().map(this::listed).toList(),
+                rows.stream().map(row -> recordings.getOrDefault(row.run(), "")).toList()));
+        html.append("</details>\n</section>\n");
+    }
+
+    private List<String> listed(Row row) {
+        Combination combination = findings.design().combinations().get(row.combination() - 1);
+        return List.of(
+                Integer.toString(row.run()),
+                findings.label(combination),
+                row.outcome(),
+                Long.toString(row.seed()),
+                row.simulatedSeconds().isPresent()
+                        ? Numbers.of(row.simulatedSeconds().getAsDouble())
+                        : "–");
     }
 
     /// How to do one run by itself.

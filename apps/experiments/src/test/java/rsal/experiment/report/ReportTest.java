@@ -19,6 +19,7 @@ import rsal.experiment.Factor;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest;
 import rsal.experiment.Manifest.Measure;
+import rsal.experiment.Recordings;
 import rsal.experiment.Row;
 import rsal.experiment.Trial;
 import rsal.experiment.statistics.Effect;
@@ -110,7 +111,7 @@ class ReportTest {
     @Test
     void carriesAllThatItNeedsAndNothingThatIsNotEscaped() throws Exception {
         Path page = folder.resolve("report.html");
-        List<Path> written = Report.write(findings, page);
+        List<Path> written = Report.write(findings, folder, page);
         String html = Files.readString(page);
         assertThat(html)
                 .contains("Hunters &amp; &lt;prey&gt;", "words=b &amp; &lt;b&gt;", "&lt;script&gt;")
@@ -129,8 +130,22 @@ class ReportTest {
     }
 
     @Test
+    void leadsToRecordingsThatAreThere() throws Exception {
+        Path sweep = Files.createDirectories(folder.resolve("my sweep"));
+        Path file = Recordings.file(sweep, 3);
+        Files.createDirectories(file.getParent());
+        Files.createFile(file);
+        Path page = Files.createDirectories(folder.resolve("pages")).resolve("report.html");
+        Report.write(findings, sweep, page);
+        assertThat(Files.readString(page))
+                .contains("1 recorded run<", "<a href=\"../my%20sweep/recordings/3.mcap\">3</a>")
+                .doesNotContain("recordings/4.mcap");
+        assertThat(Report.html(findings)).doesNotContain("Recordings");
+    }
+
+    @Test
     void eachFigureIsThereAsNumbersAndAsAPicture() throws Exception {
-        Report.write(findings, folder.resolve("my.report.html"));
+        Report.write(findings, folder, folder.resolve("my.report.html"));
         Path figures = folder.resolve("my.report-figures");
         assertThat(Files.readAllLines(figures.resolve("outcomes.csv")))
                 .startsWith("combination,outcome,count,runs,share,low95,high95")
@@ -145,9 +160,9 @@ class ReportTest {
     @Test
     void anUnfinishedSweepSaysSo() throws Exception {
         Path page = folder.resolve("report.html");
-        Report.write(new Findings(findings.manifest(), findings.rows().subList(0, 6)), page);
+        Report.write(new Findings(findings.manifest(), findings.rows().subList(0, 6)), folder, page);
         assertThat(Files.readString(page)).contains("only 6 have ended so far");
-        Report.write(new Findings(findings.manifest(), List.of()), page);
+        Report.write(new Findings(findings.manifest(), List.of()), folder, page);
         assertThat(Files.readString(page)).contains("No run has ended yet");
     }
 }

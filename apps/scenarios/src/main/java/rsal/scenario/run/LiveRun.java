@@ -130,7 +130,12 @@ public final class LiveRun implements AutoCloseable {
     ///
     /// @param helpers how many threads help the run's own with heavy work
     public static LiveRun start(RunPlan plan, int helpers) {
-        return start(plan, helpers, System::nanoTime);
+        return start(plan, helpers, Optional.empty());
+    }
+
+    /// @param witness who sees all of it; it goes as it would without
+    public static LiveRun start(RunPlan plan, int helpers, Optional<Witness> witness) {
+        return start(plan, helpers, System::nanoTime, AGENTS_MAY_TAKE, witness);
     }
 
     private static LiveRun start(RunPlan plan, int helpers, LongSupplier handClock) {
