@@ -9,7 +9,8 @@ const MOST = 8;
  * differ in lightness and not in hue: the hue is the role's, and those who see few hues see lightness.
  */
 export function withShades<T extends { color: string }>(robots: readonly T[]): T[] {
-  const shades = new Map(robots.map(({ color }) => [color, shadesOf(color)]));
+  const colors = new Set(robots.map(({ color }) => color));
+  const shades = new Map([...colors].map((color) => [color, shadesOf(color)]));
   const seen = new Map<string, number>();
   return robots.map((robot) => {
     const before = seen.get(robot.color) ?? 0;
