@@ -93,8 +93,8 @@ describe.skipIf(!chromium)('a sweep', () => {
     const page = await open(rsal.url, 'dark');
     await choose(page);
     await form(page).getByLabel('guards').fill('1,2');
-    await form(page).getByLabel('Seeds').fill('3');
-    await form(page).getByText('6 runs: 2 combinations × 3 seeds').waitFor();
+    await form(page).getByLabel('Seeds').fill('30');
+    await form(page).getByText('60 runs: 2 combinations × 30 seeds').waitFor();
     await picture(page, 'sweep-form-dark');
     await form(page).getByRole('button', { name: 'Begin' }).click();
     const seen = new Set<number>();
@@ -103,7 +103,7 @@ describe.skipIf(!chromium)('a sweep', () => {
       return (await status(page).innerText()) === 'Ended';
     }, 'it ends');
     expect(seen.size).toBeGreaterThan(1);
-    expect(await progress(page).innerText()).toBe('6 of 6 runs');
+    expect(await progress(page).innerText()).toBe('60 of 60 runs');
     const row = page.locator('[data-combination="guards=2"]');
     expect(await row.innerText()).toMatch(/100 %[^]*±/);
     await row.getByRole('img', { name: /^way: quartiles/ }).waitFor();
@@ -115,7 +115,7 @@ describe.skipIf(!chromium)('a sweep', () => {
       page.getByRole('link', { name: 'Open the report' }).click(),
     ]);
     await report.getByRole('heading', { name: 'Robots that wander' }).waitFor();
-    expect(await report.getByText('6 runs of 2 combinations with 3 seeds').count()).toBe(1);
+    expect(await report.getByText('60 runs of 2 combinations with 30 seeds').count()).toBe(1);
     expect(await report.locator('h1').evaluate((h) => getComputedStyle(h).lineHeight)).toBe('35px'); // its style counts
     await picture(report, 'sweep-report');
   });
@@ -126,16 +126,16 @@ describe.skipIf(!chromium)('a sweep', () => {
     await form(page).getByLabel('brief: Five seconds').uncheck();
     await form(page).getByLabel('lasting: A minute').check();
     await form(page).getByLabel('guards').fill('1:4');
-    await form(page).getByLabel('Seeds').fill('8');
-    await form(page).getByText('32 runs').waitFor();
+    await form(page).getByLabel('Seeds').fill('12');
+    await form(page).getByText('48 runs').waitFor();
     await form(page).getByRole('button', { name: 'Begin' }).click();
     await eventually(async () => (await ended(page)) >= 5, 'it grows');
     await picture(page, 'sweep-light');
-    await expectAccessible(page);
     await page.getByRole('dialog').getByRole('button', { name: 'Stop' }).click();
     await eventually(async () => (await status(page).innerText()) === 'Stopped', 'it stops');
     const stopped = await ended(page);
-    expect(stopped).toBeLessThan(32);
+    expect(stopped).toBeLessThan(48);
+    await expectAccessible(page);
     const rows = () =>
       readFileSync(join(folder, 'wander-2', 'rows.jsonl'), 'utf8')
         .trimEnd()
@@ -149,7 +149,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     const command = (await page.locator('dialog[open] pre').innerText()).split(' ');
     expect(command[0]).toBe('rsal');
     await Rsal.headless(...command.slice(1));
-    expect(rows()).toHaveLength(32);
+    expect(rows()).toHaveLength(48);
   });
 
   it('can be looked at by a key and without the token, and not be touched then', async () => {

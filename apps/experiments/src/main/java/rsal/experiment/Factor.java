@@ -18,7 +18,8 @@ import rsal.settings.Suggestion;
 /// @param levels as typed, each once; effects are told beside the first
 public record Factor(String argument, List<String> levels) {
     private static final int MOST_LEVELS = 10_000;
-    private static final String NUMBER = "([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)";
+    private static final String NUMBER =
+            "([-+]?[0-9.]{1,30}(?:[eE][-+]?[0-9]{1,2})?)"; // no more digits when written out
     private static final Pattern RANGE = Pattern.compile(NUMBER + ":" + NUMBER + "(?::" + NUMBER + ")?");
 
     public Factor {

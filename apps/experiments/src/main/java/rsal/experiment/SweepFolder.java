@@ -45,9 +45,11 @@ public final class SweepFolder implements AutoCloseable {
     private final FileChannel rows;
     private final CsvTable columns;
     private final TreeMap<Integer, Row> known = new TreeMap<>(); // by run
+    private final Manifest manifest;
 
-    private SweepFolder(Path folder, Sweep sweep) throws IOException {
+    private SweepFolder(Path folder, Sweep sweep, Manifest manifest) throws IOException {
         this.folder = folder;
+        this.manifest = manifest;
         this.columns = CsvTable.of(sweep);
         this.rows = FileChannel.open(
                 folder.resolve(ROWS), StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
@@ -90,8 +92,9 @@ public final class SweepFolder implements AutoCloseable {
                 throw new InvalidSettings(at(folder), "The folder is not empty.", "Name one that is, or a new one.");
             }
             Files.createDirectories(folder);
-            replace(folder.resolve(MANIFEST), pretty(Manifest.of(sweep, session)));
-            return new SweepFolder(folder, sweep);
+            Manifest manifest = Manifest.of(sweep, session);
+            replace(folder.resolve(MANIFEST), pretty(manifest));
+            return new SweepFolder(folder, sweep, manifest);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -107,17 +110,18 @@ public final class SweepFolder implements AutoCloseable {
                 throw new InvalidSettings(
                         at(folder), "There is no sweep to go on with.", "To begin one, leave out --resume.");
             }
-            Manifest manifest = manifest(folder);
-            List<String> differences = Manifest.Subject.of(sweep).differences(manifest.subject());
+            Manifest before = manifest(folder);
+            List<String> differences = Manifest.Subject.of(sweep).differences(before.subject());
             if (!differences.isEmpty()) {
                 throw new InvalidSettings(
                         at(folder),
                         "The sweep in it is another one. It differs in %s.".formatted(String.join("; ", differences)),
                         "Name another folder, or go on with the same command.");
             }
-            var opened = new SweepFolder(folder, sweep);
+            Manifest manifest = before.with(session);
+            var opened = new SweepFolder(folder, sweep, manifest);
             try {
-                replace(folder.resolve(MANIFEST), pretty(manifest.with(session)));
+                replace(folder.resolve(MANIFEST), pretty(manifest));
             } catch (IOException e) {
                 opened.close();
                 throw e;
@@ -133,9 +137,9 @@ public final class SweepFolder implements AutoCloseable {
         return List.copyOf(known.values());
     }
 
-    /// What is known so far. Also once it is closed.
+    /// What is known so far. Also once it is closed, or somebody has taken the folder away.
     public Findings findings() {
-        return new Findings(manifest(folder), rows());
+        return new Findings(manifest, rows());
     }
 
     /// Adds a row. Returns when it is on the disk.

@@ -102,6 +102,11 @@ final class BackgroundSweep implements AutoCloseable {
         return order;
     }
 
+    /// Whether all of its runs have rows.
+    boolean hasEnded() {
+        return state.status() == SweepStatus.ENDED;
+    }
+
     boolean isUnderWay() {
         return state.status() == SweepStatus.RUNS;
     }

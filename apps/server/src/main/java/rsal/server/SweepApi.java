@@ -36,8 +36,7 @@ final class SweepApi {
         });
         routes.post("/api/sweeps", request -> {
             authorize(request);
-            checkBeside();
-            sweeps.begin(Api.read(request, SweepWish.class));
+            sweeps.begin(Api.read(request, SweepWish.class), this::checkBeside);
             state(request);
         });
         routes.post("/api/sweeps/resume", request -> {

@@ -54,14 +54,16 @@ final class Sweeps implements AutoCloseable {
         return new SweepReader(shelf, wish).size();
     }
 
+    /// @param check throws when none may begin now; called last of all
     /// @throws Refusal when one goes on, or with what is wrong with the wish
-    void begin(SweepWish wish) {
+    void begin(SweepWish wish, Runnable check) {
         RunServer.Sweeping here = here();
         checkFree();
         int jobs = jobs(wish);
         Sweep sweep = new SweepReader(shelf, wish).sweep(); // may take a while
         synchronized (this) {
             checkFree();
+            check.run();
             Path out = unused(here.folder(), sweep.scenario().name());
             int number = newest().map(last -> last.order().number() + 1).orElse(1);
             var order = new BackgroundSweep.Order(number, sweep, wish.scenario(), jobs, out);
@@ -71,11 +73,15 @@ final class Sweeps implements AutoCloseable {
 
     /// Goes on with the newest that was stopped, or failed.
     ///
-    /// @throws Refusal when there is none
+    /// @throws Refusal when there is none, or it has ended
     synchronized void resume() {
         RunServer.Sweeping here = here();
         checkFree();
-        BackgroundSweep.Order order = newest().orElseThrow(Sweeps::none).order();
+        BackgroundSweep last = newest().orElseThrow(Sweeps::none);
+        if (last.hasEnded()) {
+            throw new Refusal(409, "The sweep has ended: all of its runs are there.");
+        }
+        BackgroundSweep.Order order = last.order();
         newest = begin(
                 order, open(order, () -> SweepFolder.resume(order.out(), order.sweep(), session(order, here))), true);
     }

@@ -349,16 +349,17 @@ public final class Report {
 
     /// Runs that can be seen again.
     private void recorded() {
-        List<Row> rows = findings.rows().stream()
+        List<Row> all = findings.rows().stream()
                 .filter(row -> recordings.containsKey(row.run()))
-                .limit(MOST_LISTED)
                 .toList();
+        List<Row> rows = all.subList(0, Math.min(MOST_LISTED, all.size()));
         if (rows.isEmpty()) {
             return;
         }
         html.append("<section>\n<h2>Recordings</h2>\n<p>'rsal replay FILE.mcap' shows a run in the page, Foxglove opens"
                 + " the file, too.</p>\n<details>\n<summary>%s</summary>\n"
-                        .formatted(counted(rows.size(), "recorded run")));
+                        .formatted(counted(all.size(), "recorded run")
+                                + (rows.size() < all.size() ? ", the first %d of them".formatted(rows.size()) : "")));
         html.append(Html.table(
                 "Runs with their recordings",
                 3,
