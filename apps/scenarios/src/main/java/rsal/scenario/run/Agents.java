@@ -162,12 +162,14 @@ final class Agents implements AutoCloseable {
         if (missing.isPresent()) {
             return new Answer.Refused("Robot (%s) is not there, for which it would act.".formatted(missing.get()));
         }
+        Optional<PlannedAgent> before = planned(agent.name());
+        byHand++;
         try {
             start(agent);
         } catch (RuntimeException e) { // of a host that can't, as its system is another's code
+            before.ifPresentOrElse(known -> started.put(known.name(), known), () -> started.remove(agent.name()));
             return new Answer.Refused("Agent (%s) can't be started: %s".formatted(agent.name(), e.getMessage()));
         }
-        byHand++;
         journal.event(OPERATOR, agent.name(), how);
         return done;
     }
@@ -335,13 +337,11 @@ final class Agents implements AutoCloseable {
         return links.look(
                 speakers.keySet(),
                 chosen,
-                (from, to) -> radio.filter(way -> way.reaches(
-                                        places.getOrDefault(from, Optional.empty()),
-                                        places.getOrDefault(to, Optional.empty()))
-                                && hears(
-                                        way,
-                                        speakers.getOrDefault(from, List.of()),
-                                        speakers.getOrDefault(to, List.of())))
+                (from, to) -> radio.filter(way ->
+                                hears(way, speakers.getOrDefault(from, List.of()), speakers.getOrDefault(to, List.of()))
+                                        && way.reaches( // which looks for walls, and so comes last
+                                                places.getOrDefault(from, Optional.empty()),
+                                                places.getOrDefault(to, Optional.empty())))
                         .isPresent(),
                 now);
     }

@@ -136,8 +136,12 @@ final class Newcomers {
             number++;
         }
         String name = like.role() + "-" + number;
-        agentNames.add(name);
         return new PlannedAgent(name, like.role(), like.type(), like.arguments(), robot, seed(like.seed(), name));
+    }
+
+    /// An agent has come that was planned by itself.
+    void took(PlannedAgent agent) {
+        agentNames.add(agent.name());
     }
 
     /// The agents of a robot.

@@ -26,7 +26,7 @@ final class Phrasebook {
             Topics.ALL.stream().flatMap(topic -> sayable(topic).stream()).toList();
 
     private static final Pattern BETWEEN_NUMBERS = Pattern.compile("[\\s,]+");
-    private static final Pattern BETWEEN_PLACES = Pattern.compile("\\s*;\\s*");
+    private static final Pattern BETWEEN_PLACES = Pattern.compile(";");
 
     private Phrasebook() {}
 
@@ -131,7 +131,7 @@ final class Phrasebook {
             case PLACES ->
                 BETWEEN_PLACES
                         .splitAsStream(typed)
-                        .map(each -> place(name, each))
+                        .map(each -> place(name, each.strip()))
                         .toList();
             case POSE -> {
                 double[] all = numbers(name, typed, 3, "x, y [m] and heading [°]: 3 4.5 90");

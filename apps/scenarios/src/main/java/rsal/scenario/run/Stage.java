@@ -270,7 +270,11 @@ final class Stage implements AutoCloseable {
         PlannedAgent another =
                 newcomers.another(example.get(), Optional.of(robot).filter(id -> !id.isEmpty()));
         String words = "started, like " + like + (robot.isEmpty() ? "" : ", for " + robot);
-        return agents.start(another, words, new Answer.Added(another.name()));
+        Answer answer = agents.start(another, words, new Answer.Added(another.name()));
+        if (answer instanceof Answer.Added) {
+            newcomers.took(another);
+        }
+        return answer;
     }
 
     /// Starts an agent again that has ended.
