@@ -51,9 +51,8 @@ final class Complaints extends Handler {
         return endless;
     }
 
-    /// What an internal action threw since this was asked, in words; empty when nothing. What is no failure as Jason
-    /// has
-    /// them (a `JasonException`) is logged with its trace, too, as it may be a fault of the action.
+    /// What an internal action threw since this was asked, in words; empty when nothing. What is no `JasonException`,
+    /// by which actions say that they failed, is logged with its trace, too.
     String takeThrownInAction() {
         String words = inAction;
         inAction = "";

@@ -19,9 +19,8 @@ import java.util.stream.Stream;
 import rsal.time.AllowedToReadWallClock;
 import tools.jackson.databind.JsonNode;
 
-/// A Chromium with one page and no window, which draws without a GPU. Only this process can tell it anything: by a
-/// pipe,
-/// with which it ends, too. All methods wait; one thread calls them.
+/// A Chromium with one page and no window, which draws without a GPU. Only this process can tell it anything, by a
+/// pipe with which it ends, too. All methods wait; one thread calls them.
 @AllowedToReadWallClock("A browser that does not end is waited for no longer than seconds.")
 final class Browser implements AutoCloseable {
     private static final List<String> NAMES =

@@ -11,13 +11,14 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 import tools.jackson.databind.json.JsonMapper;
 
-/// Questions to a browser and its answers, by its DevTools protocol
-/// (https://chromedevtools.github.io/devtools-protocol)
-/// over a pipe: each is a text of JSON that a byte of zero ends. What nobody asked is left out.
+/// Questions to a browser and its answers, by its DevTools protocol over a pipe
+/// (https://chromedevtools.github.io/devtools-protocol): each is a text of JSON that a byte of zero ends. What nobody
+/// asked is left out.
 ///
 /// One thread asks, and waits for the answer; another one reads, until there is no more.
 final class DevTools {
@@ -27,6 +28,7 @@ final class DevTools {
     private final OutputStream questions;
     private final Map<Integer, CompletableFuture<JsonNode>> asked = new ConcurrentHashMap<>();
     private int last; // number of the newest question
+    private volatile @Nullable Exception end; // why no more answers come
 
     /// @param answers read to their end by a thread of its own
     DevTools(OutputStream questions, InputStream answers) {
@@ -40,6 +42,10 @@ final class DevTools {
         int id = ++last;
         var answer = new CompletableFuture<JsonNode>();
         asked.put(id, answer);
+        Exception ended = end;
+        if (ended != null) {
+            answer.completeExceptionally(ended);
+        }
         try {
             questions.write(JSON.writeValueAsBytes(
                     session.isEmpty()
@@ -78,12 +84,13 @@ final class DevTools {
                 }
             }
             giveUp(new IOException("It has ended."));
-        } catch (IOException e) {
+        } catch (IOException | RuntimeException e) {
             giveUp(e);
         }
     }
 
-    private void giveUp(IOException why) {
+    private void giveUp(Exception why) {
+        end = why;
         asked.values().forEach(answer -> answer.completeExceptionally(why));
     }
 }

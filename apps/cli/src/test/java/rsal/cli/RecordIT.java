@@ -152,7 +152,7 @@ class RecordIT {
     void aRunThatIsWatchedIsRecordedAsAnyOther() throws Exception {
         Ended alone = rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "20", "--json");
         Process process = rsal.withPage()
-                .start("run --once --speed 10 --seed 7 --for 20 --json --record run.mcap --port 0".split(" ", -1));
+                .start("run --once --speed 2 --seed 7 --for 20 --json --record run.mcap --port 0".split(" ", -1));
         var frames = new AtomicInteger();
         try (var err = process.errorReader();
                 var client = HttpClient.newHttpClient()) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import rsal.server.Messages.AgentDetails;
 import rsal.server.Messages.Details;
@@ -19,7 +20,7 @@ final class Changes {
     private final Map<Long, String> texts = new HashMap<>(); // of this version, by what is known
     private @Nullable Details now;
     private long version;
-    private long oldest; // version that a viewer must have to be told changes: somebody left in the next
+    private long oldest; // version that a viewer must have to be told changes: somebody left, or changed places, in it
 
     /// @param newest of them all
     /// @return whether anything is another
@@ -44,8 +45,11 @@ final class Changes {
                 versions.put(name.apply(each), version);
             }
         }
-        if (!gone.isEmpty()) {
-            versions.keySet().removeAll(gone.keySet());
+        versions.keySet().removeAll(gone.keySet());
+        boolean goesOn = before.size() <= newest.size()
+                && IntStream.range(0, before.size())
+                        .allMatch(i -> name.apply(before.get(i)).equals(name.apply(newest.get(i))));
+        if (!goesOn) { // who is told only what has changed would not know the order
             oldest = version;
         }
     }
