@@ -539,18 +539,21 @@ class CommandLineIT {
         var words = new ArrayList<>(List.of("run", "--port", "0"));
         words.addAll(List.of(options));
         Process process = rsal.withPage().start(words.toArray(String[]::new));
-        String url = process.errorReader().readLine().substring("Watch it at ".length());
-        String port = Integer.toString(URI.create(url).getPort());
-        Ended mind = rsal.run("agent", "mind", agent, "--port", port);
-        for (int look = 0;
-                look < 30 && !(mind.out().contains("does: ") && mind.out().contains(heard));
-                look++) {
-            mind = rsal.run("agent", "mind", agent, "--port", port);
+        try {
+            String url = process.errorReader().readLine().substring("Watch it at ".length());
+            String port = Integer.toString(URI.create(url).getPort());
+            Ended mind = rsal.run("agent", "mind", agent, "--port", port);
+            for (int look = 0;
+                    look < 30 && !(mind.out().contains("does: ") && mind.out().contains(heard));
+                    look++) {
+                mind = rsal.run("agent", "mind", agent, "--port", port);
+            }
+            assertThat(mind.code()).isZero();
+            return mind.out();
+        } finally {
+            Ended.signal("INT", process);
+            Ended.of(process);
         }
-        Ended.signal("INT", process);
-        Ended.of(process);
-        assertThat(mind.code()).isZero();
-        return mind.out();
     }
 
     @Test
