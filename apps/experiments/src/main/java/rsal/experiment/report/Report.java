@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
 import rsal.experiment.Combination;
 import rsal.experiment.CsvLine;
 import rsal.experiment.Factor;
@@ -79,16 +79,17 @@ public final class Report {
         for (Row row : findings.rows()) {
             Path file = Recordings.file(folder, row.run()).toAbsolutePath().normalize();
             if (from != null && Files.exists(file)) {
-                recordings.put(
-                        row.run(),
-                        IntStream.range(0, from.relativize(file).getNameCount())
-                                .mapToObj(i -> from.relativize(file).getName(i).toString())
-                                .map(name -> URLEncoder.encode(name, StandardCharsets.UTF_8)
-                                        .replace("+", "%20"))
-                                .collect(Collectors.joining("/")));
+                recordings.put(row.run(), link(from.relativize(file)));
             }
         }
         return recordings;
+    }
+
+    private static String link(Path relative) {
+        return StreamSupport.stream(relative.spliterator(), false)
+                .map(name -> URLEncoder.encode(name.toString(), StandardCharsets.UTF_8)
+                        .replace("+", "%20"))
+                .collect(Collectors.joining("/"));
     }
 
     /// The page alone, without links to recordings.
