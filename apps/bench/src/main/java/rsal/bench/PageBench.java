@@ -16,17 +16,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
-import rsal.device.Subscription;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.Snapshot;
 import rsal.server.PortInUse;
 import rsal.server.RunServer;
 import rsal.server.RunServer.Options;
@@ -275,21 +274,15 @@ final class PageBench implements Bench {
             return new Pace(simulated / wall, (threads() - cpu) / simulated);
         }
 
-        /// Now: the newest snapshot may be of half a second ago, when nobody looks.
         private static double time(LiveRun run) {
-            var fresh = new CompletableFuture<Duration>();
-            Subscription looking =
-                    run.onSnapshot(() -> fresh.complete(run.snapshot().time()));
-            run.snapshot(); // asks for one
             try {
-                return fresh.get(PATIENCE_SECONDS, TimeUnit.SECONDS).toNanos() * 1e-9;
+                Snapshot now = run.freshSnapshot().toCompletableFuture().get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+                return now.time().toNanos() * 1e-9;
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
                 throw new IllegalStateException("Interrupted while a run was looked at.", e);
             } catch (ExecutionException | TimeoutException e) {
                 throw new IllegalStateException("The run does not go on.", e);
-            } finally {
-                looking.cancel();
             }
         }
 

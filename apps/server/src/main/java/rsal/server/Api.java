@@ -12,7 +12,6 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
@@ -25,14 +24,12 @@ import org.slf4j.LoggerFactory;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
-import rsal.device.Subscription;
 import rsal.map.RosMap;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Prop;
 import rsal.scenario.run.Reading;
-import rsal.scenario.run.Snapshot;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Added;
 import rsal.server.Messages.Addition;
@@ -250,21 +247,11 @@ final class Api {
 
     private void status(Context request) {
         Numbered now = current.now();
-        request.future(() -> fresh(now)
+        request.future(() -> now.run()
+                .freshSnapshot()
+                .toCompletableFuture()
                 .thenAccept(snapshot -> answer(
                         request, Descriptions.status(now.number(), now.run().plan(), snapshot))));
-    }
-
-    /// How a run is now. The newest snapshot may be of long ago: they are made for those who look.
-    private static CompletableFuture<Snapshot> fresh(Numbered now) {
-        LiveRun run = now.run();
-        if (now.isOver()) {
-            return CompletableFuture.completedFuture(run.snapshot());
-        }
-        var fresh = new CompletableFuture<Snapshot>();
-        Subscription looking = run.onSnapshot(() -> fresh.complete(run.snapshot()));
-        run.snapshot(); // asks for one
-        return fresh.whenComplete((_, _) -> looking.cancel());
     }
 
     private LiveRun running() {

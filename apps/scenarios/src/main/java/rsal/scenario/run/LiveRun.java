@@ -367,6 +367,18 @@ public final class LiveRun implements AutoCloseable {
         return snapshots.newest();
     }
 
+    /// How the run is now: a snapshot that is made after this was asked, as the newest may be of long ago. Completes on
+    /// the run's thread; when the run is over, at once with its last.
+    public CompletionStage<Snapshot> freshSnapshot() {
+        if (result.isDone()) {
+            return CompletableFuture.completedFuture(snapshots.newest());
+        }
+        var fresh = new CompletableFuture<Snapshot>();
+        Subscription looking = onSnapshot(() -> fresh.complete(snapshots.newest()));
+        snapshot(); // asks for one
+        return fresh.whenComplete((_, _) -> looking.cancel());
+    }
+
     /// Tells when there is a new snapshot. A listener that throws is told no more.
     public Subscription onSnapshot(Runnable listener) {
         return snapshots.viewers().add(listener);
