@@ -96,6 +96,9 @@ export const texts = {
     fit: 'Show all',
     oblique: 'Look at an angle, with heights',
     upright: 'Turn back, y up',
+    costsHint: 'Select a robot to see what places cost it.',
+    noCosts: (robot: string) => `${robot} plans its ways by no costs.`,
+    costsUntold: 'What places cost is told of a run that goes on, as it is now.',
     linksHint: 'So many robots: select one to see whom it hears.',
     loading: 'Loading the map…',
     goalHint: (robot: string) => `Click where ${robot} shall go; drag to set its heading. Esc cancels.`,
@@ -117,6 +120,7 @@ export const texts = {
   layers: {
     grid: 'Grid',
     map: 'Drawn map',
+    costs: 'Costs',
     scans: 'Laser scans',
     cones: 'Sonar',
     particles: 'Particles',

@@ -6,7 +6,6 @@ import type {
   AgentInside,
   Drive,
   Links,
-  MapInfo,
   Mistake,
   Motors,
   Order,
@@ -27,7 +26,7 @@ import type {
   Topics,
 } from './messages';
 import { access } from './access.svelte';
-import { decodeDrawn } from './drawn';
+import { decodeGrid, type Grid } from './grid';
 
 /** The server understood, and will not; `problems` says what is wrong with settings. */
 export class RefusedError extends Error {
@@ -83,6 +82,8 @@ export const api = {
   sweepReport: '/api/sweeps/report',
   map,
   drawn,
+  /** What places cost a robot's navigator, of 100; null when it tells none. */
+  costs: (robot: string) => grid(`costs?robot=${encodeURIComponent(robot)}`, robot),
   drawnFiles: (run: number, robot: string) =>
     `/api/drawn/${String(run)}/files?robot=${encodeURIComponent(robot)}`,
 };
@@ -139,15 +140,15 @@ async function found<T>(what: string): Promise<T | null> {
  *
  * @param time of a recording [s of the run]
  */
-async function drawn(
-  run: number,
-  robot: string,
-  resolution: number,
-  time: number | null = null,
-): Promise<{ map: MapInfo; bytes: Uint8Array } | null> {
+async function drawn(run: number, robot: string, time: number | null = null): Promise<Grid | null> {
+  return grid(`drawn/${String(run)}?robot=${encodeURIComponent(robot)}${at(time)}`, robot);
+}
+
+/** @param name that it gets; null when it isn't there */
+async function grid(what: string, name: string): Promise<Grid | null> {
   try {
-    const response = await fetch(`/api/drawn/${String(run)}?robot=${encodeURIComponent(robot)}${at(time)}`);
-    return response.ok ? decodeDrawn(await response.arrayBuffer(), robot, resolution) : null;
+    const response = await fetch(`/api/${what}`);
+    return response.ok ? decodeGrid(await response.arrayBuffer(), name) : null;
   } catch {
     return null;
   }

@@ -116,7 +116,6 @@ export interface DeviceNumbers {
 
 export interface DrawnMap {
   time: number;
-  resolution: number;
 }
 
 export interface Drive {

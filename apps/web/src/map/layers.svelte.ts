@@ -18,6 +18,7 @@ import type { Layer } from './scene';
 export type Switchable =
   | 'grid'
   | 'map'
+  | 'costs'
   | 'scans'
   | 'cones'
   | 'particles'
@@ -32,7 +33,7 @@ export type Switchable =
 type Ordered = [Switchable | null, Layer][];
 
 /**
- * What lies on the floor, from there up; drawn when a frame comes. The grid, maps that robots draw, and things that were
+ * What lies on the floor, from there up; drawn when a frame comes. The grid, maps that robots draw, costs, and things that were
  * not moved, are drawn with the floor.
  */
 const lying: Ordered = [
@@ -68,6 +69,7 @@ class Layers {
   shown = $state<Record<Switchable, boolean>>({
     grid: true,
     map: true,
+    costs: false,
     scans: true,
     cones: false,
     particles: true,

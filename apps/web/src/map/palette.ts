@@ -8,6 +8,9 @@ export interface Palette {
   /** Of maps that robots draw. */
   drawn: string;
   drawnWall: string;
+  /** Of places that cost a robot much, and of those where it can't be. */
+  dear: string;
+  blocked: string;
   grid: string;
   text: string;
   halo: string;
@@ -27,6 +30,8 @@ export function readPalette(element: Element): Palette {
     unknown: color('unknown'),
     drawn: color('drawn'),
     drawnWall: color('drawn-wall'),
+    dear: color('dear'),
+    blocked: color('blocked'),
     grid: color('grid'),
     text: color('text'),
     halo: color('halo'),

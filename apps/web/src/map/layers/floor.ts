@@ -73,6 +73,20 @@ export function paintDrawn(map: MapInfo, cells: Uint8Array, pool: number, palett
   return paint(map, cells, pool, colors);
 }
 
+/** Pictures what places cost, to be seen through: the dearer the stronger. */
+export function paintCosts(map: MapInfo, cells: Uint8Array, pool: number, palette: Palette): Floor {
+  const [dear, blocked] = [rgb(palette.dear), rgb(palette.blocked)];
+  const colors = new Map<number, Rgba>([
+    [FREE, NOTHING],
+    [OCCUPIED, [...blocked, 120]],
+    [UNKNOWN, NOTHING],
+  ]);
+  for (let cost = FREE + 1; cost < OCCUPIED; cost++) {
+    colors.set(cost, [...dear, 20 + 1.8 * cost]);
+  }
+  return paint(map, cells, pool, colors);
+}
+
 function paint(map: MapInfo, cells: Uint8Array, pool: number, colors: Map<number, Rgba>): Floor {
   const pooled = poolCells(cells, map.width, map.height, pool);
   const width = Math.ceil(map.width / pool);

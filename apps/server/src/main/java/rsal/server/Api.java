@@ -7,6 +7,7 @@ import io.javalin.http.Header;
 import io.javalin.http.HttpResponseException;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -53,6 +54,7 @@ import rsal.server.Page.Asset;
 /// [Messages.Refused] with a status: 400 not understood, 401 no token, 409 not possible now, 422 bad settings.
 final class Api {
     private static final Logger LOG = LoggerFactory.getLogger(Api.class);
+    private static final int GRID_HEADER = 2 * Integer.BYTES + 3 * Double.BYTES;
     private static final double FARTHEST = 1e6; // [m], from the map's origin
     private static final Map<String, String> SECURITY_HEADERS = Map.of(
             "Content-Security-Policy",
@@ -115,6 +117,10 @@ final class Api {
         routes.get("/api/links", request -> {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running().links(robot == null ? "" : robot));
+        });
+        routes.get("/api/costs", request -> {
+            String robot = request.queryParam("robot");
+            answerWhenDone(request, running().costs(robot == null ? "" : robot));
         });
         routes.get("/api/sayable", request -> answer(request, Descriptions.sayable(LiveRun.sayable())));
         routes.get("/api/topics", request -> answerWhenDone(request, running().topics()));
@@ -285,7 +291,7 @@ final class Api {
         return new Pose2d(x, y, heading);
     }
 
-    private void map(Context request) throws IOException {
+    private void map(Context request) {
         Numbered now = current.now();
         if (!request.pathParam("run").equals(Integer.toString(now.number()))) {
             throw new Refusal(404, "Only the map of run %d is there.".formatted(now.number()));
@@ -306,16 +312,21 @@ final class Api {
     }
 
     /// A map that a robot has drawn; see [Messages.DrawnMap].
-    private void drawn(Context request) throws IOException {
+    private void drawn(Context request) {
         answer(request, drawn(request, String.valueOf(request.queryParam("robot"))));
     }
 
-    static void answer(Context request, OccupancyGrid drawn) throws IOException {
-        ByteBuffer bytes = ByteBuffer.allocate(16 + drawn.cells().length).order(ByteOrder.LITTLE_ENDIAN);
+    static void answer(Context request, OccupancyGrid drawn) {
+        answerPacked(request, packed(bytes(drawn)));
+    }
+
+    /// As [Messages.DrawnMap] has it.
+    private static byte[] bytes(OccupancyGrid drawn) {
+        ByteBuffer bytes =
+                ByteBuffer.allocate(GRID_HEADER + drawn.cells().length).order(ByteOrder.LITTLE_ENDIAN);
         bytes.putInt(drawn.width()).putInt(drawn.height());
-        bytes.putInt((int) Math.round(1000 * drawn.originX())).putInt((int) Math.round(1000 * drawn.originY()));
-        bytes.put(drawn.cells());
-        answerPacked(request, packed(bytes.array()));
+        bytes.putDouble(drawn.resolution()).putDouble(drawn.originX()).putDouble(drawn.originY());
+        return bytes.put(drawn.cells()).array();
     }
 
     /// The same as files that ROS and scenarios read, to be saved.
@@ -348,10 +359,12 @@ final class Api {
                         404, "Robot (%s) has drawn no map in this run.".formatted(Refusal.shortened(robot))));
     }
 
-    static byte[] packed(byte[] bytes) throws IOException {
+    static byte[] packed(byte[] bytes) {
         var packed = new ByteArrayOutputStream();
         try (var gzip = new GZIPOutputStream(packed)) {
             gzip.write(bytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e); // nothing in memory throws it
         }
         return packed.toByteArray();
     }
@@ -381,20 +394,24 @@ final class Api {
     /// @param told what is told of readings
     private static void answerWhenDone(
             Context request, CompletionStage<Answer> stage, Function<List<Reading>, Record> told) {
-        request.future(() -> stage.thenAccept(answer -> {
-                    switch (answer) {
-                        case Answer.Done _ -> answer(request, Map.of());
-                        case Answer.Added(String name) -> answer(request, new Added(name));
-                        case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
-                        case Answer.Read(var readings) -> answer(request, told.apply(readings));
-                        case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));
-                        case Answer.Counted(var topics) -> answer(request, Descriptions.topics(topics));
-                        case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");
-                        case Answer.Linked linked -> answer(request, Descriptions.links(linked));
-                        case Answer.Seen(var agent) -> answer(request, Descriptions.inside(agent));
-                        case Answer.Refused(String why) -> throw new Refusal(409, why);
-                    }
-                })
+        // not on the run's thread, which has better to do than to write
+        request.future(() -> stage.thenAcceptAsync(
+                        answer -> {
+                            switch (answer) {
+                                case Answer.Done _ -> answer(request, Map.of());
+                                case Answer.Added(String name) -> answer(request, new Added(name));
+                                case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
+                                case Answer.Read(var readings) -> answer(request, told.apply(readings));
+                                case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));
+                                case Answer.Counted(var topics) -> answer(request, Descriptions.topics(topics));
+                                case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");
+                                case Answer.Linked linked -> answer(request, Descriptions.links(linked));
+                                case Answer.Costed(var grid) -> answer(request, grid);
+                                case Answer.Seen(var agent) -> answer(request, Descriptions.inside(agent));
+                                case Answer.Refused(String why) -> throw new Refusal(409, why);
+                            }
+                        },
+                        Thread::startVirtualThread)
                 .toCompletableFuture());
     }
 

@@ -354,7 +354,7 @@ final class Descriptions {
     }
 
     private static DrawnMap drawn(Stamped<OccupancyGrid> map) {
-        return new DrawnMap(map.time().toEpochMilli() / 1e3, map.value().resolution());
+        return new DrawnMap(map.time().toEpochMilli() / 1e3);
     }
 
     private static DeviceDetails device(DeviceView device) {

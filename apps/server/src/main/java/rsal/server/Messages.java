@@ -261,12 +261,12 @@ final class Messages {
     /// @param silence for how long nobody has told where it is, if that is longer than it should be [s]
     record RealDetails(boolean proxy, Optional<Double> silence) {}
 
-    /// Cells are at `/api/drawn/<run>?robot=<id>`, as those of [MapInfo], in which they lie row by row behind four
-    /// little-endian numbers: width, height, origin x and y [mm]. Robots that explore together draw the same.
+    /// Cells are at `/api/drawn/<run>?robot=<id>`, as those of [MapInfo], in which they lie row by row behind
+    /// five little-endian numbers: width and height (integers of 4 bytes), side of a cell, origin x and y [m]
+    /// (of 8 bytes). Robots that explore together draw the same.
     ///
     /// @param time when it was drawn [s of the run]
-    /// @param resolution side of a cell [m]
-    record DrawnMap(double time, double resolution) {}
+    record DrawnMap(double time) {}
 
     /// @param reason why it is not well; else empty
     record DeviceDetails(String name, String driver, String type, Condition health, String reason) {

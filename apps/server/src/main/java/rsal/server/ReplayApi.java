@@ -51,7 +51,7 @@ final class ReplayApi {
         Api.serve(routes, page);
     }
 
-    private void map(Context request) throws IOException {
+    private void map(Context request) {
         check(request);
         Api.answerPacked(request, Api.packed(FloorPlan.cells(playback.plan().scene())));
     }

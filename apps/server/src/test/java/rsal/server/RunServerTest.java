@@ -11,6 +11,8 @@ import java.net.InetSocketAddress;
 import java.net.NetworkInterface;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -25,6 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.OccupancyGrid;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Snapshot;
@@ -106,17 +109,43 @@ class RunServerTest {
         @Test
         void getsTheMapOfTheRunThatIsShown() throws Exception {
             byte[] cells = server.run().plan().map().cells();
-            try (var socket = java.net.http.HttpClient.newHttpClient()) {
-                var response = socket.send(
-                        java.net.http.HttpRequest.newBuilder(server.url().resolve("/api/map/1"))
-                                .build(),
-                        java.net.http.HttpResponse.BodyHandlers.ofInputStream());
-                assertThat(new GZIPInputStream(response.body()).readAllBytes()).isEqualTo(cells);
-            }
+            assertThat(unpacked("/api/map/1")).isEqualTo(cells);
             assertThat(get("/api/map/2").status()).isEqualTo(404);
             assertThat(get("/api/drawn/1?robot=nobody").status()).isEqualTo(404);
             assertThat(get("/api/drawn/1").text()).contains("has drawn no map");
             assertThat(get("/api/drawn/1/files?robot=nobody").status()).isEqualTo(404);
+            assertThat(get("/api/costs?robot=nobody").status()).isEqualTo(409);
+        }
+
+        private byte[] unpacked(String path) throws Exception {
+            try (var socket = java.net.http.HttpClient.newHttpClient()) {
+                var response = socket.send(
+                        java.net.http.HttpRequest.newBuilder(server.url().resolve(path))
+                                .build(),
+                        java.net.http.HttpResponse.BodyHandlers.ofInputStream());
+                return new GZIPInputStream(response.body()).readAllBytes();
+            }
+        }
+
+        @Test
+        void getsWhatPlacesCostARobot() throws Exception {
+            OccupancyGrid map = server.run().plan().map();
+            ByteBuffer told =
+                    ByteBuffer.wrap(unpacked("/api/costs?robot=courier-1")).order(ByteOrder.LITTLE_ENDIAN);
+            assertThat(told.getInt()).isEqualTo(map.width());
+            assertThat(told.getInt()).isEqualTo(map.height());
+            assertThat(List.of(told.getDouble(), told.getDouble(), told.getDouble()))
+                    .containsExactly(map.resolution(), map.originX(), map.originY());
+            assertThat(told.remaining()).isEqualTo(map.cells().length);
+            int free = 0;
+            for (byte cell : map.cells()) {
+                byte cost = told.get();
+                if (cell == OccupancyGrid.OCCUPIED) {
+                    assertThat(cost).isEqualTo(OccupancyGrid.OCCUPIED);
+                }
+                free += cost >= 0 && cost < 100 ? 1 : 0;
+            }
+            assertThat(free).as("where the robot can be").isPositive();
         }
 
         @Test

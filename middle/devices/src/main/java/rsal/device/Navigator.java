@@ -2,6 +2,7 @@ package rsal.device;
 
 import java.time.Duration;
 import java.util.Optional;
+import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -30,6 +31,14 @@ public interface Navigator extends Device {
 
     /// The way it intends to take from here; empty without a goal.
     Path2d path();
+
+    /// What places of its map cost it, as `nav_msgs/OccupancyGrid` has costs: [OccupancyGrid#FREE] where
+    /// nothing is near, up to 99 where it is dearest, [OccupancyGrid#OCCUPIED] where its middle can't be, and
+    /// [OccupancyGrid#UNKNOWN] where the map knows nothing. Not to be written to. Empty of one that plans by no
+    /// map, or tells no costs.
+    default Optional<OccupancyGrid> costMap() {
+        return Optional.empty();
+    }
 
     /// When a goal counts as reached.
     ///

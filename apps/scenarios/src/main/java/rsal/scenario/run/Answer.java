@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import java.util.List;
+import rsal.data.OccupancyGrid;
 import rsal.system.Bridge;
 
 /// What became of an operator's command.
@@ -27,6 +28,9 @@ public sealed interface Answer {
             readings = List.copyOf(readings);
         }
     }
+
+    /// @param grid as [rsal.device.Navigator#costMap] has it
+    record Costed(OccupancyGrid grid) implements Answer {}
 
     /// @param topics what was said so far, by topic
     record Counted(List<TopicTraffic> topics) implements Answer {

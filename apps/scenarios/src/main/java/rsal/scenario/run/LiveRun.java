@@ -260,6 +260,11 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.readings(robot));
     }
 
+    /// What places cost a robot's navigator, as [Answer.Costed].
+    public CompletionStage<Answer> costs(String robot) {
+        return ask(stage -> stage.costs(robot));
+    }
+
     /// Who heard what so far, as [Answer.Heard]; afterwards the result tells.
     public CompletionStage<Answer> communication() {
         return ask(stage -> new Answer.Heard(stage.hearings()));

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
 import rsal.behavior.Pilot;
+import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.device.Device;
 import rsal.device.DriveBase;
@@ -55,6 +56,16 @@ final class RobotViews {
                 .flatMap(device -> reading(device).stream())
                 .filter(reading -> world.placements().isOfHere(id, reading.value()))
                 .toList();
+    }
+
+    /// What places cost its navigator, or the one that people send it by; empty when it has none that tells.
+    Optional<OccupancyGrid> costs(Robot robot) {
+        Optional<Navigator> spare =
+                team.controls(robot.id()).flatMap(orders -> orders.outfit().find(Navigator.class));
+        return robot.find(Navigator.class)
+                .or(() -> spare)
+                .filter(_ -> !faults.isGone(robot.id()))
+                .flatMap(Navigator::costMap);
     }
 
     private static Optional<Reading> reading(Device device) {

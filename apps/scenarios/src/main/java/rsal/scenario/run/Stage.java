@@ -208,6 +208,15 @@ final class Stage implements AutoCloseable {
                 .orElseGet(() -> world.unknown(robot));
     }
 
+    Answer costs(String robot) {
+        return team.robot(robot)
+                .<Answer>map(known -> robotViews
+                        .costs(known)
+                        .<Answer>map(Answer.Costed::new)
+                        .orElseGet(() -> new Answer.Refused("Robot (%s) plans its ways by no costs.".formatted(robot))))
+                .orElseGet(() -> world.unknown(robot));
+    }
+
     Answer bridge(BridgeProvider provider, InetSocketAddress at) {
         try {
             var lent = new Lent(

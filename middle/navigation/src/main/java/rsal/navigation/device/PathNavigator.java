@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
+import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
@@ -155,6 +156,11 @@ final class PathNavigator extends DeviceCore implements Navigator {
     @Override
     public Optional<Pose2d> goal() {
         return Optional.ofNullable(trip).map(Trip::mapFromGoal);
+    }
+
+    @Override
+    public Optional<OccupancyGrid> costMap() {
+        return Optional.of(parts.ways().map().shown());
     }
 
     @Override

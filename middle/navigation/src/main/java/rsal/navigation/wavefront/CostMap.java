@@ -2,6 +2,7 @@ package rsal.navigation.wavefront;
 
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
+import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
@@ -20,10 +21,13 @@ public final class CostMap {
 
     static final byte BLOCKED = 0;
 
+    private static final int DEAREST_SHOWN = 99; // of OccupancyGrid's values, below that of what is occupied
+
     private final OccupancyGrid grid;
     private final double radius;
     private final byte[] costs;
     private final boolean[] plains;
+    private volatile @Nullable OccupancyGrid shown;
 
     /// What distances from walls cost.
     ///
@@ -103,6 +107,36 @@ public final class CostMap {
 
     public OccupancyGrid grid() {
         return grid;
+    }
+
+    /// The same for people, as [rsal.device.Navigator#costMap] has it, on a scale to the dearest place of this
+    /// map. Made when somebody first asks.
+    public OccupancyGrid shown() {
+        OccupancyGrid made = shown;
+        if (made == null) {
+            made = new OccupancyGrid(
+                    grid.width(), grid.height(), grid.resolution(), grid.originX(), grid.originY(), shownCells());
+            shown = made;
+        }
+        return made;
+    }
+
+    private byte[] shownCells() {
+        int dearest = STRAIGHT + 1; // where nothing is dear, nothing is shown as such
+        for (byte cost : costs) {
+            dearest = Math.max(dearest, cost);
+        }
+        var cells = new byte[costs.length];
+        for (int cell = 0; cell < cells.length; cell++) {
+            if (grid.cells()[cell] == OccupancyGrid.UNKNOWN) {
+                cells[cell] = OccupancyGrid.UNKNOWN;
+            } else if (costs[cell] == BLOCKED) {
+                cells[cell] = OccupancyGrid.OCCUPIED;
+            } else {
+                cells[cell] = (byte) (DEAREST_SHOWN * (costs[cell] - STRAIGHT) / (dearest - STRAIGHT));
+            }
+        }
+        return cells;
     }
 
     /// Costs of the cells, row by row, [#STRAIGHT] to [#DEAREST] or [#BLOCKED]. Not to be written to.

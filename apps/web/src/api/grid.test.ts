@@ -1,14 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { decodeDrawn } from './drawn';
+import { decodeGrid } from './grid';
 
 describe('maps that robots draw', () => {
   it('have their place before their cells', () => {
-    const buffer = new ArrayBuffer(16 + 6);
+    const buffer = new ArrayBuffer(32 + 6);
     const view = new DataView(buffer);
-    [3, 2, -1500, 250].forEach((value, i) => view.setInt32(4 * i, value, true));
-    new Uint8Array(buffer).set([0, 100, 255, 0, 0, 0], 16);
+    [3, 2].forEach((value, i) => view.setInt32(4 * i, value, true));
+    [0.1, -1.5, 0.25].forEach((value, i) => view.setFloat64(8 + 8 * i, value, true));
+    new Uint8Array(buffer).set([0, 100, 255, 0, 0, 0], 32);
 
-    const { map, bytes } = decodeDrawn(buffer, 'r1', 0.1);
+    const { map, bytes } = decodeGrid(buffer, 'r1');
 
     expect(map).toEqual({
       name: 'r1',
