@@ -101,6 +101,19 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await isAccessible(page);
   });
 
+  it('has a history of what it did, believed and wanted, step by step', async () => {
+    const page = await open(1400, 900, 'light');
+    await look(page, 'evade');
+    const inside = agent(page, 'evade');
+    await inside.getByText('What changed in it').click();
+    const history = inside.getByRole('list', { name: 'What changed in it' });
+    await history.locator('[data-change="DOES"]').first().waitFor();
+    await history.locator('[data-change="BELIEVES"]').first().waitFor();
+    await history.scrollIntoViewIfNeeded();
+    await picture(page, 'history-light');
+    await isAccessible(page);
+  });
+
   it('tells by topic what was said, heard and lost, and why', async () => {
     const page = await open(1000, 900, 'light');
     await page.getByRole('button', { name: 'By topic' }).click();

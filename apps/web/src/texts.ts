@@ -262,6 +262,11 @@ export const texts = {
       SUSPENDED: 'suspended',
       RESTING: 'rests',
     },
+    history: 'What changed in it, the newest first',
+    noHistory:
+      'Nothing yet. Of what it believes and wants, what changes while somebody looks into it is noted, step by step.',
+    changed: { DOES: 'does', BELIEVES: 'believes', WANTS: 'wants' },
+    noMore: 'no more',
     talks: 'What it talks about',
     noTalks: 'It has had no conversations yet.',
     times: (count: number) => `said ${count} times`,

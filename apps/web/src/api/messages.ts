@@ -45,6 +45,7 @@ export interface AgentInside {
   state: string;
   shown: BeliefInfo[];
   mind: MindInfo | null;
+  history: ChangeInfo[];
   mail: MailInfo[] | null;
   talks: TalkInfo[];
   hearings: HearingInfo[];
@@ -80,6 +81,13 @@ export interface Box {
   third: number;
   high: number;
   outside: number[];
+}
+
+export interface ChangeInfo {
+  time: number;
+  kind: Kind;
+  name: string;
+  words: string;
 }
 
 export interface Communication {
@@ -196,6 +204,8 @@ export interface HostInfo {
   description: string;
   realTime: boolean;
 }
+
+export type Kind = 'DOES' | 'BELIEVES' | 'WANTS';
 
 export interface LightInfo {
   x: number;

@@ -50,6 +50,7 @@ final class AgentCommand extends Subcommand {
             if (hasMind) {
                 section(text, "Wants", goals(mind.path("goals")));
             }
+            section(text, "History", history(agent.path("history")));
             section(text, "Talks", talks(agent.path("talks")));
             section(text, "Mailbox", mail(agent.path("mail")));
             if (!hasMind) {
@@ -99,6 +100,16 @@ final class AgentCommand extends Subcommand {
 
         private static String joined(JsonNode words, String between) {
             return words.valueStream().map(JsonNode::asString).collect(Collectors.joining(between));
+        }
+
+        private static String history(JsonNode history) {
+            var lines = new Table("  ");
+            history.forEach(change -> lines.row(
+                    seconds(change),
+                    change.path("kind").asString().toLowerCase(Locale.ROOT),
+                    change.path("name").asString(),
+                    change.path("words").asString()));
+            return lines.toString();
         }
 
         private static String talks(JsonNode talks) {

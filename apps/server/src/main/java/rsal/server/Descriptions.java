@@ -27,6 +27,7 @@ import rsal.scenario.run.Hearing;
 import rsal.scenario.run.Inside;
 import rsal.scenario.run.Loss;
 import rsal.scenario.run.Mail;
+import rsal.scenario.run.MindChange;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
@@ -40,6 +41,7 @@ import rsal.server.Messages.AgentDetails;
 import rsal.server.Messages.AgentInside;
 import rsal.server.Messages.ArgumentInfo;
 import rsal.server.Messages.BeliefInfo;
+import rsal.server.Messages.ChangeInfo;
 import rsal.server.Messages.Communication;
 import rsal.server.Messages.ConfigurationInfo;
 import rsal.server.Messages.Details;
@@ -211,6 +213,7 @@ final class Descriptions {
                 agent.shown().map(Society.View::state).orElse(""),
                 beliefs(agent.shown().map(Society.View::beliefs).orElse(Map.of())),
                 agent.mind().map(Descriptions::mind),
+                agent.history().stream().map(Descriptions::change).toList(),
                 agent.mail().map(all -> all.stream().map(Descriptions::mail).toList()),
                 agent.talks().stream()
                         .map(said -> new TalkInfo(
@@ -224,6 +227,14 @@ final class Descriptions {
                                 said.times()))
                         .toList(),
                 hearings(agent.hearings()));
+    }
+
+    private static ChangeInfo change(MindChange change) {
+        return new ChangeInfo(
+                change.time().toNanos() / 1e9,
+                ChangeInfo.Kind.valueOf(change.kind().name()),
+                clip(change.name()),
+                change.words());
     }
 
     private static MailInfo mail(Mail mail) {

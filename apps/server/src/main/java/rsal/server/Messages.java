@@ -559,6 +559,8 @@ final class Messages {
     /// @param state what it says it is doing; why it failed when it has
     /// @param shown what it shows of itself, which those do, too, that have no mind
     /// @param mind what it believes and wants, when it has a mind and runs
+    /// @param history what changed lately in what it does, believes and wants, oldest first: at most 16 changes of
+    /// each of at most 64 beliefs and goals. Of these only what changed while somebody asked about it
     /// @param mail what reached it lately, oldest first: at most 8 messages of each of at most 32 topics; absent
     /// where that is not known
     /// @param talks what it and its partners said in conversations lately, oldest first; at most 100
@@ -570,6 +572,7 @@ final class Messages {
             String state,
             List<BeliefInfo> shown,
             Optional<MindInfo> mind,
+            List<ChangeInfo> history,
             Optional<List<MailInfo>> mail,
             List<TalkInfo> talks,
             List<HearingInfo> hearings) {}
@@ -582,6 +585,17 @@ final class Messages {
 
     /// @param left how many beliefs and goals there are besides
     record MindInfo(List<BeliefInfo> beliefs, List<GoalInfo> goals, int left) {}
+
+    /// @param time since the run's start [s]
+    /// @param name of the belief or goal; empty of what it does
+    /// @param words what it is from then on; empty when there is none any more
+    record ChangeInfo(double time, Kind kind, String name, String words) {
+        enum Kind {
+            DOES,
+            BELIEVES,
+            WANTS
+        }
+    }
 
     record BeliefInfo(String name, String value) {}
 

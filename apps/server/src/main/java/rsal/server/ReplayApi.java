@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import rsal.agent.Society;
 import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
@@ -13,12 +14,16 @@ import rsal.recording.Playback;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.Inside;
+import rsal.scenario.run.MindChange;
 import rsal.server.Messages.RunInfo;
 
 /// What can be asked about a recording over HTTP, as [Api] has it of a run. What asks for a time takes `time` in s of
 /// the run; left out, it is the end.
 final class ReplayApi {
     private static final String OVER = "This is a recording: what it shows is over, and can't be changed.";
+
+    private static final Set<String> DOINGS = Set.of("agent", "fault"); // kinds of events
+    private static final int MOST_OF_A_HISTORY = 100;
 
     private final Playback playback;
     private final RunInfo run;
@@ -89,8 +94,25 @@ final class ReplayApi {
                 .findFirst();
         Api.answer(
                 request,
-                Descriptions.inside(
-                        new Inside(planned, shown, playback.mind(time, name), Optional.empty(), List.of(), List.of())));
+                Descriptions.inside(new Inside(
+                        planned,
+                        shown,
+                        playback.mind(time, name),
+                        history(name, time),
+                        Optional.empty(),
+                        List.of(),
+                        List.of())));
+    }
+
+    /// What it did last until then.
+    private List<MindChange> history(String agent, Duration until) {
+        List<MindChange> done = playback.events().stream()
+                .filter(event -> event.subject().equals(agent)
+                        && DOINGS.contains(event.kind())
+                        && event.time().compareTo(until) <= 0)
+                .map(event -> new MindChange(event.time(), MindChange.Kind.DOES, "", event.text()))
+                .toList();
+        return done.subList(Math.max(0, done.size() - MOST_OF_A_HISTORY), done.size());
     }
 
     private static Duration time(Context request) {

@@ -217,6 +217,31 @@ class CommunicationApiTest {
     }
 
     @Test
+    void tellsStepByStepWhatChangesInAnAgentWhileSomebodyLooks() throws Exception {
+        advanceTo(2);
+        assertThat(each(get("/api/agent?name=evade").get("history")))
+                .as("what it does is noted before, too")
+                .isNotEmpty()
+                .allMatch(change -> change.get("kind").asString().equals("DOES"));
+        List<JsonNode> history = List.of();
+        for (int time = 3; time < 60 && thoughts(history).isEmpty(); time++) { // until it sees somebody
+            advanceTo(time);
+            history = each(get("/api/agent?name=evade").get("history"));
+        }
+        assertThat(history).extracting(change -> change.get("time").asDouble()).isSorted();
+        assertThat(thoughts(history))
+                .extracting(change -> change.get("name").asString())
+                .contains("nearest hunter");
+        assertThat(thoughts(history)).allMatch(change -> change.get("time").asDouble() > 2);
+    }
+
+    private static List<JsonNode> thoughts(List<JsonNode> history) {
+        return history.stream()
+                .filter(change -> !change.get("kind").asString().equals("DOES"))
+                .toList();
+    }
+
+    @Test
     void openToNobodyElsesPages() throws Exception {
         for (String path : new String[] {"/api/communication", "/api/topics", "/api/links", "/api/agent?name=evade"}) {
             assertThat(RawHttp.get(port, path, "Host: example.org").status()).isEqualTo(421);

@@ -64,6 +64,7 @@ final class Agents implements AutoCloseable {
     private final Conversations conversations = new Conversations();
     private final Talks talks;
     private final Mailboxes mailboxes;
+    private final Diaries diaries;
     private final Links links;
     private Optional<Radio> radio = Optional.empty();
     private int byHand;
@@ -90,6 +91,7 @@ final class Agents implements AutoCloseable {
         this.traffic = traffic;
         this.talks = new Talks(scheduler.instant());
         this.mailboxes = new Mailboxes(scheduler.instant());
+        this.diaries = new Diaries(scheduler);
         this.links = new Links(scheduler, this::robotOf);
         this.turns = turns;
     }
@@ -309,16 +311,43 @@ final class Agents implements AutoCloseable {
 
     /// How an agent was started, and what it believes, wants and says now; empty when there never was one of that name.
     ///
+    /// @param now in real time [ns]
     /// @throws IllegalArgumentException when it can't tell
-    Optional<Inside> inside(String name) {
-        return Optional.ofNullable(started.get(name))
-                .map(agent -> new Inside(
-                        agent,
-                        society.orElseThrow().view(name),
-                        society.orElseThrow().look(name, Mind.View.class),
-                        Optional.of(mailboxes.of(name)),
-                        talks.of(name),
-                        traffic.hearings(name)));
+    Optional<Inside> inside(String name, long now) {
+        PlannedAgent agent = started.get(name);
+        if (agent == null) {
+            return Optional.empty();
+        }
+        Optional<Society.View> shown = society.orElseThrow().view(name);
+        Optional<Mind.View> mind = society.orElseThrow().look(name, Mind.View.class);
+        diaries.look(name, held(shown, mind), now);
+        return Optional.of(new Inside(
+                agent,
+                shown,
+                mind,
+                diaries.of(name),
+                Optional.of(mailboxes.of(name)),
+                talks.of(name),
+                traffic.hearings(name)));
+    }
+
+    private static Diaries.Held held(Optional<Society.View> shown, Optional<Mind.View> mind) {
+        return Diaries.Held.of(
+                mind.map(Mind.View::beliefs)
+                        .or(() -> shown.map(Society.View::beliefs))
+                        .orElse(Map.of()),
+                mind.map(Mind.View::goals).orElse(List.of()));
+    }
+
+    /// After each step: notes what changed in those that people look into.
+    void observe() {
+        society.ifPresent(agents -> diaries.step(name -> {
+            try {
+                return Optional.of(held(agents.view(name), agents.look(name, Mind.View.class)));
+            } catch (IllegalArgumentException _) { // whoever asks is told
+                return Optional.empty();
+            }
+        }));
     }
 
     /// Which robots' agents hear each other. Where nothing is limited, and all hear all, only what is used is told.
@@ -355,6 +384,7 @@ final class Agents implements AutoCloseable {
 
     /// @param now in real time [ns]
     void beat(long now) {
+        diaries.beat(now);
         links.beat(now);
     }
 
@@ -394,6 +424,7 @@ final class Agents implements AutoCloseable {
         String name = view.agent().name();
         if (!closed && !words.equals(lastWords.put(name, words))) {
             journal.event(view.status() == Society.Status.FAILED ? "fault" : "agent", name, words);
+            diaries.does(name, words);
         }
     }
 

@@ -11,6 +11,7 @@ import rsal.scenario.RunPlan.PlannedAgent;
 ///
 /// @param shown how it is and what it shows of itself, which any agent may; empty when it has not started
 /// @param mind empty when it has none, or has ended
+/// @param history what it did, believed and wanted lately, oldest first: see [LiveRun#inside]
 /// @param mail what reached it lately, oldest first, of each topic the newest; empty where that is not known
 /// @param talks what it and its partners said in conversations lately, oldest first
 /// @param hearings what it heard of others and others of it, where that is recorded
@@ -18,10 +19,12 @@ public record Inside(
         PlannedAgent agent,
         Optional<Society.View> shown,
         Optional<Mind.View> mind,
+        List<MindChange> history,
         Optional<List<Mail>> mail,
         List<Spoken> talks,
         List<Hearing> hearings) {
     public Inside {
+        history = List.copyOf(history);
         mail = mail.map(List::copyOf);
         talks = List.copyOf(talks);
         hearings = List.copyOf(hearings);

@@ -275,9 +275,10 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> new Answer.Counted(stage.topics()));
     }
 
-    /// What an agent believes, wants and says now, as [Answer.Seen]. Looking changes nothing in the run.
+    /// What an agent believes, wants and says now, as [Answer.Seen]. Looking changes nothing in the run, but costs it a
+    /// little for the seconds after: what changes in the agent meanwhile is noted at each step.
     public CompletionStage<Answer> inside(String agent) {
-        return ask(stage -> stage.inside(agent));
+        return ask(stage -> stage.inside(agent, handClock.getAsLong()));
     }
 
     /// Which robots' agents hear each other now, as [Answer.Linked]. Looking changes nothing in the run, but costs it a

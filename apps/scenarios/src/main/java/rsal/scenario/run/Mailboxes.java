@@ -2,13 +2,8 @@ package rsal.scenario.run;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.jspecify.annotations.Nullable;
 import rsal.agent.Message;
 
 /// What reached each agent lately, for people to read: the newest of each topic, so that poses at 10 Hz do not push out
@@ -24,30 +19,7 @@ final class Mailboxes {
     private static final int MOST_AGENTS = 4_000;
 
     private final Instant began;
-    private final Map<String, Map<String, Newest>> byAgent = newestOf(MOST_AGENTS); // and topic
-    private long arrived;
-
-    /// The newest messages of one topic.
-    private static final class Newest {
-        private final @Nullable Letter[] letters = new Letter[MOST_OF_A_TOPIC];
-        private int next;
-
-        void add(Letter letter) {
-            letters[next] = letter;
-            next = (next + 1) % letters.length;
-        }
-
-        void addTo(List<Letter> all) {
-            for (Letter letter : letters) {
-                if (letter != null) {
-                    all.add(letter);
-                }
-            }
-        }
-    }
-
-    /// @param number by which those that arrived earlier come before
-    private record Letter(long number, Message<?> message) {}
+    private final Map<String, Newest<Message<?>>> byAgent = Newest.touchedLast(MOST_AGENTS);
 
     /// @param began when the run did
     Mailboxes(Instant began) {
@@ -55,17 +27,16 @@ final class Mailboxes {
     }
 
     void heard(Message<?> message, String listener) {
-        byAgent.computeIfAbsent(listener, _ -> newestOf(MOST_TOPICS))
-                .computeIfAbsent(message.topic().name(), _ -> new Newest())
-                .add(new Letter(arrived++, message));
+        byAgent.computeIfAbsent(listener, _ -> new Newest<>(MOST_OF_A_TOPIC, MOST_TOPICS))
+                .add(message.topic().name(), message);
     }
 
     /// What reached an agent, oldest first.
     List<Mail> of(String agent) {
-        var letters = new ArrayList<Letter>();
-        byAgent.getOrDefault(agent, new HashMap<>()).values().forEach(newest -> newest.addTo(letters));
-        letters.sort(Comparator.comparingLong(Letter::number));
-        return letters.stream().map(letter -> mail(letter.message())).toList();
+        Newest<Message<?>> letters = byAgent.get(agent);
+        return letters == null
+                ? List.of()
+                : letters.all().stream().map(this::mail).toList();
     }
 
     private Mail mail(Message<?> message) {
@@ -75,15 +46,5 @@ final class Mailboxes {
                 message.isForAll(),
                 message.topic().name(),
                 Words.clipped(message));
-    }
-
-    /// What was touched last stays.
-    private static <V> Map<String, V> newestOf(int most) {
-        return new LinkedHashMap<>(16, 0.75f, true) {
-            @Override
-            protected boolean removeEldestEntry(Map.Entry<String, V> eldest) {
-                return size() > most;
-            }
-        };
     }
 }

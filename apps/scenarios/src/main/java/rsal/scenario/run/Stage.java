@@ -180,6 +180,7 @@ final class Stage implements AutoCloseable {
     ///
     /// @return how the run ends, if it is over
     Optional<String> observe() {
+        agents.observe();
         return observer.look(systems.simulation(), where, team.robots());
     }
 
@@ -240,8 +241,9 @@ final class Stage implements AutoCloseable {
         return agents.minds();
     }
 
-    Answer inside(String agent) {
-        return agents.inside(agent)
+    /// @param now in real time [ns]
+    Answer inside(String agent, long now) {
+        return agents.inside(agent, now)
                 .<Answer>map(Answer.Seen::new)
                 .orElseGet(() -> new Answer.Refused("There is no agent (%s).".formatted(agent)));
     }

@@ -59,7 +59,7 @@ final class Words {
                         : content(message.content()));
     }
 
-    private static String clipped(String words) {
+    static String clipped(String words) {
         return words.length() <= MOST ? words : words.substring(0, MOST) + "…";
     }
 
