@@ -9,8 +9,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import rsal.data.OccupancyGrid;
+import rsal.map.RosMap;
 import rsal.recording.mcap.Channel;
 import rsal.recording.mcap.McapFile;
 import rsal.recording.mcap.Schema;
@@ -19,7 +23,9 @@ import rsal.recording.proto.ProtoReader;
 
 /// Writes messages as tables, one for each topic: a row is a message, or, where a message is a list (robots of a state,
 /// transforms, particles, points of a path), an element of it. The first column is the log time in seconds, the others
-/// are fields ([Table]). Cells of maps, things, the world and bodies are left out. For one thread.
+/// are fields ([Table]). Of maps the tables tell when they were drawn; the last of each lies beside its table as ROS
+/// has maps
+/// ([RosMap]). Things, the world and bodies are left out. For one thread.
 public final class CsvExport {
     private static final Map<String, MessageType> KNOWN = Stream.of(
                     Foxglove.FRAME_TRANSFORMS,
@@ -39,6 +45,10 @@ public final class CsvExport {
                     Own.MIND)
             .collect(Collectors.toUnmodifiableMap(MessageType::name, type -> type));
 
+    private static final String TABLE = ".csv";
+    private static final String IMAGE = ".pgm";
+    private static final String MAP = ".yaml";
+
     private final McapFile file;
     private final Map<Channel, MessageType> types = new LinkedHashMap<>();
 
@@ -54,12 +64,23 @@ public final class CsvExport {
 
     /// Names of the files.
     public List<String> names() {
-        return types.keySet().stream().map(CsvExport::name).toList();
+        return types.entrySet().stream()
+                .flatMap(entry -> endings(entry.getValue()).map(ending -> name(entry.getKey()) + ending))
+                .toList();
     }
 
+    private static Stream<String> endings(MessageType type) {
+        return isMap(type) ? Stream.of(TABLE, IMAGE, MAP) : Stream.of(TABLE);
+    }
+
+    private static boolean isMap(MessageType type) {
+        return type.equals(Foxglove.GRID);
+    }
+
+    /// Without the ending.
     private static String name(Channel channel) {
         String topic = channel.topic().startsWith("/") ? channel.topic().substring(1) : channel.topic();
-        return topic.replaceAll("[^A-Za-z0-9_-]", ".") + ".csv";
+        return topic.replaceAll("[^A-Za-z0-9_-]", ".");
     }
 
     /// Writes them all, one after the other; the folder is made if need be, and files that are there are lost.
@@ -69,20 +90,42 @@ public final class CsvExport {
         Files.createDirectories(folder);
         var written = new ArrayList<Path>();
         for (var channel : types.entrySet()) {
-            Path path = folder.resolve(name(channel.getKey()));
+            String name = name(channel.getKey());
+            Path path = folder.resolve(name + TABLE);
+            Optional<Map<String, Object>> last;
             try (Writer out = Files.newBufferedWriter(path)) {
-                write(channel.getKey(), channel.getValue(), out);
+                last = write(channel.getKey(), channel.getValue(), out);
             }
             written.add(path);
+            if (isMap(channel.getValue()) && last.isPresent()) {
+                written.addAll(writeMap(new Fields(last.get()), folder, name));
+            }
         }
         return written;
     }
 
-    private void write(Channel channel, MessageType type, Writer out) throws IOException {
+    private static List<Path> writeMap(Fields fields, Path folder, String name) throws IOException {
+        OccupancyGrid map;
+        try {
+            map = Decoder.grid(fields);
+        } catch (IllegalArgumentException e) { // of another program's recording
+            throw new IOException("The last map of (%s) is none: %s".formatted(name, e.getMessage()), e);
+        }
+        Path image = folder.resolve(name + IMAGE);
+        Path yaml = folder.resolve(name + MAP);
+        Files.write(image, RosMap.pgm(map));
+        Files.writeString(yaml, RosMap.yaml(map, name + IMAGE));
+        return List.of(image, yaml);
+    }
+
+    /// @return the last message
+    private Optional<Map<String, Object>> write(Channel channel, MessageType type, Writer out) throws IOException {
         Table table = Table.of(type);
         var columns = new ArrayList<String>(); // once there is a message
+        var last = new AtomicReference<@Nullable Map<String, Object>>();
         file.read(channel::equals, (_, _, logTime, _, data) -> {
             Map<String, Object> message = ProtoReader.read(type, data);
+            last.set(message);
             if (columns.isEmpty()) {
                 columns.addAll(table.columns(message));
                 out.write("log_time_s," + String.join(",", columns) + "\n");
@@ -98,6 +141,7 @@ public final class CsvExport {
         if (columns.isEmpty()) {
             out.write("log_time_s," + String.join(",", table.columns(Map.of())) + "\n");
         }
+        return Optional.ofNullable(last.get());
     }
 
     /// As RFC 4180 has it.

@@ -331,15 +331,18 @@ final class Decoder {
     }
 
     private static Stamped<OccupancyGrid> grid(Fields fields, Instant taken) {
+        return new Stamped<>(taken, fields.text("frame_id"), grid(fields));
+    }
+
+    /// @param fields of a [Foxglove#GRID]
+    /// @throws IllegalArgumentException when it has no cells, or too few for its last row
+    static OccupancyGrid grid(Fields fields) {
         byte[] cells = fields.bytes("data");
         int width = Math.clamp(fields.count("column_count"), 1, Integer.MAX_VALUE);
         Pose2d corner = fields.foxglovePose("pose");
         double resolution =
                 fields.within("cell_size").map(size -> size.number("x")).orElse(0.0);
-        return new Stamped<>(
-                taken,
-                fields.text("frame_id"),
-                new OccupancyGrid(width, cells.length / width, resolution, corner.x(), corner.y(), cells));
+        return new OccupancyGrid(width, cells.length / width, resolution, corner.x(), corner.y(), cells);
     }
 
     private static Path2d path(Fields fields) {

@@ -12,7 +12,11 @@ import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.data.OccupancyGrid;
+import rsal.map.Maps;
 import rsal.recording.mcap.McapFile;
+import rsal.settings.FileSource;
+import rsal.settings.Location;
 
 class CsvExportTest {
     private static final String SCENARIO = "find-and-collect";
@@ -64,6 +68,16 @@ class CsvExportTest {
         assertThat(rows).extracting(row -> row.get("robots.id")).contains("collector-1", "collector-2");
         assertThat(folder.resolve("world.csv")).doesNotExist();
         assertThat(folder.resolve("things.csv")).doesNotExist();
+    }
+
+    @Test
+    void theWorldsMapIsWrittenAsRosReadsIt() throws Exception {
+        OccupancyGrid told = Recorded.plan(SCENARIO, 1, 20).map();
+        OccupancyGrid read = new Maps(FileSource.folder(folder)).read("map.yaml", Location.of("test"));
+        assertThat(read.cells()).isEqualTo(told.cells());
+        assertThat(read.resolution()).isEqualTo(told.resolution());
+        assertThat(read.originX()).isEqualTo(told.originX());
+        assertThat(table("map.csv")).hasSize(1);
     }
 
     private List<Map<String, String>> table(String name) throws Exception {
