@@ -9,6 +9,8 @@ class Selection {
   /** Name of something that will be there soon, to be selected then. */
   wanted = $state<string | null>(null);
   following = $state(false);
+  /** What the selected robot would see is shown. */
+  onboard = $state(false);
   /** The next click on the map sends the selected robot there. */
   aiming = $state(false);
   /** Dragging on the map measures distances. */

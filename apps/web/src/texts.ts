@@ -104,6 +104,15 @@ export const texts = {
     goalHint: (robot: string) => `Click where ${robot} shall go; drag to set its heading. Esc cancels.`,
     place: (x: string, y: string, heading: string) => `${x}, ${y} m, ${heading}`,
   },
+  onboard: {
+    open: 'On board',
+    hint: 'Look from this robot, over its own body, on board (B)',
+    title: (robot: string | null) => (robot === null ? 'View from a robot' : `View from ${robot}`),
+    label: (robot: string) => `What ${robot} would see ahead`,
+    none: 'Select a robot to look from it.',
+    nowhere: (robot: string) => `Nobody knows where ${robot} is.`,
+    close: 'Close the view from the robot',
+  },
   menu: {
     label: 'Add or remove',
     box: 'Add a box here',

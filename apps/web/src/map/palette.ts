@@ -5,6 +5,10 @@ export interface Palette {
   /** Of what is occupied, in an oblique view: its sides are darker. */
   standing: string;
   unknown: string;
+  /** What a robot sees above, and of the floor, which is tiled. */
+  sky: string;
+  ground: string;
+  tile: string;
   /** Of maps that robots draw. */
   drawn: string;
   drawnWall: string;
@@ -28,6 +32,9 @@ export function readPalette(element: Element): Palette {
     occupied: color('occupied'),
     standing: color('standing'),
     unknown: color('unknown'),
+    sky: color('sky'),
+    ground: color('ground'),
+    tile: color('tile'),
     drawn: color('drawn'),
     drawnWall: color('drawn-wall'),
     dear: color('dear'),

@@ -22,7 +22,7 @@ function box(x: number, y: number, width: number, depth: number, high: number, h
   ];
   const piece = { color: null, corners, radius: 0, low: 0, high };
   const pose = { x, y, heading };
-  return uprightsOf({ number: 1, name: 'box', pose, height: 0, pieces: [piece], reach: Math.hypot(w, d) });
+  return uprightsOf({ pose, height: 0, pieces: [piece] });
 }
 
 describe('walls of a map', () => {

@@ -169,7 +169,7 @@ function depthBefore(
 }
 
 /** A piece of a thing, or all of one, in the map frame. */
-export function uprightsOf({ pose, pieces, height }: Thing): Upright[] {
+export function uprightsOf({ pose, pieces, height }: Pick<Thing, 'pose' | 'pieces' | 'height'>): Upright[] {
   const [cos, sin] = [Math.cos(pose.heading), Math.sin(pose.heading)];
   return pieces.map((piece) => {
     const corners =
