@@ -470,6 +470,21 @@ export interface Scenarios {
   hosts: HostInfo[];
 }
 
+export interface SeatInfo {
+  number: number;
+  title: string;
+  scenario: string;
+  configuration: string;
+  seed: string;
+  typed: Record<string, string>;
+  mas: string;
+  time: number;
+  speed: string;
+  paused: boolean;
+  stopped: boolean;
+  outcome: string;
+}
+
 export interface ServerMessage {
   run: RunInfo | null;
   newcomers: Newcomers | null;
@@ -485,6 +500,11 @@ export interface SettingInfo {
   fallback: string | null;
   unit: string;
   description: string;
+}
+
+export interface SideBySide {
+  most: number;
+  runs: SeatInfo[];
 }
 
 export interface Speed {

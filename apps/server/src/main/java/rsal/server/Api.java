@@ -14,12 +14,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.zip.GZIPOutputStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.data.OccupancyGrid;
@@ -59,27 +57,23 @@ final class Api {
     private static final Map<String, String> SECURITY_HEADERS = Map.of(
             "Content-Security-Policy",
                     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self';"
-                            + " base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+                            + " frame-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'",
             "X-Content-Type-Options", "nosniff",
-            "X-Frame-Options", "DENY",
+            "X-Frame-Options", "SAMEORIGIN",
             "Referrer-Policy", "no-referrer",
             "Cross-Origin-Opener-Policy", "same-origin",
             "Cross-Origin-Resource-Policy", "same-origin");
 
-    private final CurrentRun current;
+    private final Seats seats;
     private final Shelf shelf;
     private final Gate gate;
     private final Page page;
     private final Exposition exposition;
     private final SweepApi sweeps;
-    private final AtomicReference<@Nullable PackedMap> map = new AtomicReference<>();
-
-    /// The map of a run, which takes a while to draw.
-    private record PackedMap(int run, byte[] bytes) {}
 
     /// @param exposition what monitors are shown
-    Api(CurrentRun current, Shelf shelf, Gate gate, Page page, Exposition exposition, SweepApi sweeps) {
-        this.current = current;
+    Api(Seats seats, Shelf shelf, Gate gate, Page page, Exposition exposition, SweepApi sweeps) {
+        this.seats = seats;
         this.shelf = shelf;
         this.gate = gate;
         this.page = page;
@@ -87,9 +81,18 @@ final class Api {
         this.sweeps = sweeps;
     }
 
+    /// All is there for each of the runs side by side, below its address.
     void configure(RoutesConfig routes) {
         admit(routes, gate);
-        routes.get("/api/run", request -> answer(request, info()));
+        configure(new Routes(routes, ""));
+        configure(new Routes(routes, Seats.BESIDE));
+        routes.get("/metrics", exposition::answer);
+        routes.get(Seats.BESIDE + "/*", request -> asset(request, page, pathIn(seats.find(request), request)));
+        serve(routes, page);
+    }
+
+    private void configure(Routes routes) {
+        routes.get("/api/run", request -> answer(request, info(request)));
         routes.get("/api/scenarios", request -> answer(request, shelf.all()));
         routes.get("/api/scenarios/picture", request -> {
             String id = request.queryParam("scenario");
@@ -101,122 +104,146 @@ final class Api {
         routes.get("/api/drawn/{run}/files", this::drawnFiles);
         routes.get("/api/abilities", request -> {
             String robot = request.queryParam("robot");
-            answerWhenDone(request, running().abilities(robot == null ? "" : robot));
+            answerWhenDone(request, running(request).abilities(robot == null ? "" : robot));
         });
         routes.get("/api/readings", request -> {
             String robot = request.queryParam("robot");
-            answerWhenDone(request, running().readings(robot == null ? "" : robot));
+            answerWhenDone(request, running(request).readings(robot == null ? "" : robot));
         });
         routes.get("/api/numbers", request -> {
             String robot = request.queryParam("robot");
-            answerWhenDone(request, running().readings(robot == null ? "" : robot), Numbers::of);
+            answerWhenDone(request, running(request).readings(robot == null ? "" : robot), Numbers::of);
         });
         routes.get(
                 "/api/communication",
-                request -> answerWhenDone(request, running().communication()));
+                request -> answerWhenDone(request, running(request).communication()));
         routes.get("/api/links", request -> {
             String robot = request.queryParam("robot");
-            answerWhenDone(request, running().links(robot == null ? "" : robot));
+            answerWhenDone(request, running(request).links(robot == null ? "" : robot));
         });
         routes.get("/api/costs", request -> {
             String robot = request.queryParam("robot");
-            answerWhenDone(request, running().costs(robot == null ? "" : robot));
+            answerWhenDone(request, running(request).costs(robot == null ? "" : robot));
         });
         routes.get("/api/sayable", request -> answer(request, Descriptions.sayable(LiveRun.sayable())));
-        routes.get("/api/topics", request -> answerWhenDone(request, running().topics()));
+        routes.get(
+                "/api/topics",
+                request -> answerWhenDone(request, running(request).topics()));
         routes.get("/api/agent", request -> {
             String name = request.queryParam("name");
-            answerWhenDone(request, running().inside(name == null ? "" : name));
+            answerWhenDone(request, running(request).inside(name == null ? "" : name));
         });
 
-        routes.get("/metrics", exposition::answer);
-
-        command(routes, "pause", request -> running().pause());
-        command(routes, "resume", request -> running().resume());
-        command(routes, "step", request -> running().step());
+        command(routes, "pause", request -> running(request).pause());
+        command(routes, "resume", request -> running(request).resume());
+        command(routes, "step", request -> running(request).step());
         command(
                 routes,
                 "speed",
-                request -> running()
+                request -> running(request)
                         .speed(SpeedFactor.of(read(request, Speed.class).factor())));
-        command(routes, "stop", request -> running().stop());
+        command(routes, "stop", request -> running(request).stop());
         command(routes, "place", request -> {
             RobotPose to = read(request, RobotPose.class);
-            answerWhenDone(request, running().place(to.robot(), pose(to)));
+            answerWhenDone(request, running(request).place(to.robot(), pose(to)));
         });
         command(routes, "add", request -> {
             Addition wish = read(request, Addition.class);
             Pose2d there = pose(wish.x(), wish.y(), wish.heading());
             Prop prop = Prop.valueOf(wish.kind().name());
-            answerWhenDone(request, running().add(prop, there));
+            answerWhenDone(request, running(request).add(prop, there));
         });
         command(routes, "add-robot", request -> {
             RobotPose wish = read(request, RobotPose.class);
-            answerWhenDone(request, running().addRobot(wish.robot(), pose(wish)));
+            answerWhenDone(request, running(request).addRobot(wish.robot(), pose(wish)));
         });
         command(
                 routes,
                 "remove",
                 request -> answerWhenDone(
-                        request, running().remove(read(request, Removal.class).name())));
+                        request,
+                        running(request).remove(read(request, Removal.class).name())));
         command(routes, "goal", request -> {
             RobotPose to = read(request, RobotPose.class);
-            answerWhenDone(request, running().goTo(to.robot(), pose(to)));
+            answerWhenDone(request, running(request).goTo(to.robot(), pose(to)));
         });
         command(routes, "drive", request -> {
             Drive wish = read(request, Drive.class);
             answerWhenDone(
-                    request, running().drive(wish.robot(), Steering.driver(wish.driver()), Steering.velocity(wish)));
+                    request,
+                    running(request).drive(wish.robot(), Steering.driver(wish.driver()), Steering.velocity(wish)));
         });
         command(routes, "release", request -> {
             Release wish = read(request, Release.class);
-            answerWhenDone(request, running().letGo(wish.robot(), Steering.driver(wish.driver())));
+            answerWhenDone(request, running(request).letGo(wish.robot(), Steering.driver(wish.driver())));
         });
         command(routes, "behavior", request -> {
             Order wish = read(request, Order.class);
-            answerWhenDone(request, running().behave(wish.robot(), wish.behavior()));
+            answerWhenDone(request, running(request).behave(wish.robot(), wish.behavior()));
         });
         command(routes, "add-agent", request -> {
             AgentAddition wish = read(request, AgentAddition.class);
-            answerWhenDone(request, running().addAgent(wish.like(), wish.robot()));
+            answerWhenDone(request, running(request).addAgent(wish.like(), wish.robot()));
         });
         command(
                 routes,
                 "start-agent",
                 request -> answerWhenDone(
                         request,
-                        running().startAgent(read(request, AgentName.class).name())));
+                        running(request)
+                                .startAgent(read(request, AgentName.class).name())));
         command(
                 routes,
                 "stop-agent",
                 request -> answerWhenDone(
                         request,
-                        running().stopAgent(read(request, AgentName.class).name())));
+                        running(request)
+                                .stopAgent(read(request, AgentName.class).name())));
         command(routes, "say", request -> {
             Saying wish = read(request, Saying.class);
-            answerWhenDone(request, running().say(wish.to(), wish.topic(), wish.fields()));
+            answerWhenDone(request, running(request).say(wish.to(), wish.topic(), wish.fields()));
         });
-        command(routes, "estop", request -> answerWhenDone(request, running().estop()));
-        command(routes, "rearm", request -> answerWhenDone(request, running().rearm()));
+        command(routes, "estop", request -> answerWhenDone(request, seats.estop()));
+        command(
+                routes,
+                "rearm",
+                request -> answerWhenDone(request, running(request).rearm()));
         command(routes, "motors", request -> {
             Motors wish = read(request, Motors.class);
             answerWhenDone(
                     request,
-                    wish.on() ? running().rearm(wish.robot()) : running().stop(wish.robot()));
+                    wish.on()
+                            ? running(request).rearm(wish.robot())
+                            : running(request).stop(wish.robot()));
         });
         command(routes, "check", request -> {
-            RunPlan plan = plan(read(request, Restart.class));
+            RunPlan plan = plan(request, read(request, Restart.class));
             answer(request, new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan)));
         });
         command(routes, "restart", request -> {
-            RunPlan plan = plan(read(request, Restart.class));
+            RunPlan plan = plan(request, read(request, Restart.class));
             sweeps.checkBeside(plan);
-            current.restart(plan);
-            answer(request, info());
+            seats.restart(seats.find(request), plan);
+            answer(request, info(request));
         });
 
         sweeps.configure(routes);
-        serve(routes, page);
+        configureSeats(routes);
+    }
+
+    private void configureSeats(Routes routes) {
+        routes.get("/api/beside", request -> answer(request, Descriptions.sideBySide(seats.all())));
+        routes.post("/api/beside", request -> {
+            gate.authorize(request.header(Header.AUTHORIZATION));
+            RunPlan plan = plan(request, read(request, Restart.class));
+            sweeps.checkBeside(plan);
+            answer(request, Descriptions.seat(seats.open(plan)));
+        });
+        routes.delete("/api/beside/{number}", request -> {
+            gate.authorize(request.header(Header.AUTHORIZATION));
+            seats.close(request.pathParam("number"));
+            answer(request, Map.of());
+        });
     }
 
     /// Before all else: lets in only who may look.
@@ -230,7 +257,7 @@ final class Api {
 
     /// After all else: the page, and refusals.
     static void serve(RoutesConfig routes, Page page) {
-        routes.get("/*", request -> asset(request, page));
+        routes.get("/*", request -> asset(request, page, request.path()));
 
         routes.exception(Refusal.class, (refusal, request) -> refuse(request, refusal));
         routes.exception(
@@ -243,7 +270,7 @@ final class Api {
     }
 
     /// What changes the run, or asks the server to work: only with the token. Answers `{}` unless told otherwise.
-    private void command(RoutesConfig routes, String name, Handler handler) {
+    private void command(Routes routes, String name, Handler handler) {
         routes.post("/api/run/" + name, request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
             answer(request, Map.of());
@@ -252,7 +279,7 @@ final class Api {
     }
 
     private void status(Context request) {
-        Numbered now = current.now();
+        Numbered now = seats.find(request).now();
         request.future(() -> now.run()
                 .freshSnapshot()
                 .toCompletableFuture()
@@ -260,23 +287,31 @@ final class Api {
                         request, Descriptions.status(now.number(), now.run().plan(), snapshot))));
     }
 
-    private LiveRun running() {
-        Numbered now = current.now();
+    /// What of a seat's page is asked for.
+    private static String pathIn(Seat seat, Context request) {
+        return request.path()
+                .substring(Seats.BESIDE
+                        .replace("{seat}", Integer.toString(seat.number()))
+                        .length());
+    }
+
+    private LiveRun running(Context request) {
+        Numbered now = seats.find(request).now();
         if (now.isOver()) {
             throw new Refusal(409, "The run is over. Restart it first.");
         }
         return now.run();
     }
 
-    private RunInfo info() {
-        Numbered now = current.now();
+    private RunInfo info(Context request) {
+        Numbered now = seats.find(request).now();
         return Descriptions.run(
                 now.number(), now.run().plan(), now.team(now.run().snapshot()));
     }
 
     /// What the wish asks for; otherwise as the run is now.
-    private RunPlan plan(Restart wish) {
-        LiveRun run = current.now().run();
+    private RunPlan plan(Context request, Restart wish) {
+        LiveRun run = seats.find(request).now().run();
         return new RestartReader(shelf, run.plan(), run.snapshot().speed()).read(wish);
     }
 
@@ -292,17 +327,12 @@ final class Api {
     }
 
     private void map(Context request) {
-        Numbered now = current.now();
+        Seat seat = seats.find(request);
+        Numbered now = seat.now();
         if (!request.pathParam("run").equals(Integer.toString(now.number()))) {
             throw new Refusal(404, "Only the map of run %d is there.".formatted(now.number()));
         }
-        PackedMap known = map.get();
-        if (known == null || known.run() != now.number()) {
-            known = new PackedMap(
-                    now.number(), packed(FloorPlan.cells(now.run().plan().scene())));
-            map.set(known);
-        }
-        answerPacked(request, known.bytes());
+        answerPacked(request, seat.floor(now));
     }
 
     /// @param bytes as [#packed] packs them
@@ -348,7 +378,7 @@ final class Api {
     }
 
     private OccupancyGrid drawn(Context request, String robot) {
-        Numbered now = current.now();
+        Numbered now = seats.find(request).now();
         return now.run().snapshot().robots().stream()
                 .filter(view ->
                         view.id().equals(robot) && request.pathParam("run").equals(Integer.toString(now.number())))
@@ -369,8 +399,8 @@ final class Api {
         return packed.toByteArray();
     }
 
-    private static void asset(Context request, Page page) {
-        Asset asset = page.find(request.path())
+    private static void asset(Context request, Page page, String path) {
+        Asset asset = page.find(path)
                 .orElseThrow(
                         () -> new Refusal(404, "There is no (%s) here.".formatted(Refusal.shortened(request.path()))));
         if (asset.hashed()) {

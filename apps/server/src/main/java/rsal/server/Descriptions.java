@@ -25,6 +25,7 @@ import rsal.scenario.run.Answer;
 import rsal.scenario.run.DeviceView;
 import rsal.scenario.run.Hearing;
 import rsal.scenario.run.Inside;
+import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Loss;
 import rsal.scenario.run.Mail;
 import rsal.scenario.run.MindChange;
@@ -67,7 +68,9 @@ import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.SaidInfo;
 import rsal.server.Messages.SayableInfo;
 import rsal.server.Messages.Sayables;
+import rsal.server.Messages.SeatInfo;
 import rsal.server.Messages.SettingInfo;
+import rsal.server.Messages.SideBySide;
 import rsal.server.Messages.StatusInfo;
 import rsal.server.Messages.TalkInfo;
 import rsal.server.Messages.TopicInfo;
@@ -405,6 +408,36 @@ final class Descriptions {
                 snapshot.stopped(),
                 snapshot.outcome().orElse(""),
                 snapshot.robots().stream().map(Descriptions::status).toList());
+    }
+
+    static SideBySide sideBySide(List<Seat> seats) {
+        return new SideBySide(Seats.MOST, seats.stream().map(Descriptions::seat).toList());
+    }
+
+    static SeatInfo seat(Seat seat) {
+        LiveRun run = seat.now().run();
+        RunPlan plan = run.plan();
+        Snapshot snapshot = run.snapshot();
+        return new SeatInfo(
+                seat.number(),
+                plan.scenario().title(),
+                plan.scenario().name(),
+                plan.configuration(),
+                Long.toString(plan.seed()),
+                plan.options().arguments(),
+                plan.options().mas().orElse(""),
+                snapshot.time().toNanos() / 1e9,
+                SpeedFactor.word(snapshot.speed()),
+                snapshot.paused(),
+                snapshot.stopped(),
+                outcome(run, snapshot));
+    }
+
+    /// Empty while it goes on.
+    private static String outcome(LiveRun run, Snapshot snapshot) {
+        return run.result().toCompletableFuture().isCompletedExceptionally()
+                ? "broken"
+                : snapshot.outcome().orElse("");
     }
 
     private static RobotStatus status(RobotView robot) {

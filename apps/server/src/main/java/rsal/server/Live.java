@@ -23,8 +23,11 @@ import rsal.server.ViewerCounts.Reason;
 
 /// Shows a run over WebSockets, 20 times a second. Each snapshot of one that goes on is encoded once, whoever looks;
 /// while nobody looks, twice a second, to look back on.
-final class Live implements AutoCloseable {
+final class Live implements Viewing {
     static final int MAX_VIEWERS = 64;
+    /// What viewers are told when their run was closed; of those codes that applications may use (RFC 6455, 7.4.2).
+    static final int CLOSED = 4000;
+
     private static final int PERIOD_MILLIS = 50;
     private static final Duration PERIOD = Duration.ofMillis(PERIOD_MILLIS);
     private static final int UNWATCHED = 10; // periods
@@ -34,9 +37,10 @@ final class Live implements AutoCloseable {
 
     private final Showing showing;
     private final Gate gate;
-    private final Set<Viewer> viewers = ConcurrentHashMap.newKeySet();
+    private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
     private final ViewerCounts counts = new ViewerCounts();
     private final ScheduledExecutorService clock;
+    private volatile boolean ended;
     private long periods; // the clock's thread only
 
     Live(Showing showing, Gate gate) {
@@ -47,15 +51,16 @@ final class Live implements AutoCloseable {
         var _ = clock.scheduleAtFixedRate(this::offer, PERIOD_MILLIS, PERIOD_MILLIS, TimeUnit.MILLISECONDS);
     }
 
-    void configure(JettyWebSocketServerContainer sockets) {
+    @Override
+    public void configure(JettyWebSocketServerContainer sockets) {
         sockets.setMaxTextMessageSize(RunServer.MAX_MESSAGE);
         sockets.setMaxBinaryMessageSize(RunServer.MAX_MESSAGE);
         sockets.setIdleTimeout(Duration.ZERO); // a paused run has nothing to say
         sockets.addMapping("/api/live", this::open);
     }
 
-    private @Nullable Connection open(JettyServerUpgradeRequest request, JettyServerUpgradeResponse response)
-            throws Exception {
+    @Nullable
+    Connection open(JettyServerUpgradeRequest request, JettyServerUpgradeResponse response) throws Exception {
         try {
             gate.admit(request.getHeader("Host"), request.getHeader("Origin"));
         } catch (Refusal refusal) {
@@ -67,33 +72,33 @@ final class Live implements AutoCloseable {
     }
 
     private void offer() {
-        if (viewers.isEmpty() && periods++ % UNWATCHED != 0) {
+        if (connections.isEmpty() && periods++ % UNWATCHED != 0) {
             return;
         }
         try {
             showing.look();
-            for (Viewer viewer : viewers) {
-                offer(viewer);
+            for (Connection connection : connections) {
+                offer(connection);
             }
         } catch (RuntimeException e) {
             LOG.error("Could not show the run.", e); // the next snapshot may do
         }
     }
 
-    private void offer(Viewer viewer) {
+    private void offer(Connection connection) {
         try {
-            viewer.offer(showing.live(), showing.past(), PERIOD);
+            connection.viewer.offer(showing.live(), showing.past(), PERIOD);
         } catch (RuntimeException e) {
             LOG.warn("Let a viewer go that could not be sent to.", e);
-            viewers.remove(viewer);
+            connections.remove(connection);
             counts.letGo(Reason.FAILED);
-            viewer.drop();
+            connection.viewer.drop();
         }
     }
 
     /// How many there are now. For any thread.
     int viewers() {
-        return viewers.size();
+        return connections.size();
     }
 
     /// What they were sent. For any thread.
@@ -101,7 +106,13 @@ final class Live implements AutoCloseable {
         return counts;
     }
 
-    /// No viewer is offered anything any more. Their connections end with the server.
+    /// Tells all viewers that there will be nothing more to see, and lets them go.
+    void end() {
+        ended = true;
+        close();
+        connections.forEach(Connection::end);
+    }
+
     @Override
     public void close() {
         clock.shutdownNow();
@@ -120,14 +131,17 @@ final class Live implements AutoCloseable {
         @Override
         public void onWebSocketOpen(Session session) {
             super.onWebSocketOpen(session);
-            if (viewers.size() >= MAX_VIEWERS) {
+            if (connections.size() >= MAX_VIEWERS) {
                 close(
                         Reason.FULL,
                         StatusCode.TRY_AGAIN_LATER,
                         "%d browsers are watching already.".formatted(MAX_VIEWERS));
             } else {
-                viewers.add(viewer);
+                connections.add(this);
                 counts.addViewer();
+                if (ended) {
+                    end(); // nobody else would any more
+                }
             }
         }
 
@@ -148,17 +162,22 @@ final class Live implements AutoCloseable {
 
         @Override
         public void onWebSocketClose(int status, @Nullable String reason, Callback closed) {
-            viewers.remove(viewer);
+            connections.remove(this);
             closed.succeed();
         }
 
         @Override
         public void onWebSocketError(Throwable cause) {
-            viewers.remove(viewer);
+            connections.remove(this);
+        }
+
+        private void end() {
+            connections.remove(this);
+            getSession().close(CLOSED, "This run was closed.", Callback.NOOP);
         }
 
         private void close(Reason why, int status, String words) {
-            viewers.remove(viewer);
+            connections.remove(this);
             counts.letGo(why);
             getSession().close(status, words, Callback.NOOP);
         }

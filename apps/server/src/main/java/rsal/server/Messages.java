@@ -324,6 +324,34 @@ final class Messages {
             String outcome,
             List<RobotStatus> robots) {}
 
+    /// @param most how many runs there may be at once
+    /// @param runs the first, and those beside it in the order in which they came
+    record SideBySide(int most, List<SeatInfo> runs) {}
+
+    /// One of the runs side by side, as it is now.
+    ///
+    /// @param number 1 of the first, which is at `/`; others are at `/beside/<number>/`. It stays when another run
+    /// begins there, and is never used again
+    /// @param typed arguments that somebody typed, by name; all others are the scenario's
+    /// @param mas as [RunInfo] has it
+    /// @param time simulated [s]
+    /// @param speed as [Speed] has it
+    /// @param stopped whether all motors are off
+    /// @param outcome how it ended; empty while it goes on
+    record SeatInfo(
+            int number,
+            String title,
+            String scenario,
+            String configuration,
+            String seed,
+            Map<String, String> typed,
+            String mas,
+            double time,
+            String speed,
+            boolean paused,
+            boolean stopped,
+            String outcome) {}
+
     /// @param x where it is, or believes to be, in the map frame [m]; empty when nobody knows
     /// @param heading [rad]
     record RobotStatus(

@@ -24,14 +24,15 @@ final class PageServer implements AutoCloseable {
     private static final String LOOPBACK = "127.0.0.1";
 
     private final Javalin http;
-    private final Live live;
+    private final Viewing viewing;
     private final URI url;
 
     /// @param door from [#open]
-    /// @param live what viewers are shown; this closes it
+    /// @param viewing where viewers come in; this closes it
     /// @param routes what can be asked and told
-    PageServer(ServerSocketChannel door, String token, Live live, Consumer<RoutesConfig> routes) throws IOException {
-        this.live = live;
+    PageServer(ServerSocketChannel door, String token, Viewing viewing, Consumer<RoutesConfig> routes)
+            throws IOException {
+        this.viewing = viewing;
         url = URI.create("http://%s:%d/#token=%s".formatted(LOOPBACK, port(door), token));
         http = Javalin.create(config -> {
             configure(config, door);
@@ -78,8 +79,8 @@ final class PageServer implements AutoCloseable {
         config.jetty.modifyServer(server -> server.setStopTimeout(0));
         config.jetty.modifyHttpConfiguration(http -> http.setSendServerVersion(false));
         // not Javalin's own sockets, which give every viewer a session and a cookie
-        config.jetty.modifyServletContextHandler(context ->
-                JettyWebSocketServletContainerInitializer.configure(context, (_, sockets) -> live.configure(sockets)));
+        config.jetty.modifyServletContextHandler(context -> JettyWebSocketServletContainerInitializer.configure(
+                context, (_, sockets) -> viewing.configure(sockets)));
     }
 
     private static ServerConnector connector(Server server, HttpConfiguration http, ServerSocketChannel door) {
@@ -100,7 +101,7 @@ final class PageServer implements AutoCloseable {
 
     @Override
     public void close() {
-        live.close();
+        viewing.close();
         http.stop();
     }
 }

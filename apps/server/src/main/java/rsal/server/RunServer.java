@@ -15,7 +15,8 @@ import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 
-/// Runs a scenario and shows it on this machine's loopback address, and there only. Whoever can reach the port
+/// Runs a scenario, and others beside it, and shows them on this machine's loopback address, and there only. Whoever
+/// can reach the port
 /// may look; changing anything takes the token.
 ///
 /// All methods may be called from any thread.
@@ -23,7 +24,7 @@ public final class RunServer implements AutoCloseable {
     /// Of a WebSocket message or a request's body [B]; all that the page sends is smaller.
     static final int MAX_MESSAGE = 16 * 1024;
 
-    private final CurrentRun current;
+    private final Seats seats;
     private final Sweeps sweeps;
     private final PageServer server;
     private final String token;
@@ -32,8 +33,9 @@ public final class RunServer implements AutoCloseable {
     /// @param token what a browser must know to change anything, as from [#newToken]
     /// @param page directory of the built page
     /// @param scenarios what can be chosen in the page, as for [rsal.scenario.Scenario#load], and nothing else
-    /// @param onStart told of each run, the first and those that replace it, when it begins
-    /// @param starter starts a run
+    /// @param onStart told of each run, the first and those that replace it, when it begins; not of those that are
+    /// begun beside it
+    /// @param starter starts those runs
     /// @param recorded what came of recordings so far; empty when nothing is recorded. Must not wait, on any thread
     /// @param sweeping empty where no sweeps can be begun
     public record Options(
@@ -80,17 +82,16 @@ public final class RunServer implements AutoCloseable {
         token = options.token();
         var shelf = new Shelf(options.scenarios());
         sweeps = new Sweeps(options.sweeping(), shelf, Sweeps.coresBesideARun());
-        current = new CurrentRun(plan, options.onStart(), options.starter());
+        var gate = new Gate(PageServer.port(door), token);
+        var first = new CurrentRun(plan, options.onStart(), options.starter());
+        seats = new Seats(first, gate);
         try {
-            var gate = new Gate(PageServer.port(door), token);
-            var showing = new LiveShowing(current);
-            var live = new Live(showing, gate);
-            var exposition = new Exposition(current, live, showing::bytesKept, options.recorded());
-            var sweepApi = new SweepApi(current, sweeps, gate);
+            var exposition = new Exposition(first, seats.first().live(), seats.first()::bytesKept, options.recorded());
+            var sweepApi = new SweepApi(first, sweeps, gate);
             server = new PageServer(
-                    door, token, live, new Api(current, shelf, gate, page, exposition, sweepApi)::configure);
+                    door, token, seats, new Api(seats, shelf, gate, page, exposition, sweepApi)::configure);
         } catch (IOException | RuntimeException e) {
-            current.close();
+            seats.close();
             throw e;
         }
     }
@@ -112,16 +113,20 @@ public final class RunServer implements AutoCloseable {
         return server.url();
     }
 
-    /// The run that is shown now.
+    /// The run that is shown now; of several side by side the first.
     public LiveRun run() {
-        return current.now().run();
+        return seats.first().now().run();
     }
 
-    /// Ends the run, a sweep and the server within a second. Closing twice does nothing.
+    /// All that are side by side.
+    Seats seats() {
+        return seats;
+    }
+
+    /// Ends the runs, a sweep and the server within a second. Closing twice does nothing.
     @Override
     public void close() {
         server.close();
         sweeps.close();
-        current.close();
     }
 }

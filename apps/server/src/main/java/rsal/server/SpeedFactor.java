@@ -1,5 +1,7 @@
 package rsal.server;
 
+import java.math.BigDecimal;
+
 /// How fast a run is to go: simulated over real time.
 final class SpeedFactor {
     private static final double SLOWEST = 0.1;
@@ -25,5 +27,12 @@ final class SpeedFactor {
                 400,
                 "A speed is a number from %s to %s, or max; not (%s)."
                         .formatted(SLOWEST, (int) FASTEST, Refusal.shortened(typed)));
+    }
+
+    /// As one would type it.
+    static String word(double factor) {
+        return factor == Double.POSITIVE_INFINITY
+                ? "max"
+                : BigDecimal.valueOf(factor).toPlainString();
     }
 }

@@ -1,6 +1,5 @@
 package rsal.server;
 
-import io.javalin.config.RoutesConfig;
 import io.javalin.http.Context;
 import io.javalin.http.Header;
 import java.util.Map;
@@ -24,7 +23,7 @@ final class SweepApi {
         this.gate = gate;
     }
 
-    void configure(RoutesConfig routes) {
+    void configure(Routes routes) {
         routes.get("/api/sweeps", this::state);
         routes.get("/api/sweeps/report", request -> {
             request.header("Content-Security-Policy", STYLED);

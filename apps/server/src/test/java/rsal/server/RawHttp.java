@@ -38,20 +38,28 @@ final class RawHttp {
 
     /// Asks for a WebSocket as a browser does; 101 is a yes.
     static Response upgrade(int port, String... headers) throws IOException {
-        return upgradeAndSend(port, new byte[0], headers);
+        return upgradeAt(port, "/api/live", headers);
+    }
+
+    static Response upgradeAt(int port, String path, String... headers) throws IOException {
+        return upgradeAndSend(port, path, new byte[0], headers);
     }
 
     /// Asks for a WebSocket and sends bytes there that need not be frames.
     static Response upgradeAndSend(int port, byte[] bytes, String... headers) throws IOException {
+        return upgradeAndSend(port, "/api/live", bytes, headers);
+    }
+
+    private static Response upgradeAndSend(int port, String path, byte[] bytes, String... headers) throws IOException {
         var request = new ByteArrayOutputStream();
         request.writeBytes("""
-                GET /api/live HTTP/1.1\r
+                GET %s HTTP/1.1\r
                 Upgrade: websocket\r
                 Connection: Upgrade\r
                 Sec-WebSocket-Version: 13\r
                 Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r
                 %s\r
-                """.formatted(lines(List.of(headers))).getBytes(StandardCharsets.ISO_8859_1));
+                """.formatted(path, lines(List.of(headers))).getBytes(StandardCharsets.ISO_8859_1));
         request.writeBytes(bytes);
         return headOf(port, request.toByteArray());
     }

@@ -170,7 +170,10 @@ class RunServerTest {
                 assertThat(get(path).text())
                         .as(path)
                         .contains("Content-Security-Policy: default-src 'none'; script-src 'self'")
-                        .contains("frame-ancestors 'none'", "X-Content-Type-Options: nosniff", "X-Frame-Options: DENY")
+                        .contains(
+                                "frame-ancestors 'self'",
+                                "X-Content-Type-Options: nosniff",
+                                "X-Frame-Options: SAMEORIGIN")
                         .contains("Referrer-Policy: no-referrer")
                         .doesNotContain("unsafe", "Server:");
             }

@@ -1,0 +1,21 @@
+package rsal.server;
+
+import io.javalin.config.RoutesConfig;
+import io.javalin.http.Handler;
+
+/// What can be asked below an address.
+///
+/// @param at that address, which may have parameters; empty for the server's own
+record Routes(RoutesConfig all, String at) {
+    void get(String path, Handler handler) {
+        all.get(at + path, handler);
+    }
+
+    void post(String path, Handler handler) {
+        all.post(at + path, handler);
+    }
+
+    void delete(String path, Handler handler) {
+        all.delete(at + path, handler);
+    }
+}

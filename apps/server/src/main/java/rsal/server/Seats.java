@@ -1,0 +1,168 @@
+package rsal.server;
+
+import io.javalin.http.Context;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeRequest;
+import org.eclipse.jetty.ee10.websocket.server.JettyServerUpgradeResponse;
+import org.eclipse.jetty.ee10.websocket.server.JettyWebSocketServerContainer;
+import org.jspecify.annotations.Nullable;
+import rsal.scenario.RunPlan;
+import rsal.scenario.run.Answer;
+
+/// Runs side by side: the first, at `/`, which is always there, and others, at `/beside/<number>/`. What runs in real
+/// time has no other beside it, which could make it late. All methods may be called from any thread.
+final class Seats implements Viewing {
+    /// Where the others are, as routes have it.
+    static final String BESIDE = "/beside/{seat}";
+
+    /// As many as can be watched at once, in two rows of two. Each keeps a core busy when it goes as fast as it can,
+    /// and up to [History#MOST_BYTES] to look back on.
+    static final int MOST = 4;
+
+    private static final Pattern LIVE = Pattern.compile("/beside/([^/]+)/api/live");
+
+    private final Gate gate;
+    private final Seat first;
+    private volatile List<Seat> all; // in the order in which they came
+    private int newest;
+    private boolean closed;
+
+    /// @param current of the first seat; whose this is from now on
+    Seats(CurrentRun current, Gate gate) {
+        this.gate = gate;
+        first = Seat.first(current, gate);
+        all = List.of(first);
+        newest = first.number();
+    }
+
+    Seat first() {
+        return first;
+    }
+
+    /// The first one first.
+    List<Seat> all() {
+        return all;
+    }
+
+    /// Whose address was asked for.
+    ///
+    /// @throws Refusal when there is none of that number (any more)
+    Seat find(Context request) {
+        String number = request.pathParamMap().get("seat");
+        return number == null ? first : beside(number);
+    }
+
+    private Seat beside(String number) {
+        return all.stream()
+                .filter(seat ->
+                        !seat.isFirst() && Integer.toString(seat.number()).equals(number))
+                .findFirst()
+                .orElseThrow(() -> new Refusal(
+                        404,
+                        "There is no run (%s) beside the first. Maybe it was closed."
+                                .formatted(Refusal.shortened(number))));
+    }
+
+    /// Begins a run beside those that are there. Nobody but its viewers sees it: who is told of runs, records them or
+    /// reads metrics knows the first seat alone.
+    ///
+    /// @throws Refusal when there are [#MOST] already, or it or another one is in real time
+    synchronized Seat open(RunPlan plan) {
+        if (closed) {
+            throw new Refusal(503, "The server is ending.");
+        }
+        if (all.size() >= MOST) {
+            throw new Refusal(409, "%d runs are side by side already. Close one of them first.".formatted(MOST));
+        }
+        if (isInRealTime(plan)) {
+            throw new Refusal(
+                    409, "This goes in real time, and the runs beside it would make it late. Restart instead.");
+        }
+        if (all.stream()
+                .anyMatch(seat ->
+                        isInRealTime(seat.now().run().plan()) && !seat.now().isOver())) {
+            throw new Refusal(
+                    409, "The run goes in real time, and another beside it would make it late. Stop it first.");
+        }
+        var seat = new Seat(newest + 1, new CurrentRun(plan, _ -> {}), gate);
+        newest = seat.number();
+        all = Stream.concat(all.stream(), Stream.of(seat)).toList();
+        return seat;
+    }
+
+    /// Ends a seat's run and begins another one there.
+    ///
+    /// @throws Refusal when that is in real time, and not alone
+    synchronized void restart(Seat seat, RunPlan plan) {
+        if (isInRealTime(plan) && all.size() > 1) {
+            throw new Refusal(
+                    409, "This goes in real time, and the runs beside it would make it late. Close those first.");
+        }
+        seat.current().restart(plan);
+    }
+
+    private static boolean isInRealTime(RunPlan plan) {
+        return plan.clock() == RunPlan.Clock.WALL;
+    }
+
+    /// Ends a run beside the first, and with it its address. Its number is not used again.
+    ///
+    /// @throws Refusal when there is none
+    synchronized void close(String number) {
+        if (number.equals(Integer.toString(first.number()))) {
+            throw new Refusal(409, "The first run can't be closed. Stop it instead.");
+        }
+        Seat seat = beside(number);
+        all = all.stream().filter(other -> other != seat).toList();
+        seat.close();
+    }
+
+    /// Switches off all motors of all runs.
+    ///
+    /// @return when all are off; the first refusal, if there is one
+    /// @throws Refusal when all runs are over
+    CompletionStage<Answer> estop() {
+        List<Seat> going = all.stream().filter(seat -> !seat.now().isOver()).toList();
+        if (going.isEmpty()) {
+            throw new Refusal(409, "The run is over. Restart it first.");
+        }
+        List<CompletionStage<Answer>> answers = going.stream().map(Seat::estop).toList(); // all are told at once
+        return answers.stream()
+                .reduce(
+                        CompletableFuture.completedFuture(new Answer.Done()),
+                        (all, next) ->
+                                all.thenCombine(next, (one, other) -> one instanceof Answer.Refused ? one : other));
+    }
+
+    @Override
+    public void configure(JettyWebSocketServerContainer sockets) {
+        first.live().configure(sockets);
+        sockets.addMapping("/beside/*", this::enter);
+    }
+
+    private @Nullable Object enter(JettyServerUpgradeRequest request, JettyServerUpgradeResponse response)
+            throws Exception {
+        try {
+            gate.admit(request.getHeader("Host"), request.getHeader("Origin"));
+            Matcher path = LIVE.matcher(request.getRequestURI().getPath());
+            return beside(path.matches() ? path.group(1) : "").live().open(request, response);
+        } catch (Refusal refusal) {
+            response.sendError(refusal.status(), refusal.sentence());
+            return null;
+        }
+    }
+
+    /// Ends all runs, too.
+    @Override
+    public synchronized void close() {
+        closed = true;
+        all.forEach(seat -> seat.live().close());
+        all.forEach(seat -> seat.now().run().stop()); // then each ends while others are waited for
+        all.forEach(seat -> seat.current().close());
+    }
+}

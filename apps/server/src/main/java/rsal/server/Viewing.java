@@ -1,0 +1,12 @@
+package rsal.server;
+
+import org.eclipse.jetty.ee10.websocket.server.JettyWebSocketServerContainer;
+
+/// Where viewers come in.
+interface Viewing extends AutoCloseable {
+    void configure(JettyWebSocketServerContainer sockets);
+
+    /// No viewer is offered anything any more. Their connections end with the server.
+    @Override
+    void close();
+}
