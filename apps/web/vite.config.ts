@@ -5,21 +5,21 @@ import { defineConfig } from 'vite';
 const server = 'http://127.0.0.1:8735';
 
 export default defineConfig({
+  base: './', // the same page is at the address of each of the runs side by side
   plugins: [svelte()],
   build: {
+    rolldownOptions: { input: ['index.html', 'beside.html'] },
     target: 'es2023',
     modulePreload: false,
     assetsInlineLimit: 0, // the page's Content-Security-Policy knows no inline data
   },
   server: {
     host: '127.0.0.1',
-    proxy: {
-      '/api': {
-        target: server,
-        ws: true,
-        changeOrigin: true,
-        headers: { origin: server },
-      },
-    },
+    proxy: Object.fromEntries(
+      ['/api', '/beside/'].map((address) => [
+        address,
+        { target: server, ws: true, changeOrigin: true, headers: { origin: server } },
+      ]),
+    ),
   },
 });

@@ -81,14 +81,23 @@ export class Rsal {
   }
 
   /** Commands the run as the page does. */
-  async post(command: string, body: object = {}): Promise<void> {
-    const response = await fetch(`${this.origin}/api/run/${command}`, {
+  post(command: string, body: object = {}): Promise<void> {
+    return this.ask(`run/${command}`, body);
+  }
+
+  /** Begins a run beside those that are there. */
+  beside(wish: object): Promise<void> {
+    return this.ask('beside', wish);
+  }
+
+  private async ask(what: string, body: object): Promise<void> {
+    const response = await fetch(`${this.origin}/api/${what}`, {
       method: 'POST',
       headers: { Authorization: `Bearer ${this.token}` },
       body: JSON.stringify(body),
     });
     if (!response.ok) {
-      throw new Error(`${command}: ${await response.text()}`);
+      throw new Error(`${what}: ${await response.text()}`);
     }
   }
 

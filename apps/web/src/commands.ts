@@ -2,6 +2,7 @@ import { access } from './api/access.svelte';
 import { api } from './api/client';
 import type { LookBack, RobotPose } from './api/messages';
 import { driving } from './driving/driving.svelte';
+import { framed } from './framed';
 import { look } from './live/connection';
 import { live } from './live/live.svelte';
 import { attempt } from './notices.svelte';
@@ -12,9 +13,9 @@ const wanted = new WantedSpeed((speed) => attempt(api.speed(speed)));
 
 /** What buttons and keys do to the run. Nothing happens where nothing can. */
 export const commands = {
-  /** Of the run as it is now, also for who looks back. */
+  /** Of the run as it is now, also for who looks back; and of those beside it, also when it is over itself. */
   emergencyStop: () => {
-    if (access.operator && live.frame !== null && !live.recording && (live.past || !live.over)) {
+    if (access.operator && live.frame !== null && !live.recording && (framed || live.past || !live.over)) {
       void attempt(api.emergencyStop());
     }
   },

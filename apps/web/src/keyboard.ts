@@ -22,6 +22,7 @@ export type Action =
         | 'menu'
         | 'scenarios'
         | 'sweep'
+        | 'beside'
         | 'restart'
         | 'help'
         | 'cancel';
@@ -64,6 +65,7 @@ export const keys: [string, string][] = [
   ['M', 'add something in the middle of the map, or remove what is there'],
   ['C', 'choose a scenario'],
   ['X', 'look at the newest sweep'],
+  ['B', 'look at runs side by side'],
   ['R', 'restart'],
   ['Esc', 'let go, close'],
   ['?', 'this help'],
@@ -97,6 +99,7 @@ const actions: Record<string, Action> = {
   m: { kind: 'menu' },
   c: { kind: 'scenarios' },
   x: { kind: 'sweep' },
+  b: { kind: 'beside' },
   r: { kind: 'restart' },
   '?': { kind: 'help' },
   Escape: { kind: 'cancel' },

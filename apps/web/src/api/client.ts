@@ -20,6 +20,8 @@ import type {
   Sayables,
   Saying,
   Scenarios,
+  SeatInfo,
+  SideBySide,
   SweepSize,
   SweepState,
   SweepWish,
@@ -38,7 +40,10 @@ export class RefusedError extends Error {
   }
 }
 
-/** What can be asked of the run. Each resolves when the server has done it, and rejects with a sentence for people. */
+/**
+ * What can be asked of the run. Addresses are relative: where several runs are side by side, the same page asks each
+ * of them at its own. Each resolves when the server has done it, and rejects with a sentence for people.
+ */
 export const api = {
   pause: () => post('pause'),
   resume: () => post('resume'),
@@ -65,7 +70,7 @@ export const api = {
   stopAgent: (name: string) => post('stop-agent', { name }),
   topics: () => found<Topics>('topics'),
   scenarios: () => found<Scenarios>('scenarios'),
-  scenarioPicture: (id: string) => `/api/scenarios/picture?scenario=${encodeURIComponent(id)}`,
+  scenarioPicture: (id: string) => `api/scenarios/picture?scenario=${encodeURIComponent(id)}`,
   drive: (wish: Drive) => post('drive', wish),
   release: (wish: Release) => post('release', wish, true),
   behavior: (wish: Order) => post('behavior', wish),
@@ -74,33 +79,54 @@ export const api = {
   motors: (wish: Motors) => post('motors', wish),
   check: (wish: Restart) => post('check', wish) as Promise<Plan>,
   restart: (wish: Restart) => post('restart', wish) as Promise<RunInfo>,
+  /** Begins another run beside those that are there. */
+  startBeside: (wish: Restart) => send('POST', 'beside', wish) as Promise<SeatInfo>,
   sweeps: () => found<SweepState>('sweeps'),
   sweepSize: (wish: SweepWish) => send('POST', 'sweeps/check', wish) as Promise<SweepSize>,
   beginSweep: (wish: SweepWish) => send('POST', 'sweeps', wish),
   resumeSweep: () => send('POST', 'sweeps/resume'),
   stopSweep: () => send('DELETE', 'sweeps'),
-  sweepReport: '/api/sweeps/report',
+  sweepReport: 'api/sweeps/report',
   map,
   drawn,
   /** What places cost a robot's navigator, of 100; null when it tells none. */
   costs: (robot: string) => grid(`costs?robot=${encodeURIComponent(robot)}`, robot),
   drawnFiles: (run: number, robot: string) =>
-    `/api/drawn/${String(run)}/files?robot=${encodeURIComponent(robot)}`,
+    `api/drawn/${String(run)}/files?robot=${encodeURIComponent(robot)}`,
 };
+
+/** What can be asked of each of the runs side by side, from the page that shows them all. */
+export const seats = {
+  /** Where its page is. */
+  address: (number: number) => home(number) || './',
+  all: () => found<SideBySide>('beside'),
+  info: (number: number) => found<RunInfo>('run', home(number)),
+  tell: (number: number, command: string, body: object = {}) =>
+    send('POST', `run/${command}`, body, false, home(number)),
+  /** @param number of the run from which is taken what is left out */
+  start: (number: number, wish: Restart) => send('POST', 'beside', wish, false, home(number)),
+  close: (number: number) => send('DELETE', `beside/${String(number)}`),
+};
+
+const home = (number: number) => (number === 1 ? '' : `beside/${String(number)}/`);
 
 const post = (command: string, body: object = {}, evenAtTheEnd = false) =>
   send('POST', `run/${command}`, body, evenAtTheEnd);
 
-/** @param evenAtTheEnd also when the page is about to be left */
+/**
+ * @param evenAtTheEnd also when the page is about to be left
+ * @param home where the run is, when it is not where this page is
+ */
 async function send(
   method: 'POST' | 'DELETE',
   what: string,
   body: object = {},
   evenAtTheEnd = false,
+  home = '',
 ): Promise<unknown> {
   let response: Response;
   try {
-    response = await fetch(`/api/${what}`, {
+    response = await fetch(`${home}api/${what}`, {
       method,
       headers: { 'Content-Type': 'application/json', Authorization: `Bearer ${access.token ?? ''}` },
       body: JSON.stringify(body),
@@ -126,9 +152,9 @@ const at = (time: number | null) => (time === null ? '' : `&time=${String(time)}
 const about = <T>(what: string, robot: string) => found<T>(`${what}?robot=${encodeURIComponent(robot)}`);
 
 /** Something to look at; null when nobody knows any more. */
-async function found<T>(what: string): Promise<T | null> {
+async function found<T>(what: string, home = ''): Promise<T | null> {
   try {
-    const response = await fetch(`/api/${what}`);
+    const response = await fetch(`${home}api/${what}`);
     return response.ok ? ((await response.json()) as T) : null;
   } catch {
     return null;
@@ -147,7 +173,7 @@ async function drawn(run: number, robot: string, time: number | null = null): Pr
 /** @param name that it gets; null when it isn't there */
 async function grid(what: string, name: string): Promise<Grid | null> {
   try {
-    const response = await fetch(`/api/${what}`);
+    const response = await fetch(`api/${what}`);
     return response.ok ? decodeGrid(await response.arrayBuffer(), name) : null;
   } catch {
     return null;
@@ -156,7 +182,7 @@ async function grid(what: string, name: string): Promise<Grid | null> {
 
 /** A byte a cell, row by row from the lower left one. */
 async function map(run: number): Promise<Uint8Array> {
-  const response = await fetch(`/api/map/${String(run)}`);
+  const response = await fetch(`api/map/${String(run)}`);
   if (!response.ok) {
     throw new Error(`There is no map of run ${String(run)}.`);
   }

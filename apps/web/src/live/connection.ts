@@ -1,6 +1,8 @@
 import type { LookBack, Receipt, ServerMessage } from '../api/messages';
 
 const RETRY_MILLIS = 1000;
+/** The server's word for a run that somebody closed. */
+const CLOSED = 4000;
 /** A hidden tab draws nothing; it still takes a frame now and then, so that the server does not give it up. */
 const LONGEST_DRAW_MILLIS = 1000;
 
@@ -8,7 +10,8 @@ export interface Listener {
   onOpen(): void;
   onFrame(bytes: ArrayBuffer): void;
   onMessage(message: ServerMessage): void;
-  onGone(): void;
+  /** @param closed whether there will be no run any more where this page looks for it */
+  onGone(closed: boolean): void;
 }
 
 let line: WebSocket | null = null;
@@ -22,7 +25,7 @@ export function look(wish: Partial<LookBack>): void {
 
 /** Listens to the run for as long as the page is open, and comes back by itself when the server does. */
 export function connect(listener: Listener): void {
-  const socket = new WebSocket(`ws://${location.host}/api/live`);
+  const socket = new WebSocket(new URL('api/live', location.href.replace(/^http/, 'ws')));
   line = socket;
   socket.binaryType = 'arraybuffer';
   socket.onopen = () => listener.onOpen();
@@ -40,9 +43,11 @@ export function connect(listener: Listener): void {
       afterDrawing(() => tell(socket, { frame: sequence }));
     }
   };
-  socket.onclose = () => {
-    listener.onGone();
-    setTimeout(() => connect(listener), RETRY_MILLIS);
+  socket.onclose = ({ code }) => {
+    listener.onGone(code === CLOSED);
+    if (code !== CLOSED) {
+      setTimeout(() => connect(listener), RETRY_MILLIS);
+    }
   };
 }
 

@@ -25,7 +25,7 @@ const PANEL_MILLIS = 200;
 
 /** The run, as the server last told it. Nothing here is guessed: a click changes it only by way of the server. */
 class Live implements Listener {
-  connection = $state<'connecting' | 'open' | 'gone'>('connecting');
+  connection = $state<'connecting' | 'open' | 'gone' | 'closed'>('connecting');
   info = $state.raw<RunInfo | null>(null);
   details = $state.raw<Details | null>(null);
   /** What of the simulated world is no robot. */
@@ -59,8 +59,8 @@ class Live implements Listener {
     this.connection = 'open';
   }
 
-  onGone() {
-    this.connection = 'gone';
+  onGone(closed: boolean) {
+    this.connection = closed ? 'closed' : 'gone';
   }
 
   onMessage(message: ServerMessage) {

@@ -1,0 +1,239 @@
+import { fileURLToPath } from 'node:url';
+import { AxeBuilder } from '@axe-core/playwright';
+import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { chromium, flags } from './chromium';
+import { eventually } from './eventually';
+import { Rsal } from './rsal';
+
+const OWN = fileURLToPath(new URL('beside.yaml', import.meta.url));
+/** Where pictures go of what was tested, for people to look at; none when it is not set. */
+const PICTURES = process.env.PICTURES;
+
+describe.skipIf(!chromium)('runs side by side', () => {
+  let rsal: Rsal;
+  let browser: Browser | undefined;
+  let context: BrowserContext | undefined;
+  /** What no page may do: fail, break its security policy. */
+  let faults: string[] = [];
+
+  beforeAll(async () => {
+    browser = await driver.launch({ executablePath: chromium!, args: flags });
+  });
+
+  beforeEach(async () => {
+    faults = [];
+    rsal = await Rsal.run(OWN, '--port', '0');
+  });
+
+  afterEach(async () => {
+    await context?.close();
+    await Rsal.endAll();
+    expect(faults).toEqual([]);
+  });
+
+  afterAll(() => browser?.close());
+
+  async function open(url: string, more: Parameters<Browser['newContext']>[0] = {}): Promise<Page> {
+    context = await browser!.newContext({ viewport: { width: 1280, height: 800 }, ...more });
+    const page = await context.newPage();
+    page.on('pageerror', (error) => faults.push(error.message));
+    page.on('console', (message) => {
+      if (message.type() === 'error' && !/status of 4(09|22)/.test(message.text())) {
+        faults.push(message.text());
+      }
+    });
+    await page.goto(url);
+    return page;
+  }
+
+  /** Begins runs beside the first, and shows them all. */
+  async function beside(page: Page, ...wishes: object[]) {
+    for (const wish of wishes) {
+      await rsal.beside(wish);
+    }
+    await page.keyboard.press('b');
+    await page.locator(`section[data-run="${1 + wishes.length}"]`).waitFor();
+  }
+
+  const section = (page: Page, run: number) => page.locator(`section[data-run="${run}"]`);
+  const frame = (page: Page, run: number) => section(page, run).frameLocator('iframe');
+
+  /** Simulated seconds on a frame's own clock. */
+  async function time(page: Page, run: number): Promise<number> {
+    const text = await frame(page, run).getByTestId('time').innerText();
+    return text.split(':').reduce((sum, part) => 60 * sum + Number(part), 0);
+  }
+
+  async function goesOn(page: Page, run: number) {
+    const before = await time(page, run);
+    await eventually(async () => (await time(page, run)) > before + 0.3, `run ${run} goes on`);
+  }
+
+  const areStopped = (page: Page, ...runs: number[]) =>
+    eventually(
+      async () =>
+        (
+          await Promise.all(
+            runs.map((run) =>
+              frame(page, run)
+                .getByText(/Motors are off/)
+                .isVisible(),
+            ),
+          )
+        ).every(Boolean),
+      `robots of ${runs.join(', ')} stand`,
+    );
+
+  async function picture(page: Page, name: string) {
+    if (PICTURES) {
+      await page.screenshot({ path: `${PICTURES}/${name}.png` });
+    }
+  }
+
+  /** In the frames, too; each of these has landmarks of its own, as the page of one run has. */
+  async function expectAccessible(page: Page) {
+    const around = await new AxeBuilder({ page }).exclude('iframe').analyze();
+    const within = await new AxeBuilder({ page }).disableRules('landmark-unique').analyze();
+    const violations = [...around.violations, ...within.violations];
+    expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+  }
+
+  it('are begun by a click, go on, stop together by the space key, and are closed', async () => {
+    const page = await open(rsal.url);
+    await page.locator('tr[data-robot="guard-1"]').waitFor();
+    await page.keyboard.press('r');
+    const form = page.getByRole('dialog', { name: 'Restart' });
+    await form.getByLabel('Configuration').selectOption('three');
+    await picture(page, 'beside-restart');
+    await form.getByRole('button', { name: 'Start beside', exact: true }).click();
+
+    await frame(page, 1).locator('tr[data-robot="guard-1"]').waitFor();
+    await frame(page, 2).locator('tr[data-robot="guard-3"]').waitFor();
+    expect(await frame(page, 1).locator('tr[data-robot="guard-2"]').count()).toBe(0);
+    expect(await section(page, 1).locator('.head').innerText()).toContain('one · seed 7');
+    expect(await section(page, 2).locator('.head').innerText()).toContain('three · seed 7');
+    await Promise.all([goesOn(page, 1), goesOn(page, 2)]);
+    await picture(page, 'beside-light');
+    await expectAccessible(page);
+
+    await page.keyboard.press('Space');
+    await areStopped(page, 1, 2);
+    await eventually(
+      async () => (await section(page, 2).locator('.state').innerText()).includes('motors off'),
+      'it is said over its frame',
+    );
+    await picture(page, 'beside-stopped');
+    await page.getByRole('button', { name: 'Arm all', exact: true }).click();
+    await eventually(
+      async () => !(await page.getByRole('button', { name: 'Arm all', exact: true }).isVisible()),
+      'they are armed',
+    );
+
+    await page.getByRole('button', { name: 'Close run 2', exact: true }).click();
+    await section(page, 2).waitFor({ state: 'detached' });
+    await goesOn(page, 1);
+    await page.getByRole('button', { name: 'One run', exact: true }).click();
+    await page.getByRole('button', { name: 'Restart…' }).waitFor();
+    await eventually(
+      () => page.getByRole('button', { name: 'Emergency stop', exact: true }).isEnabled(),
+      'the token is still there',
+    );
+  });
+
+  it('stop together when a frame has the focus, also one whose run is over', async () => {
+    const page = await open(rsal.url);
+    await page.locator('tr[data-robot="guard-1"]').waitFor();
+    await beside(page, { configuration: 'brief', speed: 'max' });
+    await eventually(
+      async () => (await section(page, 2).locator('.state').innerText()).startsWith('Success'),
+      'it ends, and that is said over its frame',
+    );
+    await picture(page, 'beside-over');
+    await frame(page, 2).locator('#map').click();
+    await page.keyboard.press('Space');
+    await areStopped(page, 1);
+    await rsal.post('rearm');
+    await frame(page, 1).locator('#map').click();
+    await page.keyboard.press('F8');
+    await areStopped(page, 1);
+  });
+
+  it('are told together, and begin again with one seed', async () => {
+    const page = await open(rsal.url, { colorScheme: 'dark' });
+    await page.locator('tr[data-robot="guard-1"]').waitFor();
+    await beside(page, { configuration: 'three' }, { configuration: 'rooms' });
+    const bar = page.getByRole('group', { name: 'All runs' });
+    await page.getByRole('button', { name: 'Add…', exact: true }).click();
+    const form = page.getByRole('dialog', { name: 'Another run beside' });
+    await form.getByLabel('Like').selectOption('2');
+    await eventually(
+      async () => (await form.getByLabel('Configuration').inputValue()) === 'three',
+      'what that one has is offered',
+    );
+    await form.getByLabel('Seed').fill('x');
+    await form.getByRole('button', { name: 'Start', exact: true }).click();
+    await form.getByText(/whole number/).waitFor();
+    await form.getByLabel('Seed').fill('8');
+    await picture(page, 'beside-add');
+    await expectAccessible(page);
+    await form.getByRole('button', { name: 'Start', exact: true }).click();
+    await frame(page, 4).locator('tr[data-robot="guard-3"]').waitFor();
+    await picture(page, 'beside-dark-4');
+    await eventually(
+      () => page.getByRole('button', { name: 'Add…', exact: true }).isDisabled(),
+      'there are no more than four',
+    );
+
+    await bar.getByRole('button', { name: 'Pause all' }).click();
+    await bar.getByRole('button', { name: 'Go on' }).waitFor();
+    const before = await Promise.all([1, 2, 3, 4].map((run) => time(page, run)));
+    await bar.getByRole('button', { name: 'Step all' }).click();
+    await eventually(
+      async () =>
+        (await Promise.all([1, 2, 3, 4].map((run) => time(page, run)))).every(
+          (now, i) => Math.abs(now - before[i]! - 0.1) < 0.01,
+        ),
+      'each has gone on for a step',
+    );
+    await bar.getByRole('button', { name: 'Go on' }).click();
+    await bar.getByLabel('Speed of all').selectOption('5');
+    await eventually(
+      async () =>
+        (
+          await Promise.all([1, 2, 3, 4].map((run) => frame(page, run).getByTestId('speed').innerText()))
+        ).every((speed) => speed === '5×'),
+      'all are faster',
+    );
+    await bar.getByLabel('Seed of all').fill('21');
+    await bar.getByRole('button', { name: 'Restart all' }).click();
+    await eventually(
+      async () =>
+        (await page
+          .locator('.head')
+          .getByText(/· seed 21/)
+          .count()) === 4,
+      'all begin again with that seed',
+    );
+  });
+
+  it('stand one below the other where there is little room', async () => {
+    const page = await open(rsal.url, { viewport: { width: 480, height: 800 } });
+    await page.locator('tr[data-robot="guard-1"]').waitFor();
+    await beside(page, { configuration: 'three' });
+    await frame(page, 2).locator('tr[data-robot="guard-3"]').waitFor();
+    const [one, two] = [await section(page, 1).boundingBox(), await section(page, 2).boundingBox()];
+    expect(two!.y).toBeGreaterThanOrEqual(one!.y + one!.height);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(480);
+    await picture(page, 'beside-narrow');
+  });
+
+  it('can be looked at without the token, and are told nothing then', async () => {
+    await rsal.beside({});
+    const page = await open(`${rsal.origin}/beside.html`);
+    await frame(page, 2).locator('tr[data-robot="guard-1"]').waitFor();
+    for (const name of ['Pause all', 'Restart all', 'Add…', 'Emergency stop', 'Close run 2']) {
+      expect(await page.getByRole('button', { name, exact: true }).isDisabled()).toBe(true);
+    }
+  });
+});

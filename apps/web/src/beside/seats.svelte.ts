@@ -1,0 +1,81 @@
+import { seats as ask } from '../api/client';
+import type { SeatInfo, SideBySide } from '../api/messages';
+import { attempt } from '../notices.svelte';
+import { valueOf } from '../speeds';
+import { texts } from '../texts';
+
+const PERIOD_MILLIS = 500;
+
+/** The runs side by side, as the server last told them. */
+class Seats {
+  private told = $state.raw<SideBySide | null>(null);
+  connection = $state<'connecting' | 'open' | 'gone'>('connecting');
+
+  get runs(): readonly SeatInfo[] {
+    return this.told?.runs ?? [];
+  }
+
+  /** Those that are not over. */
+  get going(): readonly SeatInfo[] {
+    return this.runs.filter(({ outcome }) => outcome === '');
+  }
+
+  get full(): boolean {
+    return this.told !== null && this.told.runs.length >= this.told.most;
+  }
+
+  get most(): number {
+    return this.told?.most ?? 0;
+  }
+
+  /** Whether time stands still in all that go on. */
+  get paused(): boolean {
+    return this.going.length > 0 && this.going.every(({ paused }) => paused);
+  }
+
+  /** That all have that go on; null when they differ. */
+  get speed(): string | null {
+    const speeds = new Set(this.going.map(({ speed }) => valueOf(speed)));
+    return speeds.size === 1 ? this.going[0]!.speed : null;
+  }
+
+  /** Asks how they are, again and again. */
+  async follow(): Promise<void> {
+    await this.look();
+    setTimeout(() => void this.follow(), PERIOD_MILLIS);
+  }
+
+  private async look(): Promise<void> {
+    const told = await ask.all();
+    this.connection = told ? 'open' : 'gone';
+    this.told = told ?? this.told;
+  }
+
+  /** Tells some of them, all at once; what one refuses is shown. */
+  async tell(some: readonly SeatInfo[], command: string, body: object = {}): Promise<void> {
+    await Promise.all(some.map(({ number }) => attempt(ask.tell(number, command, body))));
+    await this.look();
+  }
+
+  /** All robots of all runs: whichever is asked, the server stops them all. */
+  async emergencyStop(): Promise<void> {
+    await attempt(ask.tell(1, 'estop'));
+    await this.look();
+  }
+
+  async close(run: SeatInfo): Promise<void> {
+    await attempt(ask.close(run.number));
+    await this.look();
+  }
+}
+
+/** What tells a run from the others, in words. */
+export const details = ({ configuration, seed, typed, mas }: SeatInfo): string =>
+  texts.beside.details(
+    configuration,
+    seed,
+    Object.entries(typed).map(([name, value]) => `${name} ${value}`),
+    mas,
+  );
+
+export const seats = new Seats();
