@@ -217,6 +217,16 @@ describe.skipIf(!chromium)('runs side by side', () => {
     );
   });
 
+  it('have a page each, which says when its run was closed', async () => {
+    await rsal.beside({ configuration: 'three' });
+    const page = await open(rsal.url.replace('/#', '/beside/2/#'));
+    await page.locator('tr[data-robot="guard-3"]').waitFor();
+    await page.getByRole('button', { name: 'Pause', exact: true }).click();
+    await eventually(async () => (await page.getByTestId('rate').innerText()) === 'paused', 'it is paused');
+    await rsal.close(2);
+    await page.getByText('This run was closed.').waitFor();
+  });
+
   it('stand one below the other where there is little room', async () => {
     const page = await open(rsal.url, { viewport: { width: 480, height: 800 } });
     await page.locator('tr[data-robot="guard-1"]').waitFor();

@@ -90,9 +90,14 @@ export class Rsal {
     return this.ask('beside', wish);
   }
 
-  private async ask(what: string, body: object): Promise<void> {
+  /** Ends one of those. */
+  close(run: number): Promise<void> {
+    return this.ask(`beside/${run}`, {}, 'DELETE');
+  }
+
+  private async ask(what: string, body: object, method = 'POST'): Promise<void> {
     const response = await fetch(`${this.origin}/api/${what}`, {
-      method: 'POST',
+      method,
       headers: { Authorization: `Bearer ${this.token}` },
       body: JSON.stringify(body),
     });

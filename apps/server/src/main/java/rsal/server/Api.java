@@ -235,9 +235,7 @@ final class Api {
         routes.get("/api/beside", request -> answer(request, Descriptions.sideBySide(seats.all())));
         routes.post("/api/beside", request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
-            RunPlan plan = plan(request, read(request, Restart.class));
-            sweeps.checkBeside(plan);
-            answer(request, Descriptions.seat(seats.open(plan)));
+            answer(request, Descriptions.seat(seats.open(plan(request, read(request, Restart.class)))));
         });
         routes.delete("/api/beside/{number}", request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));

@@ -46,6 +46,7 @@ class SeatsTest {
             configurations:
               pair: {}
               alone: {args: {guards: 1}}
+              real: {run: {clock: {mode: wall}}}
             """;
 
     @TempDir
@@ -291,20 +292,32 @@ class SeatsTest {
 
     @Test
     void hasNothingBesideWhatGoesInRealTime() throws Exception {
+        serve(guards());
         open("{}");
-        Response late = post("/api/beside", "{\"mas\":\"other\"}");
-        assertThat(late.status()).as(late.body()).isEqualTo(422); // no such host here
-        serve(Errand.plan("errand.yaml", RunOptions.NONE.inRealTimeOn("plain")));
-        Response refused = post("/api/beside", "{}");
+        String real = "{\"configuration\":\"real\"}";
+        assertThat(post("/api/beside", real).body()).contains("make it late. Restart instead");
+        for (String path : List.of("/api/run/restart", "/beside/2/api/run/restart")) {
+            Response refused = post(path, real);
+            assertThat(refused.status()).isEqualTo(409);
+            assertThat(refused.body()).contains("make it late. Close those first");
+        }
+        assertThat(all()).extracting(SeatInfo::configuration).containsExactly("pair", "pair");
+
+        close(2);
+        assertThat(post("/api/run/restart", real).status()).isEqualTo(200);
+        Response refused = post("/api/beside", "{\"configuration\":\"pair\"}");
         assertThat(refused.status()).isEqualTo(409);
-        assertThat(refused.body()).contains("in real time");
+        assertThat(refused.body()).contains("The run goes in real time");
         assertThat(all()).hasSize(1);
+
+        post("/api/run/stop", "");
+        run(1).result().toCompletableFuture().get();
+        open("{\"configuration\":\"pair\"}");
     }
 
     @Test
     void goesAsItWouldAlone() throws Exception {
-        Path file = Files.writeString(directory.resolve("guard.yaml"), GUARD);
-        RunPlan plan = Scenario.load(file.toString()).plan(RunOptions.NONE);
+        RunPlan plan = guards();
         String alone;
         try (LiveRun run = LiveRun.start(plan)) {
             alone = run.result().toCompletableFuture().get().eventHash();
@@ -314,6 +327,11 @@ class SeatsTest {
         open("{\"configuration\":\"alone\"}");
         assertThat(List.of(hash(1), hash(2))).containsOnly(alone);
         assertThat(hash(3)).isNotEqualTo(alone);
+    }
+
+    private RunPlan guards() throws IOException {
+        Path file = Files.writeString(directory.resolve("guard.yaml"), GUARD);
+        return Scenario.load(file.toString()).plan(RunOptions.NONE);
     }
 
     private String hash(int number) throws Exception {
