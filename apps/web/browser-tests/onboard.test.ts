@@ -57,7 +57,7 @@ describe.skipIf(!chromium)('the view from a robot', () => {
   };
 
   it('begins with a sentence, until a robot is selected', async () => {
-    await page.keyboard.press('b');
+    await page.keyboard.press('e');
     await view().getByText('Select a robot').waitFor();
   });
 
@@ -87,7 +87,7 @@ describe.skipIf(!chromium)('the view from a robot', () => {
     await picture('onboard-large');
     const found = await new AxeBuilder({ page }).analyze();
     expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
-    await page.keyboard.press('b');
+    await page.keyboard.press('e');
     await view().waitFor({ state: 'detached' });
   });
 });

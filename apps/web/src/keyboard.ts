@@ -49,7 +49,7 @@ export const keys: [string, string][] = [
   ['1 … 9', 'select a robot'],
   ['G', 'send the selected robot: click on the map, drag for its heading'],
   ['F', 'follow the selected robot'],
-  ['B', 'look from the selected robot, as on board'],
+  ['E', 'look from the selected robot, as on board, unless one is driven'],
   ['T', 'measure distances: drag on the map'],
   ['K', 'drive the selected robot by keys, or let go of it'],
   [
@@ -88,7 +88,7 @@ const actions: Record<string, Action> = {
   '-': { kind: 'slower' },
   g: { kind: 'goal' },
   f: { kind: 'follow' },
-  b: { kind: 'onboard' },
+  e: { kind: 'onboard' },
   t: { kind: 'measure' },
   k: { kind: 'drive' },
   '0': { kind: 'fit' },

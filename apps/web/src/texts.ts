@@ -107,7 +107,7 @@ export const texts = {
   },
   onboard: {
     open: 'On board',
-    hint: 'Look from this robot, over its own body, on board (B)',
+    hint: 'Look from this robot, over its own body, on board (E)',
     title: (robot: string | null) => (robot === null ? 'View from a robot' : `View from ${robot}`),
     label: (robot: string) => `What ${robot} would see ahead`,
     none: 'Select a robot to look from it.',
