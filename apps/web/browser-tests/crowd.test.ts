@@ -95,14 +95,14 @@ describe.skipIf(!chromium)('a crowd of robots', () => {
     const layer = (name: string) => page.getByRole('button', { name, exact: true });
     expect(await drawn('standing')).toBeGreaterThan(ROBOTS * 100);
     const all = await drawn('lying');
-    await layer('Laser scans').click();
+    await layer('Scans').click();
     await eventually(async () => (await drawn('lying')) < all, 'scans are gone');
     const trails = await drawn('lying');
     expect(all - trails).toBeGreaterThan(2000);
     await layer('Trails').click();
     await eventually(async () => (await drawn('lying')) < Math.max(1, trails), 'trails are gone');
     expect(await drawn('lying')).toBe(0);
-    await layer('Laser scans').click();
+    await layer('Scans').click();
     await layer('Trails').click();
     await eventually(async () => (await drawn('lying')) === all, 'all is back');
     if (PICTURES) {

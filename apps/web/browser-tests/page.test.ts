@@ -498,7 +498,7 @@ describe.skipIf(!chromium)('the page', () => {
   it('hides and shows layers', async () => {
     await pause();
     const all = await picture();
-    const scans = page.getByRole('button', { name: 'Laser scans' });
+    const scans = page.getByRole('button', { name: 'Scans' });
     await scans.click();
     expect(await scans.getAttribute('aria-pressed')).toBe('false');
     await eventually(async () => !(await picture()).equals(all), 'scans are gone');

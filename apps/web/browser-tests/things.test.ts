@@ -113,7 +113,7 @@ describe.skipIf(!chromium)('a world of things', () => {
   const ORANGE = [255, 165, 0];
 
   it('is drawn in its colors, where all really is', async () => {
-    await page.getByRole('button', { name: 'Laser scans' }).click();
+    await page.getByRole('button', { name: 'Scans' }).click();
     await page.getByRole('button', { name: 'Grid' }).click();
     expect(await colorAt({ x: 2, y: 2 })).toEqual(ORANGE);
     expect(await colorAt({ x: 3, y: -2 })).toEqual([0, 255, 0]);

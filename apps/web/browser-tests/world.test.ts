@@ -127,7 +127,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
 
   it('is turned by keys and back, and all stays where it is drawn', async () => {
     await page.getByRole('button', { name: 'Grid' }).click();
-    await page.getByRole('button', { name: 'Laser scans' }).click();
+    await page.getByRole('button', { name: 'Scans' }).click();
     const back = page.getByRole('button', { name: 'Turn back' });
     expect(await back.isDisabled()).toBe(true);
     for (let press = 0; press < 3; press++) {
@@ -228,7 +228,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
   });
 
   it('is looked at from an angle: heights are seen, and what is behind them shines through', async () => {
-    for (const layer of ['Grid', 'Laser scans', 'Names', 'Trails']) {
+    for (const layer of ['Grid', 'Scans', 'Names', 'Trails']) {
       await page.getByRole('button', { name: layer }).click();
     }
     await rsal.post('pause');

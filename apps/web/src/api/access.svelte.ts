@@ -1,16 +1,29 @@
 const KEY = 'rsal.token';
+const OPERATOR = 'rsal.operator';
 
 /** Whether this tab may change anything, and by what token. */
 class Access {
   token = $state<string | null>(null);
   /** Whether this tab looks back: what is over can't be changed. */
   past = $state(false);
+  /** Who else has control, so that this tab may only stop in an emergency. */
+  elsewhere = $state<string | null>(null);
 
-  get allowed(): boolean {
-    return this.operator && !this.past;
+  /** By what the server tells this tab from others. Frames in it are of the same. */
+  get id(): string {
+    const known = sessionStorage.getItem(OPERATOR);
+    const id = known ?? crypto.randomUUID();
+    if (known === null) {
+      sessionStorage.setItem(OPERATOR, id);
+    }
+    return id;
   }
 
-  /** Whether it may once it looks at what is now. */
+  get allowed(): boolean {
+    return this.operator && !this.past && this.elsewhere === null;
+  }
+
+  /** Whether it has the token. */
   get operator(): boolean {
     return this.token !== null;
   }

@@ -4,6 +4,8 @@ import type {
   Addition,
   AgentAddition,
   AgentInside,
+  Control,
+  ControlWish,
   Drive,
   Links,
   Mistake,
@@ -86,6 +88,9 @@ export const api = {
   beginSweep: (wish: SweepWish) => send('POST', 'sweeps', wish),
   resumeSweep: () => send('POST', 'sweeps/resume'),
   stopSweep: () => send('DELETE', 'sweeps'),
+  control: () => found<Control>('control'),
+  takeControl: (wish: ControlWish) => send('POST', 'control', wish) as Promise<Control>,
+  giveControlBack: () => send('DELETE', 'control', {}, true),
   sweepReport: 'api/sweeps/report',
   map,
   drawn,
@@ -128,7 +133,11 @@ async function send(
   try {
     response = await fetch(`${home}api/${what}`, {
       method,
-      headers: { 'Content-Type': 'application/json', Authorization: `Bearer ${access.token ?? ''}` },
+      headers: {
+        'Content-Type': 'application/json',
+        Authorization: `Bearer ${access.token ?? ''}`,
+        ...whoAsks(),
+      },
       body: JSON.stringify(body),
       keepalive: evenAtTheEnd,
     });
@@ -146,6 +155,8 @@ async function send(
   return answer;
 }
 
+const whoAsks = () => ({ 'RSAL-Operator': access.id });
+
 const at = (time: number | null) => (time === null ? '' : `&time=${String(time)}`);
 
 /** Something about a robot; null when nobody knows any more. */
@@ -154,7 +165,7 @@ const about = <T>(what: string, robot: string) => found<T>(`${what}?robot=${enco
 /** Something to look at; null when nobody knows any more. */
 async function found<T>(what: string, home = ''): Promise<T | null> {
   try {
-    const response = await fetch(`${home}api/${what}`);
+    const response = await fetch(`${home}api/${what}`, { headers: whoAsks() });
     return response.ok ? ((await response.json()) as T) : null;
   } catch {
     return null;

@@ -101,6 +101,16 @@ export interface ConfigurationInfo {
   title: string;
 }
 
+export interface Control {
+  holder: string | null;
+  mine: boolean;
+}
+
+export interface ControlWish {
+  name: string;
+  over: boolean;
+}
+
 export interface Details {
   run: number;
   whole: boolean;

@@ -34,6 +34,8 @@ import rsal.server.Messages.Added;
 import rsal.server.Messages.Addition;
 import rsal.server.Messages.AgentAddition;
 import rsal.server.Messages.AgentName;
+import rsal.server.Messages.Control;
+import rsal.server.Messages.ControlWish;
 import rsal.server.Messages.Drive;
 import rsal.server.Messages.Motors;
 import rsal.server.Messages.Order;
@@ -173,7 +175,7 @@ final class Api {
                     request,
                     running(request).drive(wish.robot(), Steering.driver(wish.driver()), Steering.velocity(wish)));
         });
-        command(routes, "release", request -> {
+        commandOfAll(routes, "release", request -> {
             Release wish = read(request, Release.class);
             answerWhenDone(request, running(request).letGo(wish.robot(), Steering.driver(wish.driver())));
         });
@@ -203,7 +205,7 @@ final class Api {
             Saying wish = read(request, Saying.class);
             answerWhenDone(request, running(request).say(wish.to(), wish.topic(), wish.fields()));
         });
-        command(routes, "estop", request -> answerWhenDone(request, seats.estop()));
+        commandOfAll(routes, "estop", request -> answerWhenDone(request, seats.estop()));
         command(
                 routes,
                 "rearm",
@@ -216,7 +218,7 @@ final class Api {
                             ? running(request).rearm(wish.robot())
                             : running(request).stop(wish.robot()));
         });
-        command(routes, "check", request -> {
+        commandOfAll(routes, "check", request -> {
             RunPlan plan = plan(request, read(request, Restart.class));
             answer(request, new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan)));
         });
@@ -229,16 +231,43 @@ final class Api {
 
         sweeps.configure(routes);
         configureSeats(routes);
+        configureControl(routes);
+    }
+
+    /// Who has control, of this server and all of its runs.
+    private void configureControl(Routes routes) {
+        routes.get("/api/control", this::control);
+        routes.post("/api/control", request -> {
+            gate.authorize(request.header(Header.AUTHORIZATION));
+            ControlWish wish = read(request, ControlWish.class);
+            gate.lease().take(operator(request), wish.name(), wish.over());
+            control(request);
+        });
+        routes.delete("/api/control", request -> {
+            gate.authorize(request.header(Header.AUTHORIZATION));
+            gate.lease().giveBack(operator(request));
+            control(request);
+        });
+    }
+
+    private void control(Context request) {
+        answer(request, new Control(gate.lease().holder(), gate.lease().isHeldBy(operator(request))));
+    }
+
+    /// As [Gate#OPERATOR] says; empty when it doesn't.
+    static String operator(Context request) {
+        String operator = request.header(Gate.OPERATOR);
+        return operator == null ? "" : operator;
     }
 
     private void configureSeats(Routes routes) {
         routes.get("/api/beside", request -> answer(request, Descriptions.sideBySide(seats.all())));
         routes.post("/api/beside", request -> {
-            gate.authorize(request.header(Header.AUTHORIZATION));
+            authorize(request);
             answer(request, Descriptions.seat(seats.open(plan(request, read(request, Restart.class)))));
         });
         routes.delete("/api/beside/{number}", request -> {
-            gate.authorize(request.header(Header.AUTHORIZATION));
+            authorize(request);
             seats.close(request.pathParam("number"));
             answer(request, Map.of());
         });
@@ -267,13 +296,27 @@ final class Api {
         });
     }
 
-    /// What changes the run, or asks the server to work: only with the token. Answers `{}` unless told otherwise.
+    /// What changes the run: only with the token, and while nobody else has control. Answers `{}` unless told
+    /// otherwise.
     private void command(Routes routes, String name, Handler handler) {
+        routes.post("/api/run/" + name, request -> {
+            authorize(request);
+            answer(request, Map.of());
+            handler.handle(request);
+        });
+    }
+
+    /// What whoever has the token may do at any time. Answers `{}` unless told otherwise.
+    private void commandOfAll(Routes routes, String name, Handler handler) {
         routes.post("/api/run/" + name, request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
             answer(request, Map.of());
             handler.handle(request);
         });
+    }
+
+    private void authorize(Context request) {
+        gate.authorize(request.header(Header.AUTHORIZATION), operator(request));
     }
 
     private void status(Context request) {

@@ -4,11 +4,19 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import rsal.time.AllowedToReadWallClock;
 
 /// Who may come in. A page of another site, opened in the same browser, can reach a loopback port: by its own
 /// name made to point here (foreign `Host`), or by sending requests across sites (foreign or `null` `Origin`).
 /// Neither gets an answer. Whoever may look still needs the token to change anything.
+///
+/// Of those who have it, one may have the [#lease].
+@AllowedToReadWallClock("Control is given back when nobody is heard of.")
 final class Gate {
+    /// Header by which who asks is told from others; see [Lease].
+    static final String OPERATOR = "RSAL-Operator";
+
+    private final Lease lease = new Lease(System::nanoTime);
     private final List<String> hosts;
     private final byte[] token;
 
@@ -29,7 +37,21 @@ final class Gate {
         }
     }
 
-    /// For every request that changes something.
+    /// Who alone may change anything for now.
+    Lease lease() {
+        return lease;
+    }
+
+    /// For every request that changes something, but for those that all may make at any time.
+    ///
+    /// @param operator as [#OPERATOR] says; empty when it doesn't
+    /// @throws Refusal without the token, or while somebody else has control
+    void authorize(@Nullable String authorization, String operator) {
+        authorize(authorization);
+        lease.check(operator);
+    }
+
+    /// For requests that all who have the token may make at any time.
     ///
     /// @throws Refusal without the token
     void authorize(@Nullable String authorization) {

@@ -324,6 +324,18 @@ final class Messages {
             String outcome,
             List<RobotStatus> robots) {}
 
+    /// Who has control: nobody else may change anything then, but for an emergency stop.
+    ///
+    /// @param holder its name; empty when nobody has, and all who have the token may
+    /// @param mine whether it is whoever asks, by the header `RSAL-Operator`
+    record Control(Optional<String> holder, boolean mine) {}
+
+    /// Takes control for 10 s, or keeps it for as long.
+    ///
+    /// @param name for people, at most 64 characters
+    /// @param over whether also from somebody else
+    record ControlWish(String name, boolean over) {}
+
     /// @param most how many runs there may be at once
     /// @param runs the first, and those beside it in the order in which they came
     record SideBySide(int most, List<SeatInfo> runs) {}

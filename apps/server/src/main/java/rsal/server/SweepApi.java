@@ -30,7 +30,7 @@ final class SweepApi {
             request.contentType("text/html; charset=utf-8").result(sweeps.report());
         });
         routes.post("/api/sweeps/check", request -> {
-            authorize(request);
+            gate.authorize(request.header(Header.AUTHORIZATION));
             Api.answer(request, sweeps.size(Api.read(request, SweepWish.class)));
         });
         routes.post("/api/sweeps", request -> {
@@ -71,7 +71,7 @@ final class SweepApi {
     }
 
     private void authorize(Context request) {
-        gate.authorize(request.header(Header.AUTHORIZATION));
+        gate.authorize(request.header(Header.AUTHORIZATION), Api.operator(request));
     }
 
     private void state(Context request) {

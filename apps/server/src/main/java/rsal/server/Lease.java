@@ -1,0 +1,84 @@
+package rsal.server;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.jspecify.annotations.Nullable;
+
+/// Who alone may change anything for now, of those who have the token. Nobody has it at first, and then all may. It is
+/// held for some seconds and taken again and again meanwhile, so that a page that is closed, or asleep, locks nobody
+/// out. Whoever has the token may take it over: it keeps people out of each other's way, and nobody from the robots.
+///
+/// May be used from any thread.
+final class Lease {
+    /// For how long it is held when it isn't taken again.
+    static final Duration TERM = Duration.ofSeconds(10);
+
+    private static final int LONGEST = 64; // characters of an id, and of a name
+
+    private final LongSupplier clock;
+    private @Nullable Holder holder;
+
+    /// @param operator known to whoever it is, and to nobody else
+    /// @param name for people
+    /// @param until on the clock [ns]
+    private record Holder(String operator, String name, long until) {}
+
+    /// @param clock in real time [ns]
+    Lease(LongSupplier clock) {
+        this.clock = clock;
+    }
+
+    /// Takes it, or keeps it for another term.
+    ///
+    /// @param over whether also from somebody else
+    /// @throws Refusal when somebody else has it, or nobody could be called like that
+    synchronized void take(String operator, String name, boolean over) {
+        checkIsName(operator);
+        checkIsName(name);
+        if (!over) {
+            check(operator);
+        }
+        holder = new Holder(operator, name.strip(), clock.getAsLong() + TERM.toNanos());
+    }
+
+    private static void checkIsName(String name) {
+        if (name.isBlank() || name.length() > LONGEST || name.chars().anyMatch(Character::isISOControl)) {
+            throw new Refusal(
+                    400,
+                    "An operator's name has 1 to %d characters; this is none: (%s)."
+                            .formatted(LONGEST, Refusal.shortened(name)));
+        }
+    }
+
+    /// Gives it back; nothing happens when it is another's.
+    synchronized void giveBack(String operator) {
+        if (isHeldBy(operator)) {
+            holder = null;
+        }
+    }
+
+    /// @param operator empty of one who says none, as a program
+    /// @throws Refusal when somebody else has it
+    synchronized void check(String operator) {
+        holder().filter(_ -> !isHeldBy(operator)).ifPresent(name -> {
+            throw new Refusal(
+                    409,
+                    "%s has control of this run. Take it over in the page, or wait until it is given back; an emergency stop is always taken."
+                            .formatted(name));
+        });
+    }
+
+    /// Name of who has it; empty when nobody has.
+    synchronized Optional<String> holder() {
+        return current().map(Holder::name);
+    }
+
+    synchronized boolean isHeldBy(String operator) {
+        return current().filter(now -> now.operator().equals(operator)).isPresent();
+    }
+
+    private Optional<Holder> current() {
+        return Optional.ofNullable(holder).filter(now -> now.until() - clock.getAsLong() > 0);
+    }
+}
