@@ -19,6 +19,7 @@ describe('maps that robots draw', () => {
       originX: -1.5,
       originY: 0.25,
       colors: [],
+      wallHeight: null,
     });
     expect([...bytes]).toEqual([0, 100, 255, 0, 0, 0]);
   });

@@ -20,6 +20,7 @@ export function decodeGrid(buffer: ArrayBuffer, name: string): Grid {
       originX: header.getFloat64(16, true),
       originY: header.getFloat64(24, true),
       colors: [],
+      wallHeight: null,
     },
     bytes: new Uint8Array(buffer, HEADER_BYTES),
   };

@@ -261,6 +261,7 @@ export interface MapInfo {
   originX: number;
   originY: number;
   colors: string[];
+  wallHeight: number | null;
 }
 
 export interface MeasureInfo {

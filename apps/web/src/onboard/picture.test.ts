@@ -32,7 +32,16 @@ function mapOf(rows: string[]): { map: MapInfo; cells: Uint8Array } {
       cells[(height - 1 - row) * width + column] = cell === '#' ? 100 : cell === '?' ? 255 : 0;
     }),
   );
-  const map = { name: '', width, height, resolution: 0.5, originX: -1, originY: -2, colors: [] };
+  const map = {
+    name: '',
+    width,
+    height,
+    resolution: 0.5,
+    originX: -1,
+    originY: -2,
+    colors: [],
+    wallHeight: null,
+  };
   return { map, cells };
 }
 

@@ -1,7 +1,12 @@
-/** Heights that nobody tells the page, and an oblique view needs [m]. */
+import type { MapInfo } from '../../api/messages';
 
-/** Of walls of floor plans: the server tells cells, and not how high they are. Lower than most, so that rooms are seen. */
-export const WALL_HEIGHT = 1;
-
-/** Of robots that are told by their footprint alone; what bodies have that say nothing else. */
+/** Of robots that are told by their footprint alone; what bodies have that say nothing else [m]. */
 export const ROBOT_HEIGHT = 0.25;
+
+/** Of walls whose world says no heights: lower than most, so that rooms are seen [m]. */
+const WALL_HEIGHT = 1;
+
+/** How high the walls of a map are drawn [m]. */
+export function wallHeight(map: MapInfo): number {
+  return map.wallHeight ?? WALL_HEIGHT;
+}

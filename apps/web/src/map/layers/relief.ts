@@ -2,7 +2,6 @@ import type { MapInfo } from '../../api/messages';
 import { shaded } from '../palette';
 import type { Point, View } from '../view';
 import { poolCells } from './floor';
-import { WALL_HEIGHT } from './heights';
 
 const FREE = 0;
 const UNKNOWN = 255;
@@ -82,11 +81,17 @@ export type Relief = {
  *
  * @param up where a metre of height is drawn on the floor
  * @param colors by cell value
+ * @param high how high walls are [m]
  */
-export function reliefOf(all: readonly Sides[], up: Point, colors: ReadonlyMap<number, string>): Relief {
+export function reliefOf(
+  all: readonly Sides[],
+  up: Point,
+  colors: ReadonlyMap<number, string>,
+  high: number,
+): Relief {
   const away = Math.hypot(up.x, up.y);
   const bands = new Map<number, Map<string, Path2D>>();
-  const [hx, hy] = [WALL_HEIGHT * up.x, WALL_HEIGHT * up.y];
+  const [hx, hy] = [high * up.x, high * up.y];
   for (const { facing, ends, values } of all) {
     const [nx, ny] = facing;
     if (nx * up.x + ny * up.y > -1e-9) {
@@ -141,13 +146,23 @@ export function lightOf(nx: number, ny: number, up: Point): number {
   return 0.74 - 0.12 * right;
 }
 
-/** Draws what of it is on a canvas of a height [px], in canvas coordinates. */
-export function drawRelief(context: CanvasRenderingContext2D, relief: Relief, view: View, height: number) {
+/**
+ * Draws what of it is on a canvas of a height [px], in canvas coordinates.
+ *
+ * @param high how high walls are [m]
+ */
+export function drawRelief(
+  context: CanvasRenderingContext2D,
+  relief: Relief,
+  view: View,
+  height: number,
+  high: number,
+) {
   context.save();
   view.enter(context);
   for (const { color, path, depth } of relief) {
     const lower = view.originY - view.scale * view.squeeze * (depth - BAND);
-    const upper = lower - view.scale * (view.squeeze * 3 * BAND + view.rise * WALL_HEIGHT);
+    const upper = lower - view.scale * (view.squeeze * 3 * BAND + view.rise * high);
     if (lower > 0 && upper < height) {
       context.fillStyle = color;
       context.fill(path);

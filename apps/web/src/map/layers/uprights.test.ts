@@ -9,7 +9,16 @@ const W = 100;
 const C = 101;
 
 function mapOf(width: number, height: number): MapInfo {
-  return { name: 'm', width, height, resolution: 0.5, originX: -1, originY: 2, colors: ['#ff0000'] };
+  return {
+    name: 'm',
+    width,
+    height,
+    resolution: 0.5,
+    originX: -1,
+    originY: 2,
+    colors: ['#ff0000'],
+    wallHeight: null,
+  };
 }
 
 function box(x: number, y: number, width: number, depth: number, high: number, heading = 0) {

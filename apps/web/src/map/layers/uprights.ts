@@ -5,7 +5,7 @@ import type { Palette } from '../palette';
 import type { Point, View } from '../view';
 import { drawBody } from './bodies';
 import { isColorful } from './floor';
-import { WALL_HEIGHT } from './heights';
+import { wallHeight } from './heights';
 
 /** Side of the squares that what stands is found by [m]. */
 const SQUARE = 2;
@@ -192,6 +192,7 @@ export function uprightsOf({ pose, pieces, height }: Pick<Thing, 'pose' | 'piece
 /** Walls of a map as few rectangles: rows of cells, those that lie upon each other as one. */
 export function wallsOf(map: MapInfo, cells: Uint8Array): Upright[] {
   const { width, height, resolution, originX, originY } = map;
+  const high = wallHeight(map);
   const found: Upright[] = [];
   let open = new Map<string, { from: number; to: number; value: number; row: number }>();
   const close = (
@@ -210,9 +211,9 @@ export function wallsOf(map: MapInfo, cells: Uint8Array): Upright[] {
     const color = own !== undefined && isColorful(own) ? own : null;
     found.push({
       pose: ORIGIN,
-      pieces: [{ color, corners, radius: 0, low: 0, high: WALL_HEIGHT }],
+      pieces: [{ color, corners, radius: 0, low: 0, high }],
       height: 0,
-      top: WALL_HEIGHT,
+      top: high,
       outline: Float64Array.from(corners.flat()),
     });
   };

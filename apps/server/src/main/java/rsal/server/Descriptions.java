@@ -153,7 +153,8 @@ final class Descriptions {
                 map.resolution(),
                 map.originX(),
                 map.originY(),
-                FloorPlan.colors(scene).stream().map(Rgb::toString).toList());
+                FloorPlan.colors(scene).stream().map(Rgb::toString).toList(),
+                FloorPlan.height(scene));
     }
 
     static Communication communication(List<Hearing> all) {

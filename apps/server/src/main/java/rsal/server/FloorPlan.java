@@ -1,6 +1,8 @@
 package rsal.server;
 
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.data.Rgb;
 import rsal.scene.Raster;
@@ -22,6 +24,14 @@ final class FloorPlan {
                 .distinct()
                 .limit(MOST_COLORS)
                 .toList();
+    }
+
+    /// How high the highest walls are above the floor [m]; empty where heights don't matter.
+    static Optional<Double> height(Scene scene) {
+        return scene.walls().stream()
+                .map(Raster::highest)
+                .max(Comparator.naturalOrder())
+                .filter(Double::isFinite);
     }
 
     /// As [Messages.MapInfo] has them.

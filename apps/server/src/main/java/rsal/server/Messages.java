@@ -147,6 +147,7 @@ final class Messages {
     /// more a wall of the first of the colors and so on, 255 unknown. Things don't count as walls.
     ///
     /// @param colors of walls, `#rrggbb`
+    /// @param wallHeight how high the highest of them are above the floor [m]; absent where their world doesn't say
     /// @param resolution side of a cell [m]
     /// @param originX of the lower left corner, in the map frame [m]
     /// @param originY likewise [m]
@@ -157,7 +158,8 @@ final class Messages {
             double resolution,
             double originX,
             double originY,
-            List<String> colors) {}
+            List<String> colors,
+            Optional<Double> wallHeight) {}
 
     /// @param color `#rrggbb`
     /// @param model for people: `Pioneer 2-DX`

@@ -70,6 +70,28 @@ class FloorPlanTest {
     }
 
     @Test
+    void isAsHighAsItsWorldSays() {
+        Scene said = scene(Optional.empty(), List.of(), "###############");
+        assertThat(FloorPlan.height(said)).contains(1.0);
+        Scene unsaid = new Scene(
+                "",
+                MAP,
+                Optional.empty(),
+                Optional.empty(),
+                Touch.STALL,
+                List.of(said.walls().getFirst(), Raster.of(MAP)),
+                List.of(),
+                List.of(),
+                Map.of(),
+                Map.of(),
+                Map.of(),
+                Collections.emptySortedMap(),
+                List.of(),
+                List.of());
+        assertThat(FloorPlan.height(unsaid)).isEmpty();
+    }
+
+    @Test
     void hasWallsInTheirColors() {
         Scene scene = scene(Optional.of(new Rgb(255, 0, 0)), List.of(), "######.#.######");
         assertThat(FloorPlan.colors(scene)).containsExactly(new Rgb(255, 0, 0));
