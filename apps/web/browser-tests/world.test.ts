@@ -289,7 +289,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
         await eventually(async () => {
           const along = await colorAt({ x: origin.x + 0.15, y: origin.y });
           const left = await colorAt({ x: origin.x, y: origin.y + 0.15 });
-          return along[0]! > 1.5 * along[1]! && left[1]! > 1.5 * left[0]!;
+          return along[0]! > 1.2 * along[1]! && left[1]! > 1.2 * left[0]!;
         }, 'x is red, and y green');
       }
     }
