@@ -384,6 +384,7 @@ export interface Restart {
   seed: string | null;
   speed: string | null;
   mas: string | null;
+  text: string | null;
 }
 
 export interface RobotDetails {
@@ -442,6 +443,7 @@ export interface RunInfo {
   robots: RobotInfo[];
   measures: MeasureInfo[];
   mas: string;
+  edited: boolean;
   recording: RecordingInfo | null;
 }
 
@@ -474,6 +476,13 @@ export interface ScenarioInfo {
   description: string;
   configurations: ConfigurationInfo[];
   problem: string;
+}
+
+export interface ScenarioText {
+  scenario: string;
+  file: string;
+  text: string;
+  saved: string | null;
 }
 
 export interface Scenarios {
@@ -605,6 +614,30 @@ export interface TalkInfo {
   act: string;
   words: string;
   times: number;
+}
+
+export interface TextCheck {
+  configurations: ConfigurationInfo[];
+  mistakes: TextMistake[];
+}
+
+export interface TextMistake {
+  file: string;
+  line: number;
+  column: number;
+  message: string;
+  remedy: string;
+}
+
+export interface TextToCheck {
+  scenario: string | null;
+  text: string;
+}
+
+export interface TextToSave {
+  scenario: string;
+  before: string;
+  text: string;
 }
 
 export interface ThingInfo {

@@ -22,7 +22,9 @@ import org.junit.jupiter.api.io.TempDir;
 import rsal.recording.Verification.Finding;
 import rsal.recording.mcap.McapFile;
 import rsal.recording.proto.ProtoReader;
+import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Snapshot;
@@ -32,6 +34,24 @@ class RecorderTest {
 
     @TempDir
     Path folder;
+
+    @Test
+    void aRunOfAnEditedTextHasThatTextAndCanBeRunAgain() throws Exception {
+        Scenario patrol = Scenario.load("patrol");
+        String text = patrol.text().replaceFirst("scenario: patrol", "scenario: rounds");
+        RunPlan plan = patrol.edited(text)
+                .plan(RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(5)));
+        Path file = folder.resolve("edited.mcap");
+        RunResult result = Recorded.run(plan, file);
+        try (Recording recording = Recording.open(file.toString(), true)) {
+            RunPlan again = recording.plan();
+            assertThat(again.scenario().name()).isEqualTo("rounds");
+            assertThat(again.scenario().text()).isEqualTo(text);
+            RunResult second =
+                    LiveRun.start(again).result().toCompletableFuture().get(100, TimeUnit.SECONDS);
+            assertThat(second.eventHash()).isEqualTo(result.eventHash());
+        }
+    }
 
     @Test
     void recordingChangesNothingAndTheSameRunIsTheSameRecording() throws Exception {

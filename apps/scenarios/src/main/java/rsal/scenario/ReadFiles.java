@@ -1,5 +1,6 @@
 package rsal.scenario;
 
+import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -10,10 +11,16 @@ import rsal.settings.Location;
 /// Files, and what was read of them: a run can be made again from that alone. Any thread may read.
 final class ReadFiles implements FileSource {
     private final FileSource files;
+    private final boolean edited;
     private final Map<String, byte[]> read = Collections.synchronizedMap(new LinkedHashMap<>());
 
     ReadFiles(FileSource files) {
+        this(files, false);
+    }
+
+    private ReadFiles(FileSource files, boolean edited) {
         this.files = files;
+        this.edited = edited;
     }
 
     /// Those that were read before, and no others.
@@ -36,6 +43,27 @@ final class ReadFiles implements FileSource {
                 return everywhere;
             }
         });
+    }
+
+    /// The same, one of them with another text.
+    ReadFiles with(String edited, String text) {
+        byte[] written = text.getBytes(StandardCharsets.UTF_8);
+        return new ReadFiles(
+                (path, most, askedAt) -> {
+                    if (!path.equals(edited)) {
+                        return files.read(path, most, askedAt);
+                    }
+                    if (written.length > most) {
+                        throw new InvalidSettings(askedAt, "The text has more than %d bytes.".formatted(most), "");
+                    }
+                    return written.clone();
+                },
+                true);
+    }
+
+    /// Whether one of them has another text than it was found with.
+    boolean isEdited() {
+        return edited;
     }
 
     @Override

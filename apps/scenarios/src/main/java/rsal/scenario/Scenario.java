@@ -57,19 +57,73 @@ public final class Scenario {
         this.configurations = configurations(section.section("configurations"));
     }
 
+    /// Where the text of a scenario is.
+    ///
+    /// @param file what to call it in messages
+    /// @param name under which it is among the files
+    /// @param asked what a person named
+    private record Origin(String file, String name, Location asked, ReadFiles files) {
+        String text() {
+            return files.text(name, Yaml.MAX_CHARACTERS, asked);
+        }
+
+        Scenario read() {
+            return Scenario.read(file, text(), files);
+        }
+
+        Origin edited(String text) {
+            return new Origin(file, name, asked, files.with(name, text));
+        }
+    }
+
     /// Reads a scenario that comes with the program, or a person's own.
     ///
     /// @param nameOrFile `hunt-and-prey`, the path of a YAML file, of the folder of a `scenario.yaml`, or of a
     /// world
     /// @throws InvalidSettings when there is none, or with all of its mistakes
     public static Scenario load(String nameOrFile) {
+        return isAWorld(nameOrFile)
+                ? ofWorld(nameOrFile, new ReadFiles(FileSource.disk()))
+                : origin(nameOrFile).read();
+    }
+
+    /// The text of a scenario as it is written now, with all its mistakes.
+    ///
+    /// @param nameOrFile as for [#load]
+    /// @throws InvalidSettings when there is none, and of a world
+    public static String written(String nameOrFile) {
+        return origin(nameOrFile).text();
+    }
+
+    /// Where a scenario is read from, which [#location] says once it was.
+    ///
+    /// @param nameOrFile as for [#load]
+    /// @throws InvalidSettings when there can be none, and of a world
+    public static String fileOf(String nameOrFile) {
+        return origin(nameOrFile).file();
+    }
+
+    /// Reads a scenario with another text than its own, among the files that are around that.
+    ///
+    /// @param nameOrFile as for [#load]
+    /// @throws InvalidSettings when there is none, with all mistakes of the text, and of a world
+    public static Scenario edited(String nameOrFile, String text) {
+        Origin own = origin(nameOrFile);
+        return (text.equals(own.text()) ? own : own.edited(text)).read();
+    }
+
+    private static boolean isAWorld(String nameOrFile) {
+        return !BUILT_IN.contains(nameOrFile) && isWorld(nameOrFile);
+    }
+
+    private static Origin origin(String nameOrFile) {
         if (BUILT_IN.contains(nameOrFile)) {
             var files = new ReadFiles(FileSource.resources(Scenario.class, "/rsal/scenarios/" + nameOrFile + "/"));
-            var at = Location.of(nameOrFile + "/" + FILE);
-            return read(at.file(), files.text(FILE, Yaml.MAX_CHARACTERS, at), files);
+            String file = nameOrFile + "/" + FILE;
+            return new Origin(file, FILE, Location.of(file), files);
         }
-        if (isWorld(nameOrFile)) {
-            return ofWorld(nameOrFile, new ReadFiles(FileSource.disk()));
+        if (isAWorld(nameOrFile)) {
+            throw noText(Location.of(nameOrFile));
         }
         if (!looksLikeFile(nameOrFile)) {
             throw new InvalidSettings(
@@ -77,7 +131,14 @@ public final class Scenario {
                     "There is no scenario (%s).".formatted(nameOrFile),
                     Suggestion.among(nameOrFile, BUILT_IN) + " A scenario of your own goes by its file's name.");
         }
-        return loadFile(nameOrFile);
+        return onDisk(nameOrFile);
+    }
+
+    private static InvalidSettings noText(Location world) {
+        return new InvalidSettings(
+                world,
+                "(%s) is a world, not a scenario, whose text could be another.".formatted(world.file()),
+                "Maybe write a scenario that takes place there (world: {file: …}).");
     }
 
     /// Reads a scenario again from the files that it was read from before, wherever those are now.
@@ -89,9 +150,30 @@ public final class Scenario {
         if (isWorld(file)) {
             return ofWorld(file, ReadFiles.again(files, true));
         }
-        var source = ReadFiles.again(files, false);
-        String name = file.substring(file.lastIndexOf('/') + 1);
-        return read(file, source.text(name, Yaml.MAX_CHARACTERS, Location.of(file)), source);
+        return new Origin(file, nameOf(file), Location.of(file), ReadFiles.again(files, false)).read();
+    }
+
+    /// The same with another text, among the same files.
+    ///
+    /// @throws InvalidSettings with all mistakes of the text, and of a world
+    public Scenario edited(String text) {
+        if (isWorld()) {
+            throw noText(location());
+        }
+        if (text.equals(text()) || !(files instanceof ReadFiles read)) {
+            return this;
+        }
+        String file = location().file();
+        return new Origin(file, nameOf(file), location(), read.with(nameOf(file), text)).read();
+    }
+
+    /// Whether it has another text than its file.
+    public boolean isEdited() {
+        return files instanceof ReadFiles read && read.isEdited();
+    }
+
+    private static String nameOf(String file) {
+        return file.substring(Math.max(file.lastIndexOf('/'), file.lastIndexOf(File.separatorChar)) + 1);
     }
 
     /// What was read of it so far, by the path in its folder: itself, and what its plans took from other files that do
@@ -156,7 +238,7 @@ public final class Scenario {
         return name.endsWith(".yaml") || name.endsWith(".yml") || name.contains("/") || new File(name).isDirectory();
     }
 
-    private static Scenario loadFile(String path) {
+    private static Origin onDisk(String path) {
         try {
             Path given = Path.of(path);
             Path file = Files.isDirectory(given) ? given.resolve(FILE) : given;
@@ -166,8 +248,7 @@ public final class Scenario {
                 throw new InvalidSettings(Location.of(path), "This is not a file.", "");
             }
             var files = new ReadFiles(FileSource.folder(folder));
-            String text = files.text(fileName.toString(), Yaml.MAX_CHARACTERS, Location.of(path));
-            return read(file.toString(), text, files);
+            return new Origin(file.toString(), fileName.toString(), Location.of(path), files);
         } catch (InvalidPathException e) {
             throw new InvalidSettings(Location.of(path), "This can't be a file: %s.".formatted(e.getReason()), "");
         }

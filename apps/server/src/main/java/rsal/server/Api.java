@@ -72,6 +72,7 @@ final class Api {
     private final Page page;
     private final Exposition exposition;
     private final SweepApi sweeps;
+    private final TextApi texts;
 
     /// @param exposition what monitors are shown
     Api(Seats seats, Shelf shelf, Gate gate, Page page, Exposition exposition, SweepApi sweeps) {
@@ -81,6 +82,7 @@ final class Api {
         this.page = page;
         this.exposition = exposition;
         this.sweeps = sweeps;
+        this.texts = new TextApi(seats, shelf, gate);
     }
 
     /// All is there for each of the runs side by side, below its address.
@@ -219,16 +221,17 @@ final class Api {
                             : running(request).stop(wish.robot()));
         });
         commandOfAll(routes, "check", request -> {
-            RunPlan plan = plan(request, read(request, Restart.class));
+            RunPlan plan = plan(request, read(request, Restart.class, RunServer.MAX_TEXT));
             answer(request, new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan)));
         });
         command(routes, "restart", request -> {
-            RunPlan plan = plan(request, read(request, Restart.class));
+            RunPlan plan = plan(request, read(request, Restart.class, RunServer.MAX_TEXT));
             sweeps.checkBeside(plan);
             seats.restart(seats.find(request), plan);
             answer(request, info(request));
         });
 
+        texts.configure(routes);
         sweeps.configure(routes);
         configureSeats(routes);
         configureControl(routes);
@@ -264,7 +267,7 @@ final class Api {
         routes.get("/api/beside", request -> answer(request, Descriptions.sideBySide(seats.all())));
         routes.post("/api/beside", request -> {
             authorize(request);
-            answer(request, Descriptions.seat(seats.open(plan(request, read(request, Restart.class)))));
+            answer(request, Descriptions.seat(seats.open(plan(request, read(request, Restart.class, RunServer.MAX_TEXT)))));
         });
         routes.delete("/api/beside/{number}", request -> {
             authorize(request);
@@ -451,9 +454,14 @@ final class Api {
     }
 
     static <T extends Record> T read(Context request, Class<T> type) throws IOException {
-        byte[] body = request.bodyInputStream().readNBytes(RunServer.MAX_MESSAGE + 1);
-        if (body.length > RunServer.MAX_MESSAGE) {
-            throw new Refusal(413, "A request has at most %d bytes.".formatted(RunServer.MAX_MESSAGE));
+        return read(request, type, RunServer.MAX_MESSAGE);
+    }
+
+    /// @param most bytes of the request's body
+    static <T extends Record> T read(Context request, Class<T> type, int most) throws IOException {
+        byte[] body = request.bodyInputStream().readNBytes(most + 1);
+        if (body.length > most) {
+            throw new Refusal(413, "A request has at most %d bytes.".formatted(most));
         }
         return Json.read(new String(body, StandardCharsets.UTF_8), type);
     }

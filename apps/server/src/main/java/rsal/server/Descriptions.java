@@ -108,6 +108,7 @@ final class Descriptions {
                 team.stream().map(Looks::robot).toList(),
                 plan.measures().stream().map(Descriptions::measure).toList(),
                 plan.options().mas().orElse(""),
+                scenario.isEdited(),
                 recording);
     }
 

@@ -94,6 +94,7 @@ final class Messages {
     /// @param robots in the order in which frames have them
     /// @param measures that its ending will have
     /// @param mas key of the host that its agents were put on; empty for that of the scenario
+    /// @param edited whether its scenario has another text than its file
     /// @param recording when it is none that goes on, but one that was recorded
     record RunInfo(
             int number,
@@ -109,6 +110,7 @@ final class Messages {
             List<RobotInfo> robots,
             List<MeasureInfo> measures,
             String mas,
+            boolean edited,
             Optional<RecordingInfo> recording) {}
 
     /// Where a run is from that was recorded.
@@ -411,13 +413,43 @@ final class Messages {
     /// @param arguments as typed, by name; all others are the scenario's
     /// @param speed as [Speed] has it
     /// @param mas key of the agents' host; empty for the scenario's
+    /// @param text stands for that of the scenario's file
     record Restart(
             Optional<String> scenario,
             Optional<String> configuration,
             Optional<Map<String, String>> arguments,
             Optional<String> seed,
             Optional<String> speed,
-            Optional<String> mas) {}
+            Optional<String> mas,
+            Optional<String> text) {}
+
+    /// What a scenario says, to be edited.
+    ///
+    /// @param scenario as [ScenarioInfo] has it; empty for that of the present run when it can't be chosen
+    /// @param file what mistakes call it
+    /// @param saved what its file holds now, when that is one which [TextToSave] may replace
+    record ScenarioText(String scenario, String file, String text, Optional<String> saved) {}
+
+    /// Asks what is wrong with a text.
+    ///
+    /// @param scenario whose text it would be, as [ScenarioInfo] has it; left out: of the present run
+    record TextToCheck(Optional<String> scenario, String text) {}
+
+    /// @param configurations of the text; none when it can't be read so far
+    /// @param mistakes of all configurations, the first of many
+    record TextCheck(List<ConfigurationInfo> configurations, List<TextMistake> mistakes) {}
+
+    /// @param file of [ScenarioText], or another that this names
+    /// @param line from 1; 0 for the whole file
+    /// @param column from 1
+    /// @param remedy what to try; empty when nobody can tell
+    record TextMistake(String file, int line, int column, String message, String remedy) {}
+
+    /// Asks for a scenario's file to be written anew.
+    ///
+    /// @param scenario as [ScenarioInfo] has it
+    /// @param before what the file must hold until then, so that nothing is lost that somebody else wrote
+    record TextToSave(String scenario, String before, String text) {}
 
     /// What another run would be, for the form.
     record Plan(String seed, List<ArgumentInfo> arguments) {}

@@ -37,8 +37,7 @@ final class RestartReader {
         options = wish.speed().flatMap(this::speed).map(options::withSpeed).orElse(options);
         options = onHost(options, wish.mas());
         try {
-            Scenario scenario = wish.scenario().map(shelf::load).orElse(present.scenario());
-            RunPlan plan = scenario.plan(options);
+            RunPlan plan = scenario(wish).plan(options);
             if (mistakes.isEmpty()) {
                 return plan;
             }
@@ -48,6 +47,12 @@ final class RestartReader {
             }
         }
         throw new Refusal(422, "This can't be run as it is.", List.copyOf(mistakes));
+    }
+
+    private Scenario scenario(Restart wish) {
+        return wish.text()
+                .map(text -> shelf.edited(wish.scenario(), text, present.scenario()))
+                .orElseGet(() -> wish.scenario().map(shelf::load).orElse(present.scenario()));
     }
 
     private RunOptions asNow() {

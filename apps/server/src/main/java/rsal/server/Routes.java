@@ -15,6 +15,10 @@ record Routes(RoutesConfig all, String at) {
         all.post(at + path, handler);
     }
 
+    void put(String path, Handler handler) {
+        all.put(at + path, handler);
+    }
+
     void delete(String path, Handler handler) {
         all.delete(at + path, handler);
     }

@@ -24,6 +24,9 @@ public final class RunServer implements AutoCloseable {
     /// Of a WebSocket message or a request's body [B]; all that the page sends is smaller.
     static final int MAX_MESSAGE = 16 * 1024;
 
+    /// Of a request's body that has the text of a scenario [B], or two of them; the longest built in has 8 kB.
+    static final int MAX_TEXT = 512 * 1024;
+
     private final Seats seats;
     private final Sweeps sweeps;
     private final PageServer server;

@@ -1,12 +1,17 @@
 package rsal.server;
 
 import java.io.File;
+import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -17,6 +22,7 @@ import rsal.scenario.Scenario;
 import rsal.scenario.picture.WorldPicture;
 import rsal.server.Messages.HostInfo;
 import rsal.server.Messages.ScenarioInfo;
+import rsal.server.Messages.ScenarioText;
 import rsal.server.Messages.Scenarios;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
@@ -43,10 +49,99 @@ final class Shelf {
     /// @throws Refusal when it is not there
     /// @throws InvalidSettings with its mistakes
     Scenario load(String id) {
+        return Scenario.load(known(id));
+    }
+
+    /// A scenario with another text than its own.
+    ///
+    /// @param id left out: the present one
+    /// @throws Refusal when it is not there
+    /// @throws InvalidSettings with its mistakes
+    Scenario edited(Optional<String> id, String text, Scenario present) {
+        if (id.isEmpty()) {
+            return present.edited(text);
+        }
+        return Scenario.edited(known(id.get()), text);
+    }
+
+    /// What a scenario says now, with all its mistakes.
+    ///
+    /// @throws Refusal when it is not there, or has none
+    ScenarioText text(String id) {
+        try {
+            String text = Scenario.written(known(id));
+            return new ScenarioText(
+                    id, Scenario.fileOf(id), text, Optional.of(text).filter(_ -> isFile(id)));
+        } catch (InvalidSettings e) {
+            throw new Refusal(404, e.problems().getFirst().message());
+        }
+    }
+
+    /// What the present one says; to be saved as long as its file is here.
+    ///
+    /// @throws Refusal when it has no text
+    ScenarioText text(Scenario present) {
+        if (present.isWorld()) {
+            throw new Refusal(404, "(%s) is a world, not a scenario.".formatted(present.name()));
+        }
+        String file = present.location().file();
+        String id = ids.stream().filter(one -> isOf(one, file)).findFirst().orElse("");
+        Optional<String> saved = isFile(id) ? text(id).saved() : Optional.empty();
+        return new ScenarioText(id, file, present.text(), saved);
+    }
+
+    private static boolean isOf(String id, String file) {
+        return !Scenario.isWorld(id) && Scenario.fileOf(id).equals(file);
+    }
+
+    private boolean isFile(String id) {
+        return ids.contains(id) && !Scenario.builtInNames().contains(id) && !Scenario.isWorld(id);
+    }
+
+    /// Writes a scenario's file anew, whole or not at all.
+    ///
+    /// @param before what it must hold until then
+    /// @throws Refusal when it is not there or no file, holds something else by now, or can't be written
+    synchronized void save(String id, String before, String text) {
+        if (!isFile(known(id))) {
+            throw new Refusal(
+                    409,
+                    "(%s) comes with the program, or is a world: it can't be saved here."
+                            .formatted(Refusal.shortened(id)));
+        }
+        if (!text(id).text().equals(before)) {
+            throw new Refusal(
+                    409,
+                    "File (%s) has changed since it was read. Maybe copy your text, and open it again."
+                            .formatted(Refusal.shortened(id)));
+        }
+        try {
+            replace(Path.of(Scenario.fileOf(id)).toRealPath(), text);
+        } catch (IOException e) {
+            LOG.warn("Scenario ({}) can't be saved.", id, e);
+            throw new Refusal(409, "File (%s) can't be written: %s.".formatted(Refusal.shortened(id), e.getMessage()));
+        }
+    }
+
+    private static void replace(Path file, String text) throws IOException {
+        if (!Files.isWritable(file)) {
+            throw new IOException("it is read-only");
+        }
+        Path whole = Files.createTempFile(file.resolveSibling(""), ".rsal-", ".yaml");
+        try {
+            Files.copy(file, whole, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.COPY_ATTRIBUTES);
+            Files.writeString(whole, text); // as its owner's other files: with the same permissions
+            Files.move(whole, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } finally {
+            Files.deleteIfExists(whole);
+        }
+    }
+
+    private String known(String id) {
         if (!ids.contains(id)) {
             throw unknown(id);
         }
-        return Scenario.load(id);
+        return id;
     }
 
     private static Refusal unknown(String id) {
@@ -74,10 +169,7 @@ final class Shelf {
     ///
     /// @throws Refusal when there is none
     synchronized byte[] picture(String id) {
-        if (!ids.contains(id)) {
-            throw unknown(id);
-        }
-        long written = new File(id).lastModified();
+        long written = new File(known(id)).lastModified();
         Drawn known = pictures.get(id);
         if (known == null || known.written != written) {
             known = new Drawn(written, draw(id));

@@ -32,6 +32,10 @@ final class RawHttp {
         return send(port, "POST", path, body, List.of(headers));
     }
 
+    static Response put(int port, String path, String body, String... headers) throws IOException {
+        return send(port, "PUT", path, body, List.of(headers));
+    }
+
     static Response delete(int port, String path, String... headers) throws IOException {
         return send(port, "DELETE", path, "", List.of(headers));
     }

@@ -1,0 +1,77 @@
+package rsal.server;
+
+import io.javalin.http.Context;
+import io.javalin.http.Header;
+import java.util.List;
+import java.util.Map;
+import rsal.scenario.Scenario;
+import rsal.scenario.ScenarioSchema;
+import rsal.server.Messages.ConfigurationInfo;
+import rsal.server.Messages.TextCheck;
+import rsal.server.Messages.TextMistake;
+import rsal.server.Messages.TextToCheck;
+import rsal.server.Messages.TextToSave;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Problem;
+
+/// What can be asked and told of the texts of scenarios. As all else: whoever can reach the port may look, and what
+/// makes the server work or changes a file takes the token.
+final class TextApi {
+    private static final int MOST_MISTAKES = 100; // nobody mends more at once
+
+    private final Seats seats;
+    private final Shelf shelf;
+    private final Gate gate;
+
+    TextApi(Seats seats, Shelf shelf, Gate gate) {
+        this.seats = seats;
+        this.shelf = shelf;
+        this.gate = gate;
+    }
+
+    void configure(Routes routes) {
+        routes.get(
+                "/api/scenarios/schema",
+                request -> request.contentType("application/schema+json").result(ScenarioSchema.json()));
+        routes.get("/api/scenarios/text", request -> {
+            String id = request.queryParam("scenario");
+            Api.answer(request, id == null ? shelf.text(present(request)) : shelf.text(id));
+        });
+        routes.post("/api/scenarios/check", request -> {
+            gate.authorize(request.header(Header.AUTHORIZATION));
+            Api.answer(request, check(Api.read(request, TextToCheck.class, RunServer.MAX_TEXT), present(request)));
+        });
+        routes.put("/api/scenarios/text", request -> {
+            gate.authorize(request.header(Header.AUTHORIZATION), Api.operator(request));
+            TextToSave wish = Api.read(request, TextToSave.class, RunServer.MAX_TEXT);
+            shelf.save(wish.scenario(), wish.before(), wish.text());
+            Api.answer(request, Map.of());
+        });
+    }
+
+    private Scenario present(Context request) {
+        return seats.find(request).now().run().plan().scenario();
+    }
+
+    /// One at a time: each plans whole runs.
+    private synchronized TextCheck check(TextToCheck wish, Scenario present) {
+        List<ConfigurationInfo> configurations = List.of();
+        try {
+            Scenario scenario = shelf.edited(wish.scenario(), wish.text(), present);
+            configurations = Descriptions.configurations(scenario);
+            scenario.check();
+            return new TextCheck(configurations, List.of());
+        } catch (InvalidSettings e) {
+            List<TextMistake> mistakes = e.problems().stream()
+                    .limit(MOST_MISTAKES)
+                    .map(TextApi::mistake)
+                    .toList();
+            return new TextCheck(configurations, mistakes);
+        }
+    }
+
+    private static TextMistake mistake(Problem problem) {
+        var at = problem.location();
+        return new TextMistake(at.file(), at.line(), at.column(), problem.message(), problem.remedy());
+    }
+}
