@@ -89,6 +89,13 @@ describe('a key', () => {
     expect(press('p', { target: { tagName: 'INPUT', type: 'checkbox' } })).toEqual({ kind: 'pause' });
   });
 
+  it('belongs to the editor, which is in a shadow tree, but for the emergency stop', () => {
+    const editor = { target: { tagName: 'DIV', shadowRoot: {} } };
+    expect(press(' ', editor)).toBeNull();
+    expect(press('p', editor)).toBeNull();
+    expect(press('F8', editor)).toEqual({ kind: 'emergencyStop' });
+  });
+
   it('belongs to a slider when it moves it', () => {
     const slider = { target: { tagName: 'INPUT', type: 'range' } };
     expect(press('ArrowLeft', slider)).toBeNull();

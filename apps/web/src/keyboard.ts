@@ -141,7 +141,7 @@ export function isModified(event: Pick<Pressed, 'ctrlKey' | 'metaKey' | 'altKey'
 
 /** Whether the focused element needs the key itself. */
 function takesKeys(target: EventTarget | null, key: string): boolean {
-  const element = target as { tagName?: string; type?: string } | null;
+  const element = target as { tagName?: string; type?: string; shadowRoot?: object | null } | null;
   if (key === 'Escape' || key === EMERGENCY_STOP) {
     return false;
   }
@@ -160,6 +160,6 @@ function takesKeys(target: EventTarget | null, key: string): boolean {
           ? key === ' '
           : true;
     default:
-      return false;
+      return Boolean(element?.shadowRoot); // the editor of texts
   }
 }

@@ -21,12 +21,16 @@ import type {
   RunInfo,
   Sayables,
   Saying,
+  ScenarioText,
   Scenarios,
   SeatInfo,
   SideBySide,
   SweepSize,
   SweepState,
   SweepWish,
+  TextCheck,
+  TextToCheck,
+  TextToSave,
   Topics,
 } from './messages';
 import { access } from './access.svelte';
@@ -73,6 +77,12 @@ export const api = {
   topics: () => found<Topics>('topics'),
   scenarios: () => found<Scenarios>('scenarios'),
   scenarioPicture: (id: string) => `api/scenarios/picture?scenario=${encodeURIComponent(id)}`,
+  /** @param id of another than the present one */
+  scenarioText: (id: string | null) =>
+    found<ScenarioText>(`scenarios/text${id === null ? '' : `?scenario=${encodeURIComponent(id)}`}`),
+  scenarioSchema: () => found<object>('scenarios/schema'),
+  checkText: (wish: TextToCheck) => send('POST', 'scenarios/check', wish) as Promise<TextCheck>,
+  saveText: (wish: TextToSave) => send('PUT', 'scenarios/text', wish),
   drive: (wish: Drive) => post('drive', wish),
   release: (wish: Release) => post('release', wish, true),
   behavior: (wish: Order) => post('behavior', wish),
@@ -123,7 +133,7 @@ const post = (command: string, body: object = {}, evenAtTheEnd = false) =>
  * @param home where the run is, when it is not where this page is
  */
 async function send(
-  method: 'POST' | 'DELETE',
+  method: 'POST' | 'PUT' | 'DELETE',
   what: string,
   body: object = {},
   evenAtTheEnd = false,
