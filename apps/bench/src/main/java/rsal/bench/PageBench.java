@@ -8,18 +8,23 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
 import java.lang.management.ThreadMXBean;
 import java.net.URI;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 import rsal.scenario.RunOptions;
@@ -37,13 +42,18 @@ import rsal.time.AllowedToReadWallClock;
 /// per second, both at the speed of real time; `first`, from the call of the page until it has drawn the run;
 /// `cost.percent`, how much slower the run is while the page is open, both as fast as they can, and `cost.run.percent`,
 /// how much more processor time the run's own threads take meanwhile, as the browser draws on the run's cores where
-/// there are few; `heap.mb.min`, by how much the page's memory grows in a minute. `page.gzip.kb` is how large the page
-/// is. Of all medians count; of the costs pairs, one after the other.
+/// there are few; `heap.mb.min`, by how much the page's memory grows in a minute. `page.gzip.kb` is what a
+/// browser loads before it draws, `page.whole.gzip.kb` also what it loads when somebody wants it, as the editor. Of all
+/// medians count; of the costs pairs, one after the other.
 @AllowedToReadWallClock("Benchmarks measure real time.")
 final class PageBench implements Bench {
     private static final List<Integer> TEAMS = List.of(100, 1000);
     private static final int COSTS = 100;
     private static final String SIZE = "page.gzip.kb";
+    private static final String WHOLE = "page.whole.gzip.kb";
+    /// What a page's text names as a script or style, and a script's as an import, but for those that are imported
+    /// when they are needed: `import("…")`.
+    private static final Pattern AT_ONCE = Pattern.compile("(?:src=|href=|from ?|import ?)[\"'`]([^\"'`]+)[\"'`]");
     private static final Duration WARM = Duration.ofSeconds(10);
     private static final Duration WINDOW = Duration.ofSeconds(10);
     private static final Duration LONGEST_FIRST = Duration.ofSeconds(60);
@@ -108,7 +118,10 @@ final class PageBench implements Bench {
             return;
         }
         if (assignment.wants(SIZE)) {
-            assignment.tell(Result.less(SIZE, "kB", size(page.get())));
+            assignment.tell(Result.less(SIZE, "kB", firstSize(page.get())));
+        }
+        if (assignment.wants(WHOLE)) {
+            assignment.tell(Result.less(WHOLE, "kB", wholeSize(page.get())));
         }
         for (int robots : TEAMS) {
             List<String> drawing = Stream.of("fps", "states", "first", "heap.mb.min")
@@ -226,16 +239,42 @@ final class PageBench implements Bench {
     }
 
     /// What a browser loads before it can draw [kB].
-    private static double size(Path page) {
-        try (Stream<Path> files = Files.walk(page)) {
-            return files.filter(Files::isRegularFile)
-                            .filter(file -> !file.endsWith("plots.js")) // of pages of results
-                            .mapToLong(PageBench::compressed)
-                            .sum()
-                    * 1e-3;
+    private static double firstSize(Path page) {
+        var loaded = new LinkedHashSet<Path>();
+        load(page.resolve("index.html"), loaded);
+        return size(loaded.stream());
+    }
+
+    /// A file and all that it asks for at once.
+    private static void load(Path file, Set<Path> loaded) {
+        if (Files.isRegularFile(file) && loaded.add(file)) {
+            Matcher asked = AT_ONCE.matcher(text(file));
+            while (asked.find()) {
+                load(file.resolveSibling(asked.group(1)).normalize(), loaded);
+            }
+        }
+    }
+
+    private static String text(Path file) {
+        try {
+            return Files.readString(file, StandardCharsets.ISO_8859_1); // icons, too
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /// All of the page, with what is loaded when somebody wants it [kB].
+    private static double wholeSize(Path page) {
+        try (Stream<Path> files = Files.walk(page)) {
+            return size(files.filter(Files::isRegularFile)
+                    .filter(file -> !file.endsWith("plots.js"))); // of pages of results
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static double size(Stream<Path> files) {
+        return files.mapToLong(PageBench::compressed).sum() * 1e-3;
     }
 
     private static long compressed(Path file) {

@@ -267,7 +267,9 @@ final class Api {
         routes.get("/api/beside", request -> answer(request, Descriptions.sideBySide(seats.all())));
         routes.post("/api/beside", request -> {
             authorize(request);
-            answer(request, Descriptions.seat(seats.open(plan(request, read(request, Restart.class, RunServer.MAX_TEXT)))));
+            answer(
+                    request,
+                    Descriptions.seat(seats.open(plan(request, read(request, Restart.class, RunServer.MAX_TEXT)))));
         });
         routes.delete("/api/beside/{number}", request -> {
             authorize(request);

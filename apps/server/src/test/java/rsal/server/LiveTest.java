@@ -2,11 +2,15 @@ package rsal.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Random;
 import java.util.concurrent.BlockingQueue;
@@ -18,8 +22,10 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.scenario.RunOptions;
+import rsal.server.ViewerCounts.Kind;
 
 class LiveTest {
     @TempDir
@@ -164,6 +170,33 @@ class LiveTest {
             new Browser().next(m -> true);
         }
         assertThat(new Browser().next(Message::isEnd).text()).startsWith("1013");
+    }
+
+    @Test
+    @Timeout(60)
+    void holdsLittleForAViewerThatNeverReads() throws Exception {
+        int port = server.url().getPort();
+        ViewerCounts counts = server.seats().first().live().counts();
+        try (var mute = new Socket()) {
+            mute.setReceiveBufferSize(4096);
+            mute.connect(new InetSocketAddress(InetAddress.ofLiteral("127.0.0.1"), port));
+            mute.getOutputStream().write("""
+                    GET /api/live HTTP/1.1\r
+                    Host: 127.0.0.1:%d\r
+                    Upgrade: websocket\r
+                    Connection: Upgrade\r
+                    Sec-WebSocket-Version: 13\r
+                    Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r
+                    \r
+                    """.formatted(port).getBytes(StandardCharsets.ISO_8859_1));
+            var good = new Browser(); // which shows that time goes on
+            int[] taken = new int[1];
+            good.next(m -> m.isFrame() && ++taken[0] > 40);
+            assertThat(counts.messages(Kind.FRAME) - taken[0])
+                    .as("frames for the mute one, and those that the other has not yet taken")
+                    .isBetween(1L, 2L * Viewer.FRAMES);
+            assertThat(counts.messages(Kind.EVENTS)).isLessThanOrEqualTo(1 + taken[0]);
+        }
     }
 
     private record Message(String text, byte[] frame) {
