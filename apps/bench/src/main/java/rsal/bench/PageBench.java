@@ -43,8 +43,8 @@ import rsal.time.AllowedToReadWallClock;
 /// `cost.percent`, how much slower the run is while the page is open, both as fast as they can, and `cost.run.percent`,
 /// how much more processor time the run's own threads take meanwhile, as the browser draws on the run's cores where
 /// there are few; `heap.mb.min`, by how much the page's memory grows in a minute. `page.gzip.kb` is what a
-/// browser loads before it draws, `page.whole.gzip.kb` also what it loads when somebody wants it, as the editor. Of all
-/// medians count; of the costs pairs, one after the other.
+/// browser loads before it draws, `page.whole.gzip.kb` also what it loads when somebody wants it, as the
+/// editor. Of all medians count; of the costs pairs, one after the other.
 @AllowedToReadWallClock("Benchmarks measure real time.")
 final class PageBench implements Bench {
     private static final List<Integer> TEAMS = List.of(100, 1000);

@@ -83,6 +83,16 @@ class ControlApiTest {
     }
 
     @Test
+    void keepsAllOthersFromSaving() throws IOException {
+        take("a", "Ann", false);
+        String wish = "{\"scenario\":\"patrol\",\"before\":\"\",\"text\":\"\"}";
+        Response refused = RawHttp.put(port, "/api/scenarios/text", wish, host, WITH_TOKEN, as("b"));
+        assertThat(refused.body()).contains("Ann has control");
+        Response own = RawHttp.put(port, "/api/scenarios/text", wish, host, WITH_TOKEN, as("a"));
+        assertThat(own.body()).doesNotContain("has control");
+    }
+
+    @Test
     void letsAllStopInAnEmergency() throws IOException {
         take("a", "Ann", false);
         assertThat(post("/api/run/estop", "").status()).isEqualTo(200);
