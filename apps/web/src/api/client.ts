@@ -4,6 +4,7 @@ import type {
   Addition,
   AgentAddition,
   AgentInside,
+  Cameras,
   Control,
   ControlWish,
   Drive,
@@ -104,6 +105,8 @@ export const api = {
   sweepReport: 'api/sweeps/report',
   map,
   drawn,
+  /** What a robot's cameras make out. */
+  blobs: (robot: string) => about<Cameras>('blobs', robot),
   /** What places cost a robot's navigator, of 100; null when it tells none. */
   costs: (robot: string) => grid(`costs?robot=${encodeURIComponent(robot)}`, robot),
   drawnFiles: (run: number, robot: string) =>

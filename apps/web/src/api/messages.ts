@@ -74,6 +74,13 @@ export interface BeliefInfo {
   value: string;
 }
 
+export interface BlobInfo {
+  color: string;
+  from: number;
+  to: number;
+  range: number | null;
+}
+
 export interface Box {
   low: number;
   first: number;
@@ -81,6 +88,19 @@ export interface Box {
   third: number;
   high: number;
   outside: number[];
+}
+
+export interface CameraView {
+  name: string;
+  x: number;
+  y: number;
+  heading: number;
+  fieldOfView: number;
+  blobs: BlobInfo[];
+}
+
+export interface Cameras {
+  cameras: CameraView[];
 }
 
 export interface ChangeInfo {

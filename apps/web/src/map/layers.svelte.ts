@@ -1,4 +1,5 @@
 import { drawAxes } from './layers/axes';
+import { drawBlobs } from './layers/blobs';
 import { drawCones } from './layers/cones';
 import { drawDraft } from './layers/drafts';
 import { drawEstimates } from './layers/estimates';
@@ -21,6 +22,7 @@ export type Switchable =
   | 'costs'
   | 'scans'
   | 'cones'
+  | 'blobs'
   | 'particles'
   | 'trails'
   | 'paths'
@@ -46,6 +48,7 @@ const lying: Ordered = [
 
 /** What is drawn over that, again and again between two frames: what stands there and moves, and what is said of it. */
 const bodies: Ordered = [
+  ['blobs', drawBlobs],
   ['links', drawLinks],
   [null, drawMovedThings],
   [null, drawRobots],
@@ -61,6 +64,7 @@ const above: Ordered = [
 ];
 /** In an oblique view they are drawn by their depth. */
 const obliqueBodies: Ordered = [
+  ['blobs', drawBlobs],
   ['links', drawLinks],
   [null, drawStanding],
 ];
@@ -72,6 +76,7 @@ class Layers {
     costs: false,
     scans: true,
     cones: false,
+    blobs: false,
     particles: true,
     trails: true,
     paths: true,

@@ -1,4 +1,4 @@
-import type { LinkInfo, RealDetails, RunInfo } from '../api/messages';
+import type { CameraView, LinkInfo, RealDetails, RunInfo } from '../api/messages';
 import type { Frame, MovedThing, Pose } from '../live/frame';
 import type { Things } from '../live/things';
 import type { Trails } from '../live/trails';
@@ -29,6 +29,8 @@ export interface Scene {
   trails: Trails;
   /** Which robots hear each other, while that is shown. */
   links: readonly LinkInfo[];
+  /** What the selected robot's cameras make out, while that is shown. */
+  cameras: readonly CameraView[];
   view: View;
   palette: Palette;
   selected: number | null;

@@ -4,6 +4,7 @@ import { ellipse } from './estimates';
 import { poolCells } from './floor';
 import { gridStep } from './grid';
 import { nameOf } from './names';
+import { motionOf } from './paths';
 import { handleOf, radius } from './robots';
 import { eachBeam, strengthOf } from './scans';
 
@@ -45,6 +46,25 @@ describe('a robot', () => {
     const handle = handleOf({ x: 1, y: 1, heading: Math.PI / 2 }, footprint, 100);
     expect(handle.x).toBeCloseTo(1);
     expect(handle.y).toBeGreaterThan(1.3);
+  });
+});
+
+describe('the motion of a robot', () => {
+  it('is what many small steps give', () => {
+    const [speed, turnRate] = [0.6, -0.9];
+    let [x, y, heading] = [1, 2, 0.4];
+    const small = 1e-4;
+    for (let time = 0; time < 2; time += small) {
+      x += small * speed * Math.cos(heading);
+      y += small * speed * Math.sin(heading);
+      heading += small * turnRate;
+    }
+    const end = motionOf({ x: 1, y: 2, heading: 0.4 }, speed, turnRate).at(-1)!;
+    expect(end.x).toBeCloseTo(x, 3);
+    expect(end.y).toBeCloseTo(y, 3);
+    const straight = motionOf({ x: 0, y: 0, heading: Math.PI / 2 }, 0.5, 0).at(-1)!;
+    expect(straight.x).toBeCloseTo(0);
+    expect(straight.y).toBeCloseTo(1);
   });
 });
 

@@ -1,7 +1,16 @@
+import type { Pose } from '../../live/frame';
 import type { Layer } from '../scene';
 
-/** Planned paths. */
-export const drawPaths: Layer = (context, { info, frame, view }) => {
+/** How far ahead motion is drawn [s]. */
+const AHEAD = 2;
+const STEPS = 12;
+/** Slower than this a robot stands [m/s]. */
+const STANDING = 0.02;
+/** Of more robots, only the selected one's motion is drawn: it would be lost in the others'. */
+const MANY = 60;
+
+/** Planned ways, dashed, and where the present motion takes robots next. */
+export const drawPaths: Layer = (context, { info, frame, view, selected }) => {
   context.lineWidth = 2 / view.scale;
   context.lineJoin = 'round';
   context.setLineDash([7 / view.scale, 5 / view.scale]);
@@ -17,4 +26,37 @@ export const drawPaths: Layer = (context, { info, frame, view }) => {
     context.stroke();
   });
   context.setLineDash([]);
+  context.lineWidth = 3 / view.scale;
+  context.globalAlpha = 0.7;
+  frame.robots.forEach(({ pose, speed, turnRate }, i) => {
+    if (pose === null || Math.abs(speed) < STANDING || (frame.robots.length > MANY && i !== selected)) {
+      return;
+    }
+    context.beginPath();
+    for (const { x, y } of motionOf(pose, speed, turnRate)) {
+      context.lineTo(x, y);
+    }
+    context.strokeStyle = info.robots[i]!.color;
+    context.stroke();
+  });
+  context.globalAlpha = 1;
 };
+
+/**
+ * Places on the arc that a robot drives when it goes on as it does.
+ *
+ * @param speed ahead [m/s]
+ * @param turnRate counter-clockwise [rad/s]
+ */
+export function motionOf(
+  { x, y, heading }: Pose,
+  speed: number,
+  turnRate: number,
+): { x: number; y: number }[] {
+  return Array.from({ length: STEPS + 1 }, (_, step) => {
+    const turn = (turnRate * AHEAD * step) / STEPS;
+    const length = (speed * AHEAD * step) / STEPS;
+    const chord = turn === 0 ? length : (2 * length * Math.sin(turn / 2)) / turn;
+    return { x: x + chord * Math.cos(heading + turn / 2), y: y + chord * Math.sin(heading + turn / 2) };
+  });
+}

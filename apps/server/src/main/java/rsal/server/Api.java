@@ -125,6 +125,10 @@ final class Api {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running(request).links(robot == null ? "" : robot));
         });
+        routes.get("/api/blobs", request -> {
+            String robot = request.queryParam("robot");
+            answerWhenDone(request, running(request).readings(robot == null ? "" : robot), CameraViews::of);
+        });
         routes.get("/api/costs", request -> {
             String robot = request.queryParam("robot");
             answerWhenDone(request, running(request).costs(robot == null ? "" : robot));

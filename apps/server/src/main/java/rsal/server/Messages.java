@@ -261,6 +261,24 @@ final class Messages {
             List<DeviceDetails> devices,
             Optional<DrawnMap> map) {}
 
+    /// What a robot's cameras make out.
+    record Cameras(List<CameraView> cameras) {}
+
+    /// @param x where it is mounted, in the robot's base frame [m]
+    /// @param y likewise [m]
+    /// @param heading likewise, where it looks [rad]
+    /// @param fieldOfView from its left edge to its right [rad]
+    /// @param blobs from left to right; at most 100
+    record CameraView(String name, double x, double y, double heading, double fieldOfView, List<BlobInfo> blobs) {}
+
+    /// A patch of one color.
+    ///
+    /// @param color `#rrggbb`
+    /// @param from direction of its right edge in the camera's frame, counter-clockwise [rad]
+    /// @param to of its left edge, likewise
+    /// @param range how far it is [m]; absent when the camera can't tell
+    record BlobInfo(String color, double from, double to, Optional<Double> range) {}
+
     /// @param proxy whether a stand-in of it is in the simulated world
     /// @param silence for how long nobody has told where it is, if that is longer than it should be [s]
     record RealDetails(boolean proxy, Optional<Double> silence) {}
