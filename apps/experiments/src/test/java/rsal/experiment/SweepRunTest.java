@@ -14,12 +14,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.experiment.example.Endless;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
 import rsal.settings.InvalidSettings;
@@ -222,6 +226,55 @@ class SweepRunTest {
         assertThat(SweepFolder.rows(out))
                 .extracting(Row::run)
                 .containsExactly(told.getFirst().run());
+    }
+
+    private Scenario withAgent(String type) {
+        return Guards.in(folder, Guards.TEXT + "  other: {agents: {other: {type: %s}}}\n".formatted(type));
+    }
+
+    private static Design thatAndShort(Long... seeds) {
+        return new Design(List.of("other", "short"), List.of(), Map.of(), List.of(seeds), Optional.empty());
+    }
+
+    @Test
+    void aRunWithoutMemoryBecomesARowAndTheOthersGoOn() throws Exception {
+        Sweep hungry = Sweep.of(withAgent("glutton"), thatAndShort(1L, 2L));
+        List<Row> rows = run(hungry, create(hungry), 2);
+        assertThat(rows).hasSize(4);
+        assertThat(rows)
+                .filteredOn(row -> row.configuration().equals("other"))
+                .hasSize(2)
+                .allSatisfy(row -> assertThat(row.isBroken()).isTrue())
+                .allSatisfy(row -> assertThat(row.reason()).contains("not enough memory", "--jobs"));
+        assertThat(rows)
+                .filteredOn(row -> row.configuration().equals("short"))
+                .extracting(Row::outcome)
+                .containsExactly("timeout", "timeout");
+    }
+
+    @Test
+    @Timeout(value = 60, threadMode = ThreadMode.SEPARATE_THREAD)
+    void anAgentThatNeverReturnsIsLeftBehindWhenTheSweepIsGivenUp() throws Exception {
+        Sweep stuck = Sweep.of(withAgent("endless"), thatAndShort(1L));
+        try (var opened = create(stuck)) {
+            var runs = new SweepRun(stuck, opened, 2, _ -> {});
+            var ended = new CompletableFuture<Boolean>();
+            Thread.ofPlatform().daemon().start(() -> {
+                try {
+                    runs.run();
+                    ended.complete(true);
+                } catch (InterruptedException | RuntimeException e) {
+                    ended.completeExceptionally(e);
+                }
+            });
+            Endless.BEGAN.acquire();
+            assertThat(ended).as("it waits for those that may end").isNotDone();
+            runs.close();
+            assertThat(ended.get()).isTrue();
+            assertThat(opened.rows()).noneMatch(row -> row.configuration().equals("other"));
+        } finally {
+            Endless.RELEASE.release(4);
+        }
     }
 
     private SweepFolder create(Sweep planned) {
