@@ -110,6 +110,18 @@ describe.skipIf(!chromium)('a sweep', () => {
     await picture(page, 'sweep-dark');
     await expectAccessible(page);
 
+    await page.getByRole('button', { name: 'Runs of guards=2', exact: true }).click();
+    await page.locator('[data-run]').nth(29).waitFor();
+    await picture(page, 'sweep-runs');
+    await expectAccessible(page);
+    const fifth = page.locator('[data-run]').nth(4);
+    const seed = /\d+/.exec(await fifth.locator('span').first().innerText())![0];
+    await fifth.getByRole('button', { name: 'Watch' }).click();
+    await page.getByText(`seed ${seed}`).first().waitFor(); // of the run that is shown now
+    await eventually(async () => (await page.locator('tr[data-robot]').count()) === 2, 'with two robots');
+    await page.keyboard.press('x');
+    await status(page).waitFor();
+
     const [report] = await Promise.all([
       context!.waitForEvent('page'),
       page.getByRole('link', { name: 'Open the report' }).click(),
@@ -162,7 +174,10 @@ describe.skipIf(!chromium)('a sweep', () => {
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(480);
     const dialog = page.getByRole('dialog', { name: 'Sweep: Robots that wander' });
     await dialog.getByRole('link', { name: 'Open the report' }).waitFor();
-    expect(await dialog.getByRole('button').allInnerTexts()).toEqual(['']); // the one that closes it
+    await dialog.getByRole('button', { name: 'Runs of guards=1', exact: true }).click();
+    await dialog.locator('[data-run]').first().waitFor();
+    const buttons = await dialog.getByRole('button').allInnerTexts();
+    expect(buttons.filter((text) => !/^\d*$/.test(text))).toEqual([]); // one closes it, others list runs
     await page.keyboard.press('Escape');
     await page.keyboard.press('c');
     await page.getByRole('button', { name: 'Newest sweep' }).click();

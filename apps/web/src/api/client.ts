@@ -26,6 +26,7 @@ import type {
   Scenarios,
   SeatInfo,
   SideBySide,
+  SweepRuns,
   SweepSize,
   SweepState,
   SweepWish,
@@ -102,6 +103,8 @@ export const api = {
   control: () => found<Control>('control'),
   takeControl: (wish: ControlWish) => send('POST', 'control', wish) as Promise<Control>,
   giveControlBack: () => send('DELETE', 'control', {}, true),
+  sweepRuns: (combination: string) =>
+    found<SweepRuns>(`sweeps/runs?combination=${encodeURIComponent(combination)}`),
   sweepReport: 'api/sweeps/report',
   map,
   drawn,

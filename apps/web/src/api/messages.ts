@@ -602,6 +602,20 @@ export interface SweepMeasure {
   unit: string;
 }
 
+export interface SweepRunInfo {
+  run: number;
+  configuration: string;
+  arguments: Record<string, string>;
+  seed: string;
+  outcome: string;
+  reason: string;
+  seconds: number | null;
+}
+
+export interface SweepRuns {
+  runs: SweepRunInfo[];
+}
+
 export interface SweepSize {
   combinations: number;
   seeds: number;

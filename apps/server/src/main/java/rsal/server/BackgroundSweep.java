@@ -3,6 +3,7 @@ package rsal.server;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -11,6 +12,7 @@ import org.slf4j.LoggerFactory;
 import rsal.experiment.Findings;
 import rsal.experiment.Pace;
 import rsal.experiment.Recordings;
+import rsal.experiment.Row;
 import rsal.experiment.Sweep;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.SweepRun;
@@ -18,6 +20,7 @@ import rsal.experiment.report.Report;
 import rsal.experiment.report.ShellWords;
 import rsal.server.Messages.SweepInfo;
 import rsal.server.Messages.SweepInfo.SweepStatus;
+import rsal.server.Messages.SweepRuns;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 import rsal.time.AllowedToReadWallClock;
@@ -28,6 +31,8 @@ import rsal.time.AllowedToReadWallClock;
 final class BackgroundSweep implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(BackgroundSweep.class);
     private static final Duration PATIENCE = Duration.ofMillis(500); // with its last row, when all ends
+
+    private static final int MOST_RUNS = 500; // of a combination; the table has all of them
 
     private final Order order;
     private final SweepFolder folder;
@@ -149,6 +154,22 @@ final class BackgroundSweep implements AutoCloseable {
             report = known;
         }
         return known.html();
+    }
+
+    /// Runs of a combination that have ended, the newest.
+    ///
+    /// @throws Refusal when there is no such combination
+    SweepRuns runs(String label) {
+        Findings findings = told().findings();
+        List<Row> rows = findings.design().combinations().stream()
+                .filter(combination -> findings.label(combination).equals(label))
+                .findFirst()
+                .map(findings::of)
+                .orElseThrow(() ->
+                        new Refusal(404, "The sweep has no combination (%s).".formatted(Refusal.shortened(label))));
+        return new SweepRuns(rows.subList(Math.max(0, rows.size() - MOST_RUNS), rows.size()).stream()
+                .map(SweepDescription::run)
+                .toList());
     }
 
     private synchronized Told told() {

@@ -270,7 +270,7 @@ final class Descriptions {
     }
 
     /// @param value Double, Long, String or Boolean
-    private static String typed(Object value) {
+    static String typed(Object value) {
         String words = clip(String.valueOf(value));
         return value instanceof Double ? words.replaceFirst("\\.0$", "") : words;
     }

@@ -496,6 +496,24 @@ final class Messages {
     /// @param newest the one that was begun last here, whether it goes on or not
     record SweepState(boolean possible, int jobs, Optional<SweepInfo> newest) {}
 
+    /// @param runs of one combination that have ended; the newest 500
+    record SweepRuns(List<SweepRunInfo> runs) {}
+
+    /// A run of a sweep, so that it can be run again to be looked at: it comes out as it did.
+    ///
+    /// @param run its number in the sweep
+    /// @param arguments all of them, as one would type them
+    /// @param reason why it could not go on; else empty
+    /// @param seconds simulated; absent when it could not begin
+    record SweepRunInfo(
+            int run,
+            String configuration,
+            Map<String, String> arguments,
+            String seed,
+            String outcome,
+            String reason,
+            Optional<Double> seconds) {}
+
     /// A sweep as it is now.
     ///
     /// @param number counts this server's sweeps, from 1

@@ -25,6 +25,10 @@ final class SweepApi {
 
     void configure(Routes routes) {
         routes.get("/api/sweeps", this::state);
+        routes.get("/api/sweeps/runs", request -> {
+            String combination = request.queryParam("combination");
+            Api.answer(request, sweeps.runs(combination == null ? "" : combination));
+        });
         routes.get("/api/sweeps/report", request -> {
             request.header("Content-Security-Policy", STYLED);
             request.contentType("text/html; charset=utf-8").result(sweeps.report());

@@ -16,6 +16,7 @@ import rsal.server.Messages.OutcomeShare;
 import rsal.server.Messages.SweepCombination;
 import rsal.server.Messages.SweepEstimate;
 import rsal.server.Messages.SweepMeasure;
+import rsal.server.Messages.SweepRunInfo;
 
 /// What came of a sweep so far, as the page shows it. The numbers are those of `rsal report`.
 record SweepDescription(int broken, List<SweepMeasure> measures, List<SweepCombination> combinations) {
@@ -46,6 +47,21 @@ record SweepDescription(int broken, List<SweepMeasure> measures, List<SweepCombi
                 rows.size(),
                 outcomes.stream().map(outcome -> share(outcome, rows)).toList(),
                 estimates);
+    }
+
+    static SweepRunInfo run(Row row) {
+        var arguments = new LinkedHashMap<String, String>();
+        row.arguments().forEach((name, value) -> arguments.put(name, Descriptions.typed(value)));
+        return new SweepRunInfo(
+                row.run(),
+                row.configuration(),
+                arguments,
+                Long.toString(row.seed()),
+                row.outcome(),
+                row.reason(),
+                row.simulatedSeconds().isPresent()
+                        ? Optional.of(row.simulatedSeconds().getAsDouble())
+                        : Optional.empty());
     }
 
     private static OutcomeShare share(String outcome, List<Row> rows) {

@@ -11,10 +11,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import rsal.experiment.Manifest;
 import rsal.experiment.Sweep;
 import rsal.experiment.SweepFolder;
 import rsal.server.Messages.Mistake;
+import rsal.server.Messages.SweepRuns;
 import rsal.server.Messages.SweepSize;
 import rsal.server.Messages.SweepState;
 import rsal.server.Messages.SweepWish;
@@ -25,6 +28,8 @@ import rsal.time.AllowedToReadWallClock;
 /// gave. All methods may be called from any thread.
 @AllowedToReadWallClock("Notes when a sweep was made.")
 final class Sweeps implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Sweeps.class);
+
     private final Optional<RunServer.Sweeping> sweeping;
     private final Shelf shelf;
     private final int cores;
@@ -67,7 +72,7 @@ final class Sweeps implements AutoCloseable {
             Path out = unused(here.folder(), sweep.scenario().name());
             int number = newest().map(last -> last.order().number() + 1).orElse(1);
             var order = new BackgroundSweep.Order(number, sweep, wish.scenario(), jobs, out);
-            newest = begin(order, open(order, () -> SweepFolder.create(out, sweep, session(order, here))), false);
+            newest = begin(order, create(order, here), false);
         }
     }
 
@@ -84,6 +89,24 @@ final class Sweeps implements AutoCloseable {
         BackgroundSweep.Order order = last.order();
         newest = begin(
                 order, open(order, () -> SweepFolder.resume(order.out(), order.sweep(), session(order, here))), true);
+    }
+
+    private static SweepFolder create(BackgroundSweep.Order order, RunServer.Sweeping here) {
+        try {
+            return open(order, () -> SweepFolder.create(order.out(), order.sweep(), session(order, here)));
+        } catch (Refusal refusal) {
+            discard(order.out());
+            throw refusal;
+        }
+    }
+
+    /// Takes a folder away again that nothing could be written to.
+    private static void discard(Path folder) {
+        try {
+            Files.deleteIfExists(folder);
+        } catch (IOException e) {
+            LOG.warn("The folder {} stays, though nothing could be written to it: {}", folder, e.getMessage());
+        }
     }
 
     private static SweepFolder open(BackgroundSweep.Order order, Supplier<SweepFolder> opening) {
@@ -114,6 +137,14 @@ final class Sweeps implements AutoCloseable {
     /// @throws Refusal while there is nothing to report
     String report() {
         return newest().orElseThrow(Sweeps::none).report();
+    }
+
+    /// Runs of a combination that have ended.
+    ///
+    /// @param label of the combination
+    /// @throws Refusal when there is none
+    SweepRuns runs(String label) {
+        return newest().orElseThrow(Sweeps::none).runs(label);
     }
 
     boolean isUnderWay() {

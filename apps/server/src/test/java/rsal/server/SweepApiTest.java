@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static rsal.server.Errand.TOKEN;
 
 import java.io.IOException;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -19,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.experiment.Findings;
+import rsal.experiment.Row;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.statistics.Mean;
 import rsal.scenario.RunOptions;
@@ -27,6 +30,8 @@ import rsal.scenario.run.LiveRun;
 import rsal.server.Messages.SweepCombination;
 import rsal.server.Messages.SweepInfo;
 import rsal.server.Messages.SweepInfo.SweepStatus;
+import rsal.server.Messages.SweepRunInfo;
+import rsal.server.Messages.SweepRuns;
 import rsal.server.Messages.SweepState;
 import rsal.server.Messages.SweepWish;
 import rsal.server.RawHttp.Response;
@@ -152,6 +157,37 @@ class SweepApiTest {
         Response report = RawHttp.get(port, "/api/sweeps/report", host);
         assertThat(report.text()).contains("text/html", "default-src 'none'; style-src 'unsafe-inline'");
         assertThat(report.body()).contains("Robots wander", "guards=2", "12 runs of 4 combinations with 3 seeds");
+    }
+
+    @Test
+    void tellsItsRunsSoThatOneCanBeRunAgainAsItWas() throws Exception {
+        post("", wish(List.of("short"), Map.of("guards", "1:2"), "2"));
+        SweepInfo ended = awaitEnd();
+        String label = ended.combinations().getLast().label();
+        String path = "/api/sweeps/runs?combination=" + URLEncoder.encode(label, StandardCharsets.UTF_8);
+        List<SweepRunInfo> runs =
+                Json.read(RawHttp.get(port, path, host).body(), SweepRuns.class).runs();
+        assertThat(runs).extracting(SweepRunInfo::seed).containsExactly("1", "2");
+        SweepRunInfo last = runs.getLast();
+        assertThat(last.arguments()).containsEntry("guards", "2");
+        assertThat(last.outcome()).isEqualTo("timeout");
+
+        var again = Map.of(
+                "scenario", ended.scenario(),
+                "configuration", last.configuration(),
+                "arguments", last.arguments(),
+                "seed", last.seed(),
+                "speed", "max");
+        assertThat(RawHttp.post(port, "/api/run/restart", Json.write(again), host, WITH_TOKEN)
+                        .status())
+                .isEqualTo(200);
+        List<Row> rows =
+                Findings.read(Errand.sweeps(directory).resolve("guard-1")).rows();
+        assertThat(server.run().result().toCompletableFuture().get().eventHash())
+                .isEqualTo(rows.get(last.run() - 1).eventHash());
+
+        assertThat(RawHttp.get(port, "/api/sweeps/runs?combination=none", host).status())
+                .isEqualTo(404);
     }
 
     @Test
