@@ -24,8 +24,7 @@ import rsal.recording.proto.ProtoReader;
 /// Writes messages as tables, one for each topic: a row is a message, or, where a message is a list (robots of a state,
 /// transforms, particles, points of a path), an element of it. The first column is the log time in seconds, the others
 /// are fields ([Table]). Of maps the tables tell when they were drawn; the last of each lies beside its table as ROS
-/// has maps
-/// ([RosMap]). Things, the world and bodies are left out. For one thread.
+/// has maps ([RosMap]). Things, the world and bodies are left out. For one thread.
 public final class CsvExport {
     private static final Map<String, MessageType> KNOWN = Stream.of(
                     Foxglove.FRAME_TRANSFORMS,

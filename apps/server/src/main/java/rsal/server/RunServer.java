@@ -15,9 +15,8 @@ import rsal.recording.Recorder;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 
-/// Runs a scenario, and others beside it, and shows them on this machine's loopback address, and there only. Whoever
-/// can reach the port
-/// may look; changing anything takes the token.
+/// Runs a scenario, and others beside it, and shows them on this machine's loopback address, and there only.
+/// Whoever can reach the port may look; changing anything takes the token.
 ///
 /// All methods may be called from any thread.
 public final class RunServer implements AutoCloseable {

@@ -31,13 +31,17 @@ class FloorPlanTest {
         }
         var surface = color.map(all.surface()::in).orElse(all.surface());
         var raster = new Raster(5, 3, solid, all.left(), all.bottom(), 0.5, 0.5, 0, 1, true, surface);
+        return scene(List.of(raster), things);
+    }
+
+    private static Scene scene(List<Raster> walls, List<Entity> things) {
         return new Scene(
                 "",
                 MAP,
                 Optional.empty(),
                 Optional.empty(),
                 Touch.STALL,
-                List.of(raster),
+                walls,
                 things,
                 List.of(),
                 Map.of(),
@@ -73,21 +77,7 @@ class FloorPlanTest {
     void isAsHighAsItsWorldSays() {
         Scene said = scene(Optional.empty(), List.of(), "###############");
         assertThat(FloorPlan.height(said)).contains(1.0);
-        Scene unsaid = new Scene(
-                "",
-                MAP,
-                Optional.empty(),
-                Optional.empty(),
-                Touch.STALL,
-                List.of(said.walls().getFirst(), Raster.of(MAP)),
-                List.of(),
-                List.of(),
-                Map.of(),
-                Map.of(),
-                Map.of(),
-                Collections.emptySortedMap(),
-                List.of(),
-                List.of());
+        Scene unsaid = scene(List.of(said.walls().getFirst(), Raster.of(MAP)), List.of());
         assertThat(FloorPlan.height(unsaid)).isEmpty();
     }
 
