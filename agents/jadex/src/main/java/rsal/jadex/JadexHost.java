@@ -36,10 +36,15 @@ final class JadexHost implements AgentHost {
         var body = new Body(name, killed -> run.execute(() -> killed(killed)));
         bodies.put(name, body);
         platform.createComponent(new CreationInfo().setPojo(body).setName(componentName(name)))
-                .catchEx(e -> run.exclusively(() -> {
-                    throw new IllegalStateException("Jadex could not make agent (%s).".formatted(name), e);
-                }));
+                .catchEx(e -> run.exclusively(() -> notMade(body, e)));
         return new ThreadLane(run, body);
+    }
+
+    /// One that was ended while Jadex still made it is not missed: that has come in between.
+    private void notMade(Body body, Exception why) {
+        if (body.equals(bodies.get(body.name()))) {
+            throw new IllegalStateException("Jadex could not make agent (%s).".formatted(body.name()), why);
+        }
     }
 
     /// Unique, also while one that was called the same still goes, and without what Jadex reads as an address.
