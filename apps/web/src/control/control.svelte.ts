@@ -7,6 +7,7 @@ import { texts } from '../texts';
 
 /** Between an answer and the next question; the server's term is several times as long. */
 const PAUSE_MILLIS = 2000;
+const FIRST_PAUSE_MILLIS = 200;
 const NAME = 'rsal.name';
 
 /** Who alone may change anything for now, of all who have the token. */
@@ -31,10 +32,11 @@ class Control {
   }
 
   private async ask() {
-    if (live.recording === null) {
+    const isKnown = live.info !== null; // and with it, whether this is a recording, which nobody controls
+    if (isKnown && live.recording === null) {
       await this.keepOrLook();
     }
-    setTimeout(() => void this.ask(), PAUSE_MILLIS);
+    setTimeout(() => void this.ask(), isKnown ? PAUSE_MILLIS : FIRST_PAUSE_MILLIS);
   }
 
   private async keepOrLook() {
