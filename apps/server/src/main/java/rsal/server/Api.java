@@ -99,47 +99,39 @@ final class Api {
         routes.get("/api/run", request -> answer(request, info(request)));
         routes.get("/api/scenarios", request -> answer(request, shelf.all()));
         routes.get("/api/scenarios/picture", request -> {
-            String id = request.queryParam("scenario");
-            request.contentType("image/png").result(shelf.picture(id == null ? "" : id));
+            request.contentType("image/png").result(shelf.picture(asked(request, "scenario")));
         });
         routes.get("/api/status", this::status);
         routes.get("/api/map/{run}", this::map);
         routes.get("/api/drawn/{run}", this::drawn);
         routes.get("/api/drawn/{run}/files", this::drawnFiles);
         routes.get("/api/abilities", request -> {
-            String robot = request.queryParam("robot");
-            answerWhenDone(request, running(request).abilities(robot == null ? "" : robot));
+            answerWhenDone(request, running(request).abilities(asked(request, "robot")));
         });
         routes.get("/api/readings", request -> {
-            String robot = request.queryParam("robot");
-            answerWhenDone(request, running(request).readings(robot == null ? "" : robot));
+            answerWhenDone(request, running(request).readings(asked(request, "robot")));
         });
         routes.get("/api/numbers", request -> {
-            String robot = request.queryParam("robot");
-            answerWhenDone(request, running(request).readings(robot == null ? "" : robot), Numbers::of);
+            answerWhenDone(request, running(request).readings(asked(request, "robot")), Numbers::of);
         });
         routes.get(
                 "/api/communication",
                 request -> answerWhenDone(request, running(request).communication()));
         routes.get("/api/links", request -> {
-            String robot = request.queryParam("robot");
-            answerWhenDone(request, running(request).links(robot == null ? "" : robot));
+            answerWhenDone(request, running(request).links(asked(request, "robot")));
         });
         routes.get("/api/blobs", request -> {
-            String robot = request.queryParam("robot");
-            answerWhenDone(request, running(request).readings(robot == null ? "" : robot), CameraViews::of);
+            answerWhenDone(request, running(request).readings(asked(request, "robot")), CameraViews::of);
         });
         routes.get("/api/costs", request -> {
-            String robot = request.queryParam("robot");
-            answerWhenDone(request, running(request).costs(robot == null ? "" : robot));
+            answerWhenDone(request, running(request).costs(asked(request, "robot")));
         });
         routes.get("/api/sayable", request -> answer(request, Descriptions.sayable(LiveRun.sayable())));
         routes.get(
                 "/api/topics",
                 request -> answerWhenDone(request, running(request).topics()));
         routes.get("/api/agent", request -> {
-            String name = request.queryParam("name");
-            answerWhenDone(request, running(request).inside(name == null ? "" : name));
+            answerWhenDone(request, running(request).inside(asked(request, "name")));
         });
 
         command(routes, "pause", request -> running(request).pause());
@@ -261,6 +253,12 @@ final class Api {
         answer(request, new Control(gate.lease().holder(), gate.lease().isHeldBy(operator(request))));
     }
 
+    /// What was asked for by that name; empty when it was left out.
+    static String asked(Context request, String name) {
+        String asked = request.queryParam(name);
+        return asked == null ? "" : asked;
+    }
+
     /// As [Gate#OPERATOR] says; empty when it doesn't.
     static String operator(Context request) {
         String operator = request.header(Gate.OPERATOR);
@@ -270,13 +268,13 @@ final class Api {
     private void configureSeats(Routes routes) {
         routes.get("/api/beside", request -> answer(request, Descriptions.sideBySide(seats.all())));
         routes.post("/api/beside", request -> {
-            authorize(request);
+            authorize(request, gate);
             answer(
                     request,
                     Descriptions.seat(seats.open(plan(request, read(request, Restart.class, RunServer.MAX_TEXT)))));
         });
         routes.delete("/api/beside/{number}", request -> {
-            authorize(request);
+            authorize(request, gate);
             seats.close(request.pathParam("number"));
             answer(request, Map.of());
         });
@@ -308,9 +306,8 @@ final class Api {
     /// What changes the run: only with the token, and while nobody else has control. Answers `{}` unless told
     /// otherwise.
     private void command(Routes routes, String name, Handler handler) {
-        routes.post("/api/run/" + name, request -> {
-            authorize(request);
-            answer(request, Map.of());
+        commandOfAll(routes, name, request -> {
+            gate.lease().check(operator(request));
             handler.handle(request);
         });
     }
@@ -324,7 +321,8 @@ final class Api {
         });
     }
 
-    private void authorize(Context request) {
+    /// Lets through who may change something now; see [Gate#authorize(String, String)].
+    static void authorize(Context request, Gate gate) {
         gate.authorize(request.header(Header.AUTHORIZATION), operator(request));
     }
 

@@ -26,8 +26,7 @@ final class SweepApi {
     void configure(Routes routes) {
         routes.get("/api/sweeps", this::state);
         routes.get("/api/sweeps/runs", request -> {
-            String combination = request.queryParam("combination");
-            Api.answer(request, sweeps.runs(combination == null ? "" : combination));
+            Api.answer(request, sweeps.runs(Api.asked(request, "combination")));
         });
         routes.get("/api/sweeps/report", request -> {
             request.header("Content-Security-Policy", STYLED);
@@ -38,18 +37,18 @@ final class SweepApi {
             Api.answer(request, sweeps.size(Api.read(request, SweepWish.class)));
         });
         routes.post("/api/sweeps", request -> {
-            authorize(request);
+            Api.authorize(request, gate);
             sweeps.begin(Api.read(request, SweepWish.class), this::checkBeside);
             state(request);
         });
         routes.post("/api/sweeps/resume", request -> {
-            authorize(request);
+            Api.authorize(request, gate);
             checkBeside();
             sweeps.resume();
             state(request);
         });
         routes.delete("/api/sweeps", request -> {
-            authorize(request);
+            Api.authorize(request, gate);
             sweeps.stop();
             Api.answer(request, Map.of());
         });
@@ -72,10 +71,6 @@ final class SweepApi {
             throw new Refusal(
                     409, "The run goes in real time, and a sweep beside it would make it late. Stop it first.");
         }
-    }
-
-    private void authorize(Context request) {
-        gate.authorize(request.header(Header.AUTHORIZATION), Api.operator(request));
     }
 
     private void state(Context request) {

@@ -42,7 +42,7 @@ final class TextApi {
             Api.answer(request, check(Api.read(request, TextToCheck.class, RunServer.MAX_TEXT), present(request)));
         });
         routes.put("/api/scenarios/text", request -> {
-            gate.authorize(request.header(Header.AUTHORIZATION), Api.operator(request));
+            Api.authorize(request, gate);
             TextToSave wish = Api.read(request, TextToSave.class, RunServer.MAX_TEXT);
             shelf.save(wish.scenario(), wish.before(), wish.text());
             Api.answer(request, Map.of());

@@ -6,6 +6,7 @@ import static rsal.server.Errand.TOKEN;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -48,11 +49,9 @@ class ControlApiTest {
     }
 
     private Response post(String path, String body, String... more) throws IOException {
-        return RawHttp.post(
-                port,
-                path,
-                body,
-                more.length == 0 ? new String[] {host, WITH_TOKEN} : new String[] {host, WITH_TOKEN, more[0]});
+        String[] headers =
+                Stream.concat(Stream.of(host, WITH_TOKEN), Stream.of(more)).toArray(String[]::new);
+        return RawHttp.post(port, path, body, headers);
     }
 
     private Response take(String operator, String name, boolean over) throws IOException {
