@@ -63,6 +63,11 @@ class Live implements Listener {
     this.connection = closed ? 'closed' : 'gone';
   }
 
+  /** Of the robot of that index; null when there is none. */
+  idOf(robot: number | null): string | null {
+    return robot === null ? null : (this.info?.robots[robot]?.id ?? null);
+  }
+
   onMessage(message: ServerMessage) {
     if (message.run) {
       this.robots = message.run.robots;
