@@ -34,9 +34,19 @@ function shadesOf(color: string): string[] {
   return [color, ...taken.slice(1).map((other) => toHex(other, a, b))];
 }
 
+/**
+ * Red, green and blue, 0 to 255.
+ *
+ * @param color `#rrggbb`
+ */
+export function channelsOf(color: string): [red: number, green: number, blue: number] {
+  const all = parseInt(color.slice(1), 16);
+  return [all >> 16, (all >> 8) & 255, all & 255];
+}
+
 /** Björn Ottosson, A perceptual color space for image processing, 2020. */
 export function toOklab(color: string): [lightness: number, a: number, b: number] {
-  const [red, green, blue] = [1, 3, 5].map((at) => toLinear(parseInt(color.slice(at, at + 2), 16) / 255)) as [
+  const [red, green, blue] = channelsOf(color).map((channel) => toLinear(channel / 255)) as [
     number,
     number,
     number,

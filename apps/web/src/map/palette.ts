@@ -1,3 +1,5 @@
+import { channelsOf } from '../shades';
+
 /** Colors of the map, from the style sheet, so that light and dark are decided in one place. */
 export interface Palette {
   free: string;
@@ -76,6 +78,6 @@ export function shaded(color: string, light: number): string {
 }
 
 function dimmed(color: string, light: number): string {
-  const channels = [1, 3, 5].map((at) => Math.round(parseInt(color.slice(at, at + 2), 16) * light));
+  const channels = channelsOf(color).map((channel) => Math.round(channel * light));
   return `#${channels.map((channel) => channel.toString(16).padStart(2, '0')).join('')}`;
 }

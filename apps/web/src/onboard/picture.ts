@@ -123,11 +123,11 @@ export class Picture {
     const { width, height, colors, depths, eye } = this;
     const [free, tiled, nowhere, above] = [packed(floor), packed(tile), packed(unknown), packed(sky)];
     const horizon = Math.min(height, Math.ceil(height / 2));
+    const [firstX, firstY] = this.ray(0);
     colors.fill(above, 0, horizon * width);
     depths.fill(Infinity);
     for (let row = horizon; row < height; row++) {
       const depth = (this.focal * eye.z) / (row + 0.5 - height / 2);
-      const [firstX, firstY] = this.ray(0);
       const [nextX, nextY] = [(depth * this.sin) / this.focal, (-depth * this.cos) / this.focal];
       let x = eye.pose.x + depth * firstX;
       let y = eye.pose.y + depth * firstY;
@@ -280,9 +280,10 @@ export class Picture {
     if (rise === 0) {
       return;
     }
-    const rows = [this.rowOf(z, Math.max(NEAR, from)), this.rowOf(z, to)];
-    const first = Math.max(0, Math.ceil(Math.min(...rows) - 0.5));
-    const end = Math.min(this.height, Math.ceil(Math.max(...rows) - 0.5));
+    const near = this.rowOf(z, Math.max(NEAR, from));
+    const far = this.rowOf(z, to);
+    const first = Math.max(0, Math.ceil(Math.min(near, far) - 0.5));
+    const end = Math.min(this.height, Math.ceil(Math.max(near, far) - 0.5));
     for (let row = first, at = first * this.width + column; row < end; row++, at += this.width) {
       const depth = (-rise * this.focal) / (row + 0.5 - this.height / 2);
       if (depth < this.depths[at]!) {

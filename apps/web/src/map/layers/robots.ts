@@ -12,7 +12,7 @@ import { Sprites } from './sprites';
 /** A robot is drawn at least this long [px], so that it is seen on a large map. */
 const LEAST_PIXELS = 18;
 /** Of robots that nobody hears of. */
-const FADED = '#8a93a1';
+export const FADED = '#8a93a1';
 const PADDLES = '#5b6576';
 /** Radius of a light, and of its shine [m]. */
 const LAMP = 0.05;
@@ -131,7 +131,7 @@ export function drawRobot(
 ) {
   const { scale } = view;
   const grown = magnification(footprint, scale);
-  const shape = pieces.length > 0 ? pieces : [plain(footprint)];
+  const shape = piecesOf({ footprint, pieces });
   const drawGripper = () => {
     if (gripper) {
       context.save();
@@ -215,6 +215,14 @@ function drawLight(context: Context, { x, y, color }: LightInfo, lit: boolean, e
 }
 
 const plains = new WeakMap<number[][], PieceInfo>();
+
+/** What a robot's body is made of, in its own frame: its footprint when nothing else is told. */
+export function piecesOf({
+  footprint,
+  pieces,
+}: Pick<RobotInfo, 'footprint' | 'pieces'>): readonly PieceInfo[] {
+  return pieces.length > 0 ? pieces : [plain(footprint)];
+}
 
 /** A body that is its footprint. */
 function plain(footprint: number[][]): PieceInfo {

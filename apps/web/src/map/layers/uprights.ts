@@ -168,8 +168,13 @@ function depthBefore(
   return middle < 0 && farthest + top * steep > -reach ? middle : null;
 }
 
+/** What stands somewhere on its pieces: a thing, or a robot. */
+export interface Standing extends Pick<Thing, 'pose' | 'height'> {
+  pieces: readonly PieceInfo[];
+}
+
 /** A piece of a thing, or all of one, in the map frame. */
-export function uprightsOf({ pose, pieces, height }: Pick<Thing, 'pose' | 'pieces' | 'height'>): Upright[] {
+export function uprightsOf({ pose, pieces, height }: Standing): Upright[] {
   const [cos, sin] = [Math.cos(pose.heading), Math.sin(pose.heading)];
   return pieces.map((piece) => {
     const corners =
