@@ -46,6 +46,7 @@ class Live implements Listener {
   /** Called with what happens while this page looks on, not with what happened before. */
   onNews: (event: EventInfo) => void = () => {};
 
+  private readonly drawers = new Set<() => void>();
   private robots: RobotInfo[] = []; // in the colors of their roles
   private joined = Infinity; // simulated seconds
   private panelsFollowed = 0;
@@ -108,7 +109,14 @@ class Live implements Listener {
     access.past = frame.past;
     this.previous = this.newest;
     this.newest = { frame, at: performance.now() };
+    this.drawers.forEach((told) => told());
     this.tellPanels();
+  }
+
+  /** Tells of each frame, until what it returns is called. */
+  onEachFrame(told: () => void): () => void {
+    this.drawers.add(told);
+    return () => this.drawers.delete(told);
   }
 
   private tellPanels() {

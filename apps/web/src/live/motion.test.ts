@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import type { Frame, Pose } from './frame';
 import { blend, isBlending, wrap } from './motion';
 
-function arrived(at: number, pose: Pose | null) {
-  return { at, frame: { robots: [{ pose }], things: [] } as unknown as Frame };
+function arrived(at: number, pose: Pose | null, time = at / 1000) {
+  return { at, frame: { time, robots: [{ pose }], things: [] } as unknown as Frame };
 }
 
 describe('between two frames', () => {
@@ -33,6 +33,13 @@ describe('between two frames', () => {
     expect(blend(null, newest, 60)[0]?.x).toBe(1);
     expect(blend(arrived(0, null), newest, 60)[0]?.x).toBe(1);
     expect(blend(before, arrived(50, null), 60)[0]).toBeNull();
+  });
+
+  it('robots jump when the run is so fast that nobody knows where they went', () => {
+    const later = arrived(50, { x: 1, y: 0, heading: 0 }, 0.8);
+    expect(blend(before, later, 75)[0]?.x).toBe(1);
+    expect(isBlending(before, later, 75)).toBe(false);
+    expect(blend(before, arrived(50, { x: 1, y: 0, heading: 0 }, 0.7), 75)[0]?.x).toBeCloseTo(0.5);
   });
 });
 

@@ -7,6 +7,11 @@ interface Arrived {
 
 /** Longest time that drawing lags behind to be smooth [ms]; slower frames jump. */
 const LONGEST_BLEND = 150;
+/**
+ * Longest simulated time between two frames that is drawn as a way [s]: that of a run of 15 times real time. In a faster
+ * one nobody knows where robots went meanwhile, and drawing what is made up takes processors from it.
+ */
+const LONGEST_LEAP = 0.75;
 /** Who moves farther than this between two frames was put there [m]. */
 const FARTHEST_BLEND = 1.5;
 
@@ -21,7 +26,7 @@ export function blend(previous: Arrived | null, newest: Arrived, now: number): (
   if (previous?.frame.robots.length !== goal.length) {
     return goal;
   }
-  const share = share01(previous.at, newest.at, now);
+  const share = shareOf(previous, newest, now);
   return goal.map((to, i) => {
     const from = previous.frame.robots[i]?.pose ?? null;
     return to === null || from === null ? to : between(from, to, share);
@@ -30,17 +35,16 @@ export function blend(previous: Arrived | null, newest: Arrived, now: number): (
 
 /** Whether what {@link blend} gives still changes. */
 export function isBlending(previous: Arrived | null, newest: Arrived, now: number): boolean {
-  return previous !== null && share01(previous.at, newest.at, now) < 1;
+  return shareOf(previous, newest, now) < 1;
 }
 
 /** How much of the way from the frame before to the newest one is to be drawn. */
 export function shareOf(previous: Arrived | null, newest: Arrived, now: number): number {
-  return previous === null ? 1 : share01(previous.at, newest.at, now);
-}
-
-function share01(previous: number, newest: number, now: number): number {
-  const gap = newest - previous;
-  return gap <= 0 || gap > LONGEST_BLEND ? 1 : Math.min(1, (now - newest) / gap);
+  if (previous === null || Math.abs(newest.frame.time - previous.frame.time) > LONGEST_LEAP) {
+    return 1;
+  }
+  const gap = newest.at - previous.at;
+  return gap <= 0 || gap > LONGEST_BLEND ? 1 : Math.min(1, (now - newest.at) / gap);
 }
 
 export function between(from: Pose, to: Pose, share: number): Pose {

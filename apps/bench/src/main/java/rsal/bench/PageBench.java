@@ -57,11 +57,11 @@ final class PageBench implements Bench {
     private static final Duration WARM = Duration.ofSeconds(10);
     private static final Duration WINDOW = Duration.ofSeconds(10);
     private static final Duration LONGEST_FIRST = Duration.ofSeconds(60);
-    /// Counts what is drawn. A frame has been drawn when the page sends its receipt; it is a new state where the run's
-    /// time (`docs/reference/live-protocol.md`) is another one than in the frame before.
-    private static final String COUNTERS = """
+    /// Counts states that are drawn. A frame has been drawn when the page sends its receipt; it is a new state where
+    /// the
+    /// run's time (`docs/reference/live-protocol.md`) is another one than in the frame before.
+    private static final String STATES = """
             globalThis.rsalStates = 0;
-            globalThis.rsalFrames = 0;
             globalThis.rsalFirst = 0;
             const times = new Map();
             let shown;
@@ -86,6 +86,11 @@ final class PageBench implements Bench {
                 super.send(data);
               }
             };
+            """;
+
+    /// Counts pictures of the screen, which keeps the browser busy with them.
+    private static final String FRAMES = """
+            globalThis.rsalFrames = 0;
             requestAnimationFrame(function draw() {
               globalThis.rsalFrames++;
               requestAnimationFrame(draw);
@@ -102,7 +107,7 @@ final class PageBench implements Bench {
                         TEAMS.stream()
                                 .flatMap(robots -> Stream.of("fps", "states", "first", "heap.mb.min")
                                         .map(what -> name(robots, what))),
-                        Stream.of(name(COSTS, "cost.percent"), name(COSTS, "cost.run.percent"), SIZE))
+                        Stream.of(name(COSTS, "cost.percent"), name(COSTS, "cost.run.percent"), SIZE, WHOLE))
                 .toList();
     }
 
@@ -146,7 +151,7 @@ final class PageBench implements Bench {
             pause(WARM); // of the run
             for (int i = 0; i < repeats; i++) {
                 assignment.reach(name(robots, "fps"), i, repeats);
-                try (var browser = watching(program)) {
+                try (var browser = watching(program, STATES + FRAMES)) {
                     first[i] = open(browser, server.url());
                     pause(WARM);
                     double bytes = browser.heap();
@@ -176,7 +181,7 @@ final class PageBench implements Bench {
             for (int i = 0; i < repeats; i++) {
                 assignment.reach(name(COSTS, "cost.percent"), i, repeats);
                 Pace alone = Pace.of(server.run());
-                try (var browser = watching(program)) {
+                try (var browser = watching(program, STATES)) {
                     open(browser, server.url());
                     pause(WARM);
                     Pace watched = Pace.of(server.run());
@@ -190,10 +195,10 @@ final class PageBench implements Bench {
                 Result.less(name(COSTS, "cost.run.percent"), "%", more));
     }
 
-    private static Browser watching(Path program) {
+    private static Browser watching(Path program, String counters) {
         var browser = Browser.start(program);
         try {
-            browser.begin(COUNTERS);
+            browser.begin(counters);
             return browser;
         } catch (RuntimeException e) {
             browser.close();

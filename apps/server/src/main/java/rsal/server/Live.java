@@ -21,8 +21,9 @@ import org.slf4j.LoggerFactory;
 import rsal.server.Messages.Receipt;
 import rsal.server.ViewerCounts.Reason;
 
-/// Shows a run over WebSockets, 20 times a second. Each snapshot of one that goes on is encoded once, whoever looks;
-/// while nobody looks, twice a second, to look back on.
+/// Shows a run over WebSockets, 20 times a second, or 10 times when it goes by too fast to be followed: to draw more
+/// would take from the run what nobody sees. Each snapshot of one that goes on is encoded once, whoever looks; while
+/// nobody looks, twice a second, to look back on.
 final class Live implements Viewing {
     static final int MAX_VIEWERS = 64;
     /// What viewers are told when their run was closed; of those codes that applications may use (RFC 6455, 7.4.2).
@@ -30,7 +31,8 @@ final class Live implements Viewing {
 
     private static final int PERIOD_MILLIS = 50;
     private static final Duration PERIOD = Duration.ofMillis(PERIOD_MILLIS);
-    private static final int UNWATCHED = 10; // periods
+    private static final int UNWATCHED = 10; // periods between looks
+    private static final int FAST = 2;
     private static final String RECEIPTS =
             "This takes receipts: {\"frame\": 7} or {\"events\": 7}; and {\"look\": {\"time\": 7}}.";
     private static final Logger LOG = LoggerFactory.getLogger(Live.class);
@@ -72,17 +74,20 @@ final class Live implements Viewing {
     }
 
     private void offer() {
-        if (connections.isEmpty() && periods++ % UNWATCHED != 0) {
-            return;
-        }
         try {
-            showing.look();
+            if (periods++ % periodsPerLook() == 0) {
+                showing.look();
+            }
             for (Connection connection : connections) {
                 offer(connection);
             }
         } catch (RuntimeException e) {
             LOG.error("Could not show the run.", e); // the next snapshot may do
         }
+    }
+
+    private int periodsPerLook() {
+        return connections.isEmpty() ? UNWATCHED : showing.isFast() ? FAST : 1;
     }
 
     private void offer(Connection connection) {

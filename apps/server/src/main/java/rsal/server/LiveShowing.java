@@ -2,6 +2,8 @@ package rsal.server;
 
 /// Shows the run that goes on, and what has been of it. For one thread, but for [#bytesKept].
 final class LiveShowing implements Showing {
+    private static final double FOLLOWED = 15; // times real time; a robot of 0.5 m/s is elsewhere then at each look
+
     private final CurrentRun current;
     private RunFeed feed;
     private History history;
@@ -37,5 +39,10 @@ final class LiveShowing implements Showing {
     @Override
     public Past past() {
         return history;
+    }
+
+    @Override
+    public boolean isFast() {
+        return feed.rate() > FOLLOWED;
     }
 }

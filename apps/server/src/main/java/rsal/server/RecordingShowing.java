@@ -11,4 +11,9 @@ record RecordingShowing(RecordedPast past) implements Showing {
     public @Nullable Feed live() {
         return null;
     }
+
+    @Override
+    public boolean isFast() {
+        return false;
+    }
 }

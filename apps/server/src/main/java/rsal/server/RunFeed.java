@@ -68,6 +68,11 @@ final class RunFeed implements Feed {
         return seen.time();
     }
 
+    /// Simulated over real time, as measured.
+    double rate() {
+        return seen.rate();
+    }
+
     /// Whether the run is over, and the frame its last.
     boolean isLast() {
         return seen.outcome().isPresent();

@@ -12,4 +12,7 @@ interface Showing {
     Feed live();
 
     Past past();
+
+    /// Whether what is now goes by so fast that it can't be followed.
+    boolean isFast();
 }
