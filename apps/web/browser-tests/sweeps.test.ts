@@ -158,7 +158,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     await eventually(async () => (await ended(page)) > stopped, 'it goes on');
     await page.getByRole('dialog').getByRole('button', { name: 'Stop' }).click();
     await eventually(async () => (await status(page).innerText()) === 'Stopped', 'it stops again');
-    const command = (await page.locator('dialog[open] pre').innerText()).split(' ');
+    const command = (await page.locator('dialog[open] .body > pre').innerText()).split(' ');
     expect(command[0]).toBe('rsal');
     await Rsal.headless(...command.slice(1));
     expect(rows()).toHaveLength(48);
@@ -173,7 +173,20 @@ describe.skipIf(!chromium)('a sweep', () => {
     await picture(page, 'sweep-narrow-dark');
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(480);
     const dialog = page.getByRole('dialog', { name: 'Sweep: Robots that wander' });
-    await dialog.getByRole('link', { name: 'Open the report' }).waitFor();
+    await dialog.getByRole('link', { name: 'Open the report', exact: true }).waitFor();
+    const earlier = dialog.locator('[data-sweep="wander-1"]');
+    expect(await earlier.innerText()).toContain('60 of 60 runs');
+    await earlier.getByText('The same in a terminal').click();
+    expect(await earlier.locator('pre').innerText()).toMatch(/^rsal sweep .*wander-1$/);
+    await expectAccessible(page);
+    await earlier.scrollIntoViewIfNeeded();
+    await picture(page, 'sweeps-earlier-narrow-dark');
+    const [report] = await Promise.all([
+      context!.waitForEvent('page'),
+      earlier.getByRole('link', { name: 'Open the report of wander-1' }).click(),
+    ]);
+    await report.getByText('60 runs of 2 combinations with 30 seeds').waitFor();
+    await report.close();
     await dialog.getByRole('button', { name: 'Runs of guards=1', exact: true }).click();
     await dialog.locator('[data-run]').first().waitFor();
     const buttons = await dialog.getByRole('button').allInnerTexts();

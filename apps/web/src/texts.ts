@@ -417,6 +417,8 @@ export const texts = {
     resume: 'Go on',
     resumeHint: 'Do the runs that are missing; one is done again first, to see that nothing has changed',
     report: 'Open the report',
+    reportOf: (name: string) => `Open the report of ${name}`,
+    before: 'Earlier sweeps',
     folder: (folder: string) => `Rows are in ${folder}`,
     command: 'The same in a terminal:',
     commandToResume: 'To go on in a terminal:',

@@ -27,6 +27,7 @@ import type {
   SeatInfo,
   SideBySide,
   SweepRuns,
+  SweepsBefore,
   SweepSize,
   SweepState,
   SweepWish,
@@ -106,6 +107,9 @@ export const api = {
   sweepRuns: (combination: string) =>
     found<SweepRuns>(`sweeps/runs?combination=${encodeURIComponent(combination)}`),
   sweepReport: 'api/sweeps/report',
+  sweepsBefore: () => found<SweepsBefore>('sweeps/before'),
+  /** @param name of a sweep from before */
+  sweepReportOf: (name: string) => `api/sweeps/report?sweep=${encodeURIComponent(name)}`,
   map,
   drawn,
   /** What a robot's cameras make out. */

@@ -164,6 +164,15 @@ export interface Drive {
   omega: number;
 }
 
+export interface EarlierSweep {
+  name: string;
+  title: string;
+  started: string;
+  runs: number;
+  ended: number;
+  command: string;
+}
+
 export interface Ending {
   outcome: string;
   simulatedSeconds: number;
@@ -637,6 +646,10 @@ export interface SweepWish {
   seeds: string;
   limit: string;
   jobs: number | null;
+}
+
+export interface SweepsBefore {
+  sweeps: EarlierSweep[];
 }
 
 export interface TalkInfo {

@@ -569,6 +569,14 @@ final class Messages {
     /// @param low end of the 95 % confidence interval of the mean; absent of one run
     record SweepEstimate(int count, double mean, Optional<Double> low, Optional<Double> high, Box box) {}
 
+    /// Sweeps that were there before the newest; the 50 that changed last.
+    record SweepsBefore(List<EarlierSweep> sweeps) {}
+
+    /// @param name of its folder
+    /// @param started when it was begun, or last gone on with; ISO 8601, UTC
+    /// @param command what it was begun, or gone on with in a terminal
+    record EarlierSweep(String name, String title, String started, int runs, int ended, String command) {}
+
     /// As in a box plot.
     ///
     /// @param low where the lower whisker ends

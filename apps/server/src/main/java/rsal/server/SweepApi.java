@@ -28,9 +28,12 @@ final class SweepApi {
         routes.get("/api/sweeps/runs", request -> {
             Api.answer(request, sweeps.runs(Api.asked(request, "combination")));
         });
+        routes.get("/api/sweeps/before", request -> Api.answer(request, sweeps.before()));
         routes.get("/api/sweeps/report", request -> {
+            String earlier = Api.asked(request, "sweep");
             request.header("Content-Security-Policy", STYLED);
-            request.contentType("text/html; charset=utf-8").result(sweeps.report());
+            request.contentType("text/html; charset=utf-8")
+                    .result(earlier.isEmpty() ? sweeps.report() : sweeps.reportOf(earlier));
         });
         routes.post("/api/sweeps/check", request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));

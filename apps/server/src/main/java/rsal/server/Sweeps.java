@@ -21,6 +21,7 @@ import rsal.server.Messages.SweepRuns;
 import rsal.server.Messages.SweepSize;
 import rsal.server.Messages.SweepState;
 import rsal.server.Messages.SweepWish;
+import rsal.server.Messages.SweepsBefore;
 import rsal.settings.InvalidSettings;
 import rsal.time.AllowedToReadWallClock;
 
@@ -145,6 +146,22 @@ final class Sweeps implements AutoCloseable {
     /// @throws Refusal when there is none
     SweepRuns runs(String label) {
         return newest().orElseThrow(Sweeps::none).runs(label);
+    }
+
+    /// Those before the newest.
+    SweepsBefore before() {
+        return new SweepsBefore(earlier().list(newest().map(last -> last.order().out())));
+    }
+
+    /// The page that `rsal report` writes of one of them.
+    ///
+    /// @param name of its folder
+    String reportOf(String name) {
+        return earlier().report(name);
+    }
+
+    private EarlierSweeps earlier() {
+        return new EarlierSweeps(here().folder());
     }
 
     boolean isUnderWay() {

@@ -8,6 +8,7 @@ import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,6 +28,7 @@ import rsal.experiment.statistics.Mean;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
+import rsal.server.Messages.EarlierSweep;
 import rsal.server.Messages.SweepCombination;
 import rsal.server.Messages.SweepInfo;
 import rsal.server.Messages.SweepInfo.SweepStatus;
@@ -34,6 +36,7 @@ import rsal.server.Messages.SweepRunInfo;
 import rsal.server.Messages.SweepRuns;
 import rsal.server.Messages.SweepState;
 import rsal.server.Messages.SweepWish;
+import rsal.server.Messages.SweepsBefore;
 import rsal.server.RawHttp.Response;
 
 @Timeout(120)
@@ -214,6 +217,44 @@ class SweepApiTest {
 
         post("", wish(List.of("short"), Map.of(), "1"));
         assertThat(awaitEnd().folder()).endsWith("guard-2");
+        assertThat(before()).extracting(EarlierSweep::name).containsExactly("guard-1");
+    }
+
+    @Test
+    void listsThoseOfAnEarlierServerWithTheirReports() throws Exception {
+        assertThat(before()).isEmpty();
+        post("", wish(List.of("short"), Map.of("guards", "1:2"), "2"));
+        awaitEnd();
+        assertThat(before()).isEmpty(); // it is the newest
+        server.close();
+        Path sweeps = Errand.sweeps(directory);
+        Files.createDirectories(sweeps.resolve("empty"));
+        Files.writeString(Files.createDirectories(sweeps.resolve("foreign")).resolve(SweepFolder.MANIFEST), "{}");
+        Files.writeString(sweeps.resolve("guard-1/" + SweepFolder.ROWS), "{\"run\": 7, ", StandardOpenOption.APPEND);
+
+        serve(Errand.plan());
+        assertThat(state().newest()).isEmpty();
+        assertThat(before()).hasSize(1);
+        EarlierSweep earlier = before().getFirst();
+        assertThat(earlier.name()).isEqualTo("guard-1");
+        assertThat(earlier.title()).isEqualTo("Robots wander");
+        assertThat(earlier.runs()).isEqualTo(4);
+        assertThat(earlier.ended()).isEqualTo(4); // half a row is none
+        assertThat(earlier.command()).startsWith("rsal sweep ").contains("--vary guards=1,2");
+        assertThat(report("guard-1").body()).contains("4 runs of 2 combinations with 2 seeds");
+        assertThat(report("foreign").status()).isEqualTo(409);
+        for (String none : List.of("guard-2", "empty", "..", "../sweeps/guard-1", sweeps + "/guard-1")) {
+            assertThat(report(none).status()).isEqualTo(404);
+        }
+    }
+
+    private List<EarlierSweep> before() throws IOException {
+        return Json.read(RawHttp.get(port, "/api/sweeps/before", host).body(), SweepsBefore.class)
+                .sweeps();
+    }
+
+    private Response report(String sweep) throws IOException {
+        return RawHttp.get(port, "/api/sweeps/report?sweep=" + URLEncoder.encode(sweep, StandardCharsets.UTF_8), host);
     }
 
     @Test
