@@ -407,7 +407,7 @@ export const texts = {
     cancel: 'Cancel',
     begin: 'Begin',
     close: 'Close',
-    none: 'No sweep was begun here yet. Choose a scenario (C), and Sweep….',
+    none: 'No sweep was begun here yet. Choose a scenario (C), then “Sweep…”.',
     status: { RUNS: 'Running', ENDED: 'Ended', STOPPED: 'Stopped', FAILED: 'Failed' },
     ended: (ended: number, runs: number) => `${ended} of ${counted(runs, 'run')}`,
     broken: (count: number) => `${count} broken`,
