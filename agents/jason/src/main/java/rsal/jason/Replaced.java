@@ -286,9 +286,8 @@ final class Replaced {
         return un.unifies(last, new StringTermImpl(words));
     }
 
-    /// One of Jason's that takes terms as the texts that they are written as: with our numbers of variables, not those
-    /// of
-    /// the process.
+    /// One of Jason's that takes terms as the texts that they are written as: with our numbers of variables,
+    /// not those of the process.
     ///
     /// @param at which of its terms are taken so
     private static Simple ofText(DefaultInternalAction jasons, int... at) {

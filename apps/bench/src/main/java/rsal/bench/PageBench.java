@@ -57,9 +57,9 @@ final class PageBench implements Bench {
     private static final Duration WARM = Duration.ofSeconds(10);
     private static final Duration WINDOW = Duration.ofSeconds(10);
     private static final Duration LONGEST_FIRST = Duration.ofSeconds(60);
-    /// Counts states that are drawn. A frame has been drawn when the page sends its receipt; it is a new state where
-    /// the
-    /// run's time (`docs/reference/live-protocol.md`) is another one than in the frame before.
+    /// Counts states that are drawn. A frame has been drawn when the page sends its receipt; it is a new
+    /// state where the run's time (`docs/reference/live-protocol.md`) is another one than in the frame
+    /// before.
     private static final String STATES = """
             globalThis.rsalStates = 0;
             globalThis.rsalFirst = 0;

@@ -155,9 +155,8 @@ class PlayerRunIT {
         assertThat(measures.get("collisions").asDouble()).isZero();
     }
 
-    /// The example: amcl, vfh and wavefront are the server's, as its file says. An emergency stop holds it on the way,
-    /// and it
-    /// goes on when it may.
+    /// The example: amcl, vfh and wavefront are the server's, as its file says. An emergency stop holds it on
+    /// the way, and it goes on when it may.
     @Test
     @Execution(CONCURRENT)
     void aRobotGoesByItsServersOwnLocalizerAndPlanner() throws Exception {

@@ -27,9 +27,8 @@ import rsal.server.Messages.Scenarios;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
-/// The scenarios that the page offers: those that were named when it began, no others. A file is read anew each time,
-/// so
-/// that what was written meanwhile counts. May be used from any thread.
+/// The scenarios that the page offers: those that were named when it began, no others. A file is read anew each
+/// time, so that what was written meanwhile counts. May be used from any thread.
 final class Shelf {
     private static final Logger LOG = LoggerFactory.getLogger(Shelf.class);
     private static final int PICTURE = 640; // longest side [px]
@@ -163,9 +162,8 @@ final class Shelf {
         }
     }
 
-    /// A PNG of how it begins when nothing is chosen. Made once for each state of its file, one at a time, as it takes
-    /// no
-    /// token to ask for it.
+    /// A PNG of how it begins when nothing is chosen. Made once for each state of its file, one at a time, as it
+    /// takes no token to ask for it.
     ///
     /// @throws Refusal when there is none
     synchronized byte[] picture(String id) {

@@ -18,9 +18,9 @@ public interface Bridge extends AutoCloseable {
     /// A robot has gone for good: those whom it was offered to are let go of.
     void leave(String robot);
 
-    /// Whether a program that has data sent at its own pace has yet to ask for what there is. A run that goes as fast
-    /// as
-    /// it can waits for such, so that they miss nothing; not for one that has not asked for a second.
+    /// Whether a program that has data sent at its own pace has yet to ask for what there is. A run that goes
+    /// as fast as it can waits for such, so that they miss nothing; not for one that has not asked for a
+    /// second.
     default boolean isBehind() {
         return false;
     }

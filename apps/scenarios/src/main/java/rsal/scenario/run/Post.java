@@ -6,9 +6,8 @@ import java.util.Optional;
 import rsal.agent.Delivery;
 import rsal.agent.Message;
 
-/// Carries messages: by radio first, then through what goes wrong besides. Counts what arrives and what does not, and
-/// keeps
-/// the newest.
+/// Carries messages: by radio first, then through what goes wrong besides. Counts what arrives and what does
+/// not, and keeps the newest.
 final class Post implements Delivery {
     private final Optional<Radio> radio;
     private final Faults faults;

@@ -164,9 +164,8 @@ class RadioTalkTest {
         }
     }
 
-    /// Of ten jobs beyond the wall, each is done, and known to be done once, although whoever walks there is not heard
-    /// on
-    /// the way.
+    /// Of ten jobs beyond the wall, each is done, and known to be done once, although whoever walks there is
+    /// not heard on the way.
     @Test
     void aTeamDoesAllOfItsJobs() {
         var all = new EnumMap<Loss, Integer>(Loss.class);

@@ -28,9 +28,8 @@ final class Ranges {
         return width > 0 && width < WIDEST && configuration.maxRange() > 0;
     }
 
-    /// Where the elements of a ranger are: in the frame of the ranger, as Stage has it; but some drivers say of one
-    /// what
-    /// they say of the ranger.
+    /// Where the elements of a ranger are: in the frame of the ranger, as Stage has it; but some drivers say
+    /// of one what they say of the ranger.
     static List<Pose2d> places(Ranger.Geometry geometry) {
         Pose2d baseFromRanger = geometry.pose().to2d();
         return geometry.poses().stream()

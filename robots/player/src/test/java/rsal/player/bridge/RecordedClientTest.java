@@ -26,9 +26,8 @@ import rsal.settings.Location;
 import rsal.sim.SimProvider;
 import rsal.system.RobotSystemProvider;
 
-/// A client that once talked to a real server, and now says the same to us: it gets the same answers, as far as kind
-/// and
-/// shape go. The robots differ.
+/// A client that once talked to a real server, and now says the same to us: it gets the same answers, as far
+/// as kind and shape go. The robots differ.
 @Timeout(60)
 class RecordedClientTest extends BridgeBench {
     private static final String ROBOT_THEN = "r0\0";
