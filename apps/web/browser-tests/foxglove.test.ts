@@ -115,6 +115,19 @@ it("shows a run to Foxglove's own client, and takes goals from it", async () => 
     await expect
       .poll(() => studio.statuses, { timeout: 30_000 })
       .toContainEqual(expect.stringMatching(/ERROR.*\(map\)/));
+
+    // somebody at the page has control
+    const page = new URL(rsal.url);
+    const taken = await fetch(new URL('/api/control', page), {
+      method: 'POST',
+      headers: { authorization: `Bearer ${page.hash.slice('#token='.length)}`, 'rsal-operator': 'a' },
+      body: JSON.stringify({ name: 'Anna', over: false }),
+    });
+    expect(taken.status).toBe(200);
+    studio.publish('/hunter-1/goal', { header: { frame_id: 'map' }, pose });
+    await expect
+      .poll(() => studio.statuses)
+      .toContainEqual(expect.stringContaining('ERROR Anna has control of this run.'));
   } finally {
     studio.close();
   }

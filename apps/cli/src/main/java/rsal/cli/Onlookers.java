@@ -45,6 +45,13 @@ final class Onlookers implements AutoCloseable {
         }
     }
 
+    /// Lets them only look on while somebody else has control.
+    ///
+    /// @param page where that is known
+    void heed(RunServer page) {
+        foxglove.ifPresent(server -> server.heed(page::heldBack));
+    }
+
     synchronized LiveRun start(RunPlan plan) {
         var origin = new Origin(plan, Main.VERSION, command, Instant.now());
         var witnesses = new ArrayList<Witness>();

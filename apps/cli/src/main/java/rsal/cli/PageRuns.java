@@ -39,6 +39,9 @@ final class PageRuns {
             return Optional.empty();
         }
 
+        /// The page is there, before all runs but the first.
+        default void shown(RunServer page) {}
+
         /// A run has begun.
         void began(LiveRun run) throws Exception;
 
@@ -87,6 +90,7 @@ final class PageRuns {
                 RunServer server = serve(first, port, runs::add, eye)) {
             var ending = new ClosedAtExit(() -> close(server, eye));
             keepKey(server, err);
+            eye.shown(server);
             boolean isChoosing = first.stay() == Stay.FOR_A_CHOICE;
             err.println(isChoosing ? "Choose a scenario at " + server.url() + CHOOSE : "Watch it at " + server.url());
             while (true) {

@@ -17,6 +17,7 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunResult;
+import rsal.server.RunServer;
 
 /// `rsal run`
 @Command(
@@ -149,6 +150,11 @@ final class RunCommand extends Subcommand {
             @Override
             public LiveRun start(RunPlan next) {
                 return onlookers.start(next);
+            }
+
+            @Override
+            public void shown(RunServer server) {
+                onlookers.heed(server);
             }
 
             @Override

@@ -14,6 +14,7 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunResult;
+import rsal.server.RunServer;
 
 /// `rsal serve`
 @Command(
@@ -69,6 +70,11 @@ final class ServeCommand extends Subcommand {
                 run.step(); // for its robots to be seen
                 waiting = run;
                 return run;
+            }
+
+            @Override
+            public void shown(RunServer server) {
+                onlookers.heed(server);
             }
 
             @Override

@@ -125,6 +125,11 @@ public final class Connection extends Session.Listener.AbstractAutoDemanding imp
     }
 
     private void fulfil(Wish wish, byte[] message) {
+        Optional<String> heldBack = server.heldBack();
+        if (heldBack.isPresent()) {
+            tell(Status.error(heldBack.get()));
+            return;
+        }
         try {
             Pose2d pose = Wish.pose(message);
             String robot = robot(wish);

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.http.HttpStatus;
 import org.eclipse.jetty.server.HttpConfiguration;
@@ -61,6 +62,7 @@ public final class FoxgloveServer implements AutoCloseable {
     private final Set<Connection> connections = ConcurrentHashMap.newKeySet();
     private volatile @Nullable Showing now;
     private volatile boolean closed;
+    private volatile Supplier<Optional<String>> heldBack = Optional::empty;
     private int runs; // under the lock of this
 
     /// A run that is shown.
@@ -184,6 +186,17 @@ public final class FoxgloveServer implements AutoCloseable {
         LOG.info("Somebody was not let in: {}", why);
         Response.writeError(request, response, callback, status, why);
         return null;
+    }
+
+    /// From now on takes goals and poses only while nothing holds them back.
+    ///
+    /// @param heldBack why they are not to be taken now; asked on threads of this server
+    public void heed(Supplier<Optional<String>> heldBack) {
+        this.heldBack = heldBack;
+    }
+
+    Optional<String> heldBack() {
+        return heldBack.get();
     }
 
     /// What Foxglove is to open, with the token.

@@ -10,6 +10,7 @@ import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HashSet;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CompletionException;
@@ -128,6 +129,12 @@ class FoxgloveServerTest {
             assertThat(status(watcher)).contains("robots", "/" + robot + "/goal");
             watcher.publish(3, POSE.formatted(0, "\"far\""));
             assertThat(status(watcher)).contains("position.y");
+            server.heed(() -> Optional.of("Anna has control."));
+            Pose2d now = truth(run);
+            watcher.publish(3, POSE.formatted(now.x() + 0.25, now.y()));
+            assertThat(status(watcher)).contains("Anna has control.");
+            assertThat(truth(run)).isEqualTo(now);
+            server.heed(Optional::empty);
             watcher.publish(99, POSE.formatted(0, 0));
             assertThat(status(watcher)).contains("advertise");
         }

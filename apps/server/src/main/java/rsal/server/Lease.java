@@ -60,13 +60,21 @@ final class Lease {
 
     /// @param operator empty of one who says none, as a program
     /// @throws Refusal when somebody else has it
-    synchronized void check(String operator) {
-        holder().filter(_ -> !isHeldBy(operator)).ifPresent(name -> {
-            throw new Refusal(
-                    409,
-                    "%s has control of this run. Take it over in the page, or wait until it is given back; an emergency stop is always taken."
-                            .formatted(name));
+    void check(String operator) {
+        heldBack(operator).ifPresent(why -> {
+            throw new Refusal(409, why);
         });
+    }
+
+    /// Why somebody may not change anything now, as somebody else has it; empty when they may.
+    ///
+    /// @param operator empty of one who says none, as a program
+    synchronized Optional<String> heldBack(String operator) {
+        return current()
+                .filter(now -> !now.operator().equals(operator))
+                .map(now ->
+                        "%s has control of this run. Take it over in the page, or wait until it is given back; an emergency stop is always taken."
+                                .formatted(now.name()));
     }
 
     /// Name of who has it; empty when nobody has.

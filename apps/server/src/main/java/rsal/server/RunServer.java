@@ -30,6 +30,7 @@ public final class RunServer implements AutoCloseable {
     private final Sweeps sweeps;
     private final PageServer server;
     private final String token;
+    private final Gate gate;
 
     /// @param port 0 for any that is free
     /// @param token what a browser must know to change anything, as from [#newToken]
@@ -84,7 +85,7 @@ public final class RunServer implements AutoCloseable {
         token = options.token();
         var shelf = new Shelf(options.scenarios());
         sweeps = new Sweeps(options.sweeping(), shelf, Sweeps.coresBesideARun());
-        var gate = new Gate(PageServer.port(door), token);
+        gate = new Gate(PageServer.port(door), token);
         var first = new CurrentRun(plan, options.onStart(), options.starter());
         seats = new Seats(first, gate);
         try {
@@ -113,6 +114,12 @@ public final class RunServer implements AutoCloseable {
     /// The page's address, with the token in the part that browsers keep to themselves.
     public URI url() {
         return server.url();
+    }
+
+    /// Why programs, which say of no operator that they are his, may not change anything now; empty when they may.
+    /// For any thread.
+    public Optional<String> heldBack() {
+        return gate.lease().heldBack("");
     }
 
     /// The run that is shown now; of several side by side the first.
