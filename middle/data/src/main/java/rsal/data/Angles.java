@@ -17,6 +17,7 @@ public final class Angles {
 
     /// The smallest turn from one direction to another, in [-π, π); positive is counter-clockwise.
     public static double difference(double from, double to) {
-        return wrap(to - from);
+        double turn = to - from;
+        return wrap(Double.isInfinite(turn) ? wrap(to) - wrap(from) : turn); // too far apart to be subtracted
     }
 }

@@ -54,6 +54,16 @@ class AnglesTest {
     }
 
     @Test
+    void theDifferenceOfAnglesTooFarApartToBeSubtractedIsThatOfTheirDirections() {
+        double from = Double.MAX_VALUE;
+        double to = -1e300;
+        assertThat(from - to).isInfinite();
+        assertThat(Angles.difference(from, to))
+                .isCloseTo(Angles.difference(Angles.wrap(from), Angles.wrap(to)), within(1e-12));
+        assertThat(Angles.difference(Double.POSITIVE_INFINITY, 0)).isNaN();
+    }
+
+    @Test
     void theDifferenceIsTheShorterTurn() {
         assertThat(Angles.difference(Math.toRadians(170), Math.toRadians(-170)))
                 .isCloseTo(Math.toRadians(20), within(1e-12));
