@@ -174,6 +174,25 @@ class PlayerBridgeTest extends BridgeBench {
         assertThat(truth()).isEqualTo(START);
     }
 
+    /// What is finite, but can't be reckoned with.
+    @ParameterizedTest
+    @ValueSource(doubles = {0.8, -2.4, 1e300, Double.MAX_VALUE})
+    void standsStillWhereItsWayCanNotBeReckoned(double heading) throws Exception {
+        subscribe(Interface.POSITION2D);
+        double far = Double.MAX_VALUE;
+        ask(Interface.POSITION2D, Position2d.SET_ODOMETRY, new Position2d.Odometry(new Pose(far, far, heading)));
+        command(Position2d.GOAL, new Position2d.Goal(new Pose(-far, -far, -far), new Pose(0, 0, 0), 1));
+        answer(client().devices()); // the goal has been read
+        advance(1);
+        command(Position2d.VELOCITY_HEADING, new Position2d.VelocityHeading(0, -1e300));
+        answer(client().devices());
+        advance(1);
+        assertThat(truth().isFinite()).isTrue();
+        ask(Interface.POSITION2D, Position2d.SET_ODOMETRY, new Position2d.Odometry(new Pose(0, 0, 0)));
+        command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(0.3, 0, 0), 1));
+        until(() -> truth().distanceTo(START) > 0.2);
+    }
+
     @Test
     void odometryIsSetAndMotorsAreSwitched() throws Exception {
         subscribe(Interface.POSITION2D);
