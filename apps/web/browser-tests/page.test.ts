@@ -320,6 +320,40 @@ describe.skipIf(!chromium)('the page', () => {
     await eventually(async () => (await stopped.count()) === 1, 'no robot moves until they are armed');
   });
 
+  it('stops by Space whatever was clicked before, and shows it', async () => {
+    const stopped = page.getByText('no robot moves until they are armed');
+    const stops = async (why: string) => {
+      await page.keyboard.press('Space');
+      await eventually(async () => (await stopped.count()) === 1, why);
+      await page.keyboard.press('Escape');
+      await page.getByRole('button', { name: 'Arm', exact: true }).click();
+      await stopped.waitFor({ state: 'hidden' });
+    };
+    await page.getByRole('button', { name: 'hunter-1' }).click();
+    await stops('after a robot was chosen');
+    expect(await page.getByRole('button', { name: 'hunter-1' }).getAttribute('aria-expanded')).toBe('false');
+    for (const key of ['c', 'x', '?']) {
+      await page.keyboard.press(key);
+      await page.locator('dialog[open]').waitFor();
+      await stops(`beside the dialog of ${key}`);
+    }
+    await page.keyboard.press(',');
+    await page.locator('.timeline[data-past="true"]').waitFor();
+    await stops('while one looks back');
+  });
+
+  it('makes an enlarged panel small again by Esc, however it was enlarged', async () => {
+    const enlarge = page.getByRole('button', { name: 'Enlarge' }).first();
+    await enlarge.click();
+    await page.locator('.panel.large').waitFor();
+    await page.keyboard.press('Escape');
+    await page.locator('.panel.large').waitFor({ state: 'detached' });
+    await enlarge.press('Enter');
+    await page.locator('.panel.large').waitFor();
+    await page.keyboard.press('Escape');
+    await page.locator('.panel.large').waitFor({ state: 'detached' });
+  });
+
   it('shows everything to a viewer that comes late and may only watch', async () => {
     await eventually(async () => (await time()) > 2, 'the run goes on');
     const late = await open(rsal.origin);

@@ -17,6 +17,7 @@ export const commands = {
   emergencyStop: () => {
     if (access.operator && live.frame !== null && !live.recording && (framed || live.past || !live.over)) {
       void attempt(api.emergencyStop());
+      commands.toPresent(); // where what became of it is seen, and armed again
     }
   },
   rearm: () => act(api.rearm),
