@@ -15,7 +15,10 @@ record Scale(double least, double most, double left, double right) {
 
     /// One on which all of some numbers have room.
     static Scale of(double least, double most, double left, double right) {
-        double margin = most > least ? MARGIN * (most - least) : Math.max(1e-9, Math.abs(most) * 0.1);
+        if (least == 0 && most == 0) {
+            return new Scale(-MARGIN, 1 + MARGIN, left, right); // a count of what never happened
+        }
+        double margin = most > least ? MARGIN * (most - least) : Math.abs(most) * 0.1;
         return new Scale(least - margin, most + margin, left, right);
     }
 
@@ -30,7 +33,7 @@ record Scale(double least, double most, double left, double right) {
         double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
         var ticks = new ArrayList<Double>();
         for (double n = Math.ceil(least / step); n * step <= most; n++) {
-            ticks.add(n * step);
+            ticks.add(n * step + 0.0); // no negative zero
         }
         return ticks;
     }
