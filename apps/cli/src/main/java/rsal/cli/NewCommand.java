@@ -156,7 +156,8 @@ final class NewCommand extends Subcommand {
                         " ".repeat(name.length() + 12),
                         files,
                         written
-                                ? "Those in AgentSpeak are files\nhere: change one and run again (`docs/tutorials/first-agentspeak-robot.md`)."
+                                ? "Those in AgentSpeak are files\nhere, for the configurations that name them: change one, and run such a configuration"
+                                        + " (`docs/tutorials/first-agentspeak-robot.md`)."
                                 : "In AgentSpeak an agent is a\nfile here (`docs/tutorials/first-agentspeak-robot.md`).");
     }
 
