@@ -64,7 +64,7 @@ export function edit(host: HTMLElement, text: string, schema: Schema, wishes: Wi
         meanings(schema),
         theme,
         EditorView.lineWrapping,
-        EditorView.contentAttributes.of({ 'aria-label': wishes.label }),
+        EditorView.contentAttributes.of({ 'aria-label': wishes.label, tabindex: '0' }),
         EditorView.updateListener.of(({ docChanged }) => {
           if (docChanged) {
             wishes.changed();
