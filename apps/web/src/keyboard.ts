@@ -39,7 +39,10 @@ const TURN = Math.PI / 12;
 /** Shown in the help. */
 export const keys: [string, string][] = [
   ['F8', 'emergency stop, wherever the focus is; re-arm with the button that then appears'],
-  ['Space', 'emergency stop, unless a button or a field has the focus'],
+  [
+    'Space',
+    'emergency stop, unless a button, a list or a field has the focus; who looks back is in the present again',
+  ],
   ['P', 'pause, resume'],
   ['.', 'one step, while paused'],
   [',', 'look one moment back'],

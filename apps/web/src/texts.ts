@@ -365,6 +365,8 @@ export const texts = {
     all: 'all',
     times: (count: number) => `×${count}`,
     timesHint: (count: number, since: string) => `${count} times since ${since}; the newest is shown`,
+    /** Between whom something was said to and the words, of several that were not the same. */
+    lastly: ', last',
     said: (act: string, partners: readonly string[]) => {
       const whom = partners.length === 1 ? partners[0] : `${partners.length} agents`;
       return act === 'cfp' ? `asks ${whom} for bids` : `${act} to ${whom}`;

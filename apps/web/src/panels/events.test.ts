@@ -68,6 +68,14 @@ it('calls for bids to several agents are one line, and again after half a minute
   ]);
 });
 
+it('where words differ, those of the newest are told as such', () =>
+  expect(
+    folded([
+      [1, 'message', 'patrol', 'guard-1, accept-proposal: visit (8.3, 5.9)'],
+      [1, 'message', 'patrol', 'guard-2, accept-proposal: visit (-10.6, 1.6)'],
+    ]),
+  ).toEqual(['patrol ×2 accept-proposal to 2 agents, last: visit (-10.6, 1.6)']));
+
 it('what is no message is never folded', () =>
   expect(
     folded([

@@ -25,6 +25,8 @@ export interface EventLine {
   partners: string[];
   /** What was said, without the partner: `cfp: fetch the can`. */
   gist: string;
+  /** Whether that is what was said each time. */
+  same: boolean;
 }
 
 const SPAN = 30; // s; so long one line may go on, then there is another
@@ -39,16 +41,17 @@ export function lineOf(event: EventInfo): EventLine {
     times: 1,
     partners: said?.act ? [said.to] : [],
     gist: said?.act ? text.slice(`${said.to}, `.length) : text,
+    same: true,
   };
 }
 
 /** What a line says, for people. */
-export function words({ event, times, partners, gist }: EventLine): string {
+export function words({ event, times, partners, gist, same }: EventLine): string {
   if (times === 1 || partners.length === 0) {
     return event.text;
   }
   const { act } = event.said!;
-  return texts.events.said(act, partners) + gist.slice(act.length);
+  return texts.events.said(act, partners) + (same ? '' : texts.events.lastly) + gist.slice(act.length);
 }
 
 /** What messages have in common that are one line: in conversations the act, else the words but for the numbers. */
@@ -76,6 +79,7 @@ export function foldEvents(events: readonly EventInfo[], most: number): EventLin
     const known = byTopic.get(key);
     if (key && known) {
       known.times++;
+      known.same &&= known.gist === line.gist;
       known.since = event.time;
       known.first = event.sequence;
       line.partners
