@@ -21,15 +21,18 @@ import rsal.settings.InvalidSettings;
 record EarlierSweeps(Path folder) {
     private static final int MOST = 50; // all of their rows are read
 
+    private record Changed(Path sweep, long when) {}
+
     /// The newest, without one that is shown elsewhere, and without those that can't be read.
     ///
     /// @throws Refusal when the folder can't be read
     List<EarlierSweep> list(Optional<Path> but) {
         return folders().stream()
                 .filter(sweep -> but.isEmpty() || !sweep.equals(but.get()))
-                .sorted(Comparator.comparingLong(EarlierSweeps::changed).reversed())
+                .map(sweep -> new Changed(sweep, changed(sweep))) // asked once, as it may change meanwhile
+                .sorted(Comparator.comparingLong(Changed::when).reversed())
                 .limit(MOST)
-                .flatMap(sweep -> describe(sweep).stream())
+                .flatMap(changed -> describe(changed.sweep()).stream())
                 .toList();
     }
 
@@ -85,15 +88,17 @@ record EarlierSweeps(Path folder) {
     }
 
     private static Optional<EarlierSweep> describe(Path sweep) {
-        return read(sweep).map(findings -> {
-            Manifest.Session last = findings.manifest().sessions().getLast();
-            return new EarlierSweep(
-                    name(sweep),
-                    findings.manifest().title(),
-                    last.started(),
-                    findings.design().trials().size(),
-                    findings.rows().size(),
-                    ShellWords.of(last.command()));
-        });
+        return read(sweep)
+                .filter(findings -> !findings.manifest().sessions().isEmpty())
+                .map(findings -> {
+                    Manifest.Session last = findings.manifest().sessions().getLast();
+                    return new EarlierSweep(
+                            name(sweep),
+                            findings.manifest().title(),
+                            last.started(),
+                            findings.design().trials().size(),
+                            findings.rows().size(),
+                            ShellWords.of(last.command()));
+                });
     }
 }
