@@ -26,6 +26,7 @@ import type {
   Scenarios,
   SeatInfo,
   SideBySide,
+  SweepRunAgain,
   SweepRuns,
   SweepsBefore,
   SweepSize,
@@ -54,6 +55,7 @@ export class RefusedError extends Error {
  * of them at its own. Each resolves when the server has done it, and rejects with a sentence for people.
  */
 export const api = {
+  run: () => found<RunInfo>('run'),
   pause: () => post('pause'),
   resume: () => post('resume'),
   step: () => post('step'),
@@ -94,6 +96,8 @@ export const api = {
   motors: (wish: Motors) => post('motors', wish),
   check: (wish: Restart) => post('check', wish) as Promise<Plan>,
   restart: (wish: Restart) => post('restart', wish) as Promise<RunInfo>,
+  /** Runs one of a sweep again, as it was. */
+  watch: (run: SweepRunAgain) => post('watch', run) as Promise<RunInfo>,
   /** Begins another run beside those that are there. */
   startBeside: (wish: Restart) => send('POST', 'beside', wish) as Promise<SeatInfo>,
   sweeps: () => found<SweepState>('sweeps'),

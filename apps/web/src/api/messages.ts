@@ -611,10 +611,13 @@ export interface SweepMeasure {
   unit: string;
 }
 
+export interface SweepRunAgain {
+  sweep: number;
+  run: number;
+}
+
 export interface SweepRunInfo {
   run: number;
-  configuration: string;
-  arguments: Record<string, string>;
   seed: string;
   outcome: string;
   reason: string;

@@ -1,5 +1,7 @@
 package rsal.experiment;
 
+import static java.util.Objects.requireNonNull;
+
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -23,6 +25,7 @@ public record Factor(String argument, List<String> levels) {
     private static final Pattern RANGE = Pattern.compile(NUMBER + ":" + NUMBER + "(?::" + NUMBER + ")?");
 
     public Factor {
+        requireNonNull(argument);
         levels = List.copyOf(levels);
     }
 

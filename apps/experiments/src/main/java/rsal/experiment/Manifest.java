@@ -1,5 +1,7 @@
 package rsal.experiment;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -42,6 +44,9 @@ public record Manifest(
             List<Long> seeds,
             OptionalDouble forSeconds) {
         public Subject {
+            requireNonNull(scenario);
+            requireNonNull(sha256);
+            requireNonNull(forSeconds);
             configurations = List.copyOf(configurations);
             factors = List.copyOf(factors);
             settings = Collections.unmodifiableMap(new LinkedHashMap<>(settings));
@@ -119,7 +124,9 @@ public record Manifest(
     /// @param jobs how many runs at once
     public record Session(String started, String scenario, List<String> command, int jobs, Machine machine) {
         public Session {
+            requireNonNull(started);
             command = List.copyOf(command);
+            requireNonNull(machine);
         }
     }
 
@@ -139,7 +146,10 @@ public record Manifest(
         }
     }
 
-    public Manifest {
+    public Manifest { // a file that lacks one of these is none
+        requireNonNull(subject);
+        requireNonNull(title);
+        requireNonNull(scenarioText);
         arguments = List.copyOf(arguments);
         measures = List.copyOf(measures);
         sessions = List.copyOf(sessions);

@@ -1,5 +1,7 @@
 package rsal.experiment;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -38,7 +40,10 @@ public record Row(
     public static final String BROKEN = "broken";
 
     public Row {
+        requireNonNull(configuration);
         arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
+        requireNonNull(outcome);
+        requireNonNull(reason);
         measures = Collections.unmodifiableMap(new LinkedHashMap<>(measures));
         outOfBounds = List.copyOf(outOfBounds);
         failedAgents = Collections.unmodifiableMap(new LinkedHashMap<>(failedAgents));

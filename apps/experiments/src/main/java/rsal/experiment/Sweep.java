@@ -43,7 +43,7 @@ public final class Sweep {
         var found = new LinkedHashSet<Problem>();
         for (Combination combination : design.combinations()) {
             try {
-                RunPlan plan = plan(combination, design.seeds().getFirst());
+                RunPlan plan = plan(combination, design.seeds().getFirst(), Double.POSITIVE_INFINITY);
                 check(plan, mistakes);
                 found.addAll(plan.scene().warnings());
                 found.addAll(plan.notes());
@@ -170,21 +170,29 @@ public final class Sweep {
         return arguments.getOrDefault(combination.number(), Map.of());
     }
 
-    /// Decides all of a run.
+    /// Decides all of a run, which goes as fast as it can.
     ///
     /// @throws InvalidSettings when it can't be with its seed: perhaps no place was found for a robot
     RunPlan plan(Trial trial) {
-        return plan(trial.combination(), trial.seed());
+        return plan(trial, Double.POSITIVE_INFINITY);
     }
 
-    private RunPlan plan(Combination combination, long seed) {
+    /// Likewise; it comes out the same at any speed.
+    ///
+    /// @param speed times real time
+    /// @throws InvalidSettings likewise
+    public RunPlan plan(Trial trial, double speed) {
+        return plan(trial.combination(), trial.seed(), speed);
+    }
+
+    private RunPlan plan(Combination combination, long seed, double speed) {
         var typed = new LinkedHashMap<>(design.settings());
         typed.putAll(combination.levels());
         RunOptions options = RunOptions.NONE
                 .withConfiguration(combination.configuration())
                 .withArguments(typed)
                 .withSeed(seed)
-                .withSpeed(Double.POSITIVE_INFINITY);
+                .withSpeed(speed);
         return scenario.plan(design.limit().map(options::withLimit).orElse(options));
     }
 

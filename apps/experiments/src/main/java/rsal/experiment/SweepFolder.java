@@ -36,6 +36,7 @@ public final class SweepFolder implements AutoCloseable {
     public static final String ROWS = "rows.jsonl";
     public static final String TABLE = "rows.csv";
 
+    private static final int BLOCK = 1 << 16; // [byte]
     private static final String PART = ".part"; // of a file that is not complete yet
     private static final JsonMapper JSON = JsonMapper.builder()
             .disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY)
@@ -259,6 +260,26 @@ public final class SweepFolder implements AutoCloseable {
         }
         rows.sort(Comparator.comparingInt(Row::run));
         return rows;
+    }
+
+    /// How many lines are whole.
+    static long countRows(Path folder) {
+        Path file = folder.resolve(ROWS);
+        if (!Files.exists(file)) {
+            return 0;
+        }
+        var part = new byte[BLOCK];
+        long count = 0;
+        try (var rows = Files.newInputStream(file)) {
+            for (int length = rows.read(part); length >= 0; length = rows.read(part)) {
+                for (int i = 0; i < length; i++) {
+                    count += part[i] == '\n' ? 1 : 0;
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return count;
     }
 
     private static Row read(String line, Location at) {

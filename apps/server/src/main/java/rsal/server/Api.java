@@ -48,6 +48,7 @@ import rsal.server.Messages.RobotPose;
 import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.Saying;
 import rsal.server.Messages.Speed;
+import rsal.server.Messages.SweepRunAgain;
 import rsal.server.Page.Asset;
 
 /// What can be asked and told over HTTP. `GET` shows, `POST` changes and needs the token. A refusal comes as
@@ -88,6 +89,7 @@ final class Api {
     /// All is there for each of the runs side by side, below its address.
     void configure(RoutesConfig routes) {
         admit(routes, gate);
+        routes.before(Seats.BESIDE + "/*", seats::find); // also where the answer is the same for all
         configure(new Routes(routes, ""));
         configure(new Routes(routes, Seats.BESIDE));
         routes.get("/metrics", exposition::answer);
@@ -221,10 +223,10 @@ final class Api {
             answer(request, new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan)));
         });
         command(routes, "restart", request -> {
-            RunPlan plan = plan(request, read(request, Restart.class, RunServer.MAX_TEXT));
-            sweeps.checkBeside(plan);
-            seats.restart(seats.find(request), plan);
-            answer(request, info(request));
+            restart(request, plan(request, read(request, Restart.class, RunServer.MAX_TEXT)));
+        });
+        command(routes, "watch", request -> {
+            restart(request, sweeps.plan(read(request, SweepRunAgain.class)));
         });
 
         texts.configure(routes);
@@ -355,6 +357,12 @@ final class Api {
         Numbered now = seats.find(request).now();
         return Descriptions.run(
                 now.number(), now.run().plan(), now.team(now.run().snapshot()));
+    }
+
+    private void restart(Context request, RunPlan plan) {
+        sweeps.checkBeside(plan);
+        seats.restart(seats.find(request), plan);
+        answer(request, info(request));
     }
 
     /// What the wish asks for; otherwise as the run is now.

@@ -16,8 +16,10 @@ import rsal.experiment.Row;
 import rsal.experiment.Sweep;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.SweepRun;
+import rsal.experiment.Trial;
 import rsal.experiment.report.Report;
 import rsal.experiment.report.ShellWords;
+import rsal.scenario.RunPlan;
 import rsal.server.Messages.SweepInfo;
 import rsal.server.Messages.SweepInfo.SweepStatus;
 import rsal.server.Messages.SweepRuns;
@@ -156,7 +158,7 @@ final class BackgroundSweep implements AutoCloseable {
         return known.html();
     }
 
-    /// Runs of a combination that have ended, the newest.
+    /// Runs of a combination that have ended, by number: the last [#MOST_RUNS].
     ///
     /// @throws Refusal when there is no such combination
     SweepRuns runs(String label) {
@@ -170,6 +172,22 @@ final class BackgroundSweep implements AutoCloseable {
         return new SweepRuns(rows.subList(Math.max(0, rows.size() - MOST_RUNS), rows.size()).stream()
                 .map(SweepDescription::run)
                 .toList());
+    }
+
+    /// A run of it once more, in real time, to be looked at. Comes out as it did: nothing is read anew.
+    ///
+    /// @param run its number, from 1
+    /// @throws Refusal when it has none of that number, or none that can begin
+    RunPlan plan(int run) {
+        List<Trial> trials = order.sweep().trials();
+        if (run < 1 || run > trials.size()) {
+            throw new Refusal(404, "The sweep has runs 1 to %d, no (%d).".formatted(trials.size(), run));
+        }
+        try {
+            return order.sweep().plan(trials.get(run - 1), 1);
+        } catch (InvalidSettings e) {
+            throw new Refusal(409, e.problems().getFirst().message());
+        }
     }
 
     private synchronized Told told() {

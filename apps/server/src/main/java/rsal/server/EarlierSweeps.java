@@ -5,11 +5,15 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import rsal.experiment.Findings;
 import rsal.experiment.Manifest;
+import rsal.experiment.Outline;
 import rsal.experiment.SweepFolder;
 import rsal.experiment.report.Report;
 import rsal.experiment.report.ShellWords;
@@ -17,36 +21,110 @@ import rsal.server.Messages.EarlierSweep;
 import rsal.settings.InvalidSettings;
 
 /// Sweeps that are in a folder from before, by this server or by `rsal sweep`, each in a folder of its own. Reads only.
-/// All methods may be called from any thread.
-record EarlierSweeps(Path folder) {
-    private static final int MOST = 50; // all of their rows are read
+/// Whoever can reach the port may ask, without a token: so what was worked out is kept until files change, and it is
+/// done for one at a time. All methods may be called from any thread.
+final class EarlierSweeps {
+    private static final int MOST = 50;
 
-    private record Changed(Path sweep, long when) {}
+    private final Path folder;
+    private Map<Path, Known> known = Map.of(); // of the last list
+    private @Nullable Written report; // the last one that was asked for
+
+    /// @param when its files changed last
+    private record Known(Changed when, Optional<EarlierSweep> told) {}
+
+    private record Written(Path sweep, Changed when, String html) {}
+
+    /// When files of a sweep were written last [ms since 1970]; 0 what is not there.
+    private record Changed(long manifest, long rows) {
+        static Changed of(Path sweep) {
+            return new Changed(written(sweep, SweepFolder.MANIFEST), written(sweep, SweepFolder.ROWS));
+        }
+
+        private static long written(Path sweep, String file) {
+            return sweep.resolve(file).toFile().lastModified();
+        }
+    }
+
+    private record Found(Path sweep, Changed when) {
+        long last() {
+            return Math.max(when.manifest(), when.rows());
+        }
+    }
+
+    EarlierSweeps(Path folder) {
+        this.folder = folder;
+    }
 
     /// The newest, without one that is shown elsewhere, and without those that can't be read.
     ///
     /// @throws Refusal when the folder can't be read
-    List<EarlierSweep> list(Optional<Path> but) {
-        return folders().stream()
+    synchronized List<EarlierSweep> list(Optional<Path> but) {
+        var newest = new LinkedHashMap<Path, Known>();
+        folders().stream()
                 .filter(sweep -> but.isEmpty() || !sweep.equals(but.get()))
-                .map(sweep -> new Changed(sweep, changed(sweep))) // asked once, as it may change meanwhile
-                .sorted(Comparator.comparingLong(Changed::when).reversed())
+                .map(sweep -> new Found(sweep, Changed.of(sweep))) // asked once, as it may change meanwhile
+                .sorted(Comparator.comparingLong(Found::last).reversed())
                 .limit(MOST)
-                .flatMap(changed -> describe(changed.sweep()).stream())
-                .toList();
+                .forEach(found -> newest.put(found.sweep(), describe(found)));
+        known = newest;
+        return newest.values().stream().flatMap(sweep -> sweep.told().stream()).toList();
+    }
+
+    private Known describe(Found found) {
+        Known before = known.get(found.sweep());
+        return before != null && before.when().equals(found.when())
+                ? before
+                : new Known(found.when(), describe(found.sweep()));
+    }
+
+    private static Optional<EarlierSweep> describe(Path sweep) {
+        try {
+            Outline outline = Outline.read(sweep);
+            List<Manifest.Session> sessions = outline.manifest().sessions();
+            if (sessions.isEmpty()) {
+                return Optional.empty();
+            }
+            return Optional.of(new EarlierSweep(
+                    name(sweep),
+                    outline.manifest().title(),
+                    sessions.getLast().started(),
+                    outline.runs(),
+                    outline.ended(),
+                    ShellWords.of(sessions.getLast().command())));
+        } catch (InvalidSettings | UncheckedIOException _) {
+            return Optional.empty();
+        }
     }
 
     /// The page that `rsal report` writes.
     ///
     /// @param name of a sweep's folder
     /// @throws Refusal when there is none, or nothing to report yet
-    String report(String name) {
+    synchronized String report(String name) {
         Path sweep = folders().stream()
                 .filter(one -> name(one).equals(name)) // compared, not resolved: a name leads to no other folder
                 .findFirst()
                 .orElseThrow(() -> new Refusal(404, "There is no sweep (%s).".formatted(Refusal.shortened(name))));
-        Findings findings =
-                read(sweep).orElseThrow(() -> new Refusal(409, "The sweep in (%s) can't be read.".formatted(sweep)));
+        Changed when = Changed.of(sweep);
+        Written before = report;
+        if (before == null || !before.sweep().equals(sweep) || !before.when().equals(when)) {
+            before = new Written(sweep, when, write(sweep));
+            report = before;
+        }
+        return before.html();
+    }
+
+    private static String write(Path sweep) {
+        Findings findings;
+        try {
+            findings = Findings.read(sweep);
+        } catch (InvalidSettings e) {
+            throw new Refusal(
+                    409, "Its sweep can't be read. %s".formatted(e.problems().getFirst()));
+        } catch (UncheckedIOException e) {
+            throw new Refusal(409, "The sweep in (%s) can't be read: %s.".formatted(sweep, e.getMessage()));
+        }
         if (findings.rows().isEmpty()) {
             throw new Refusal(409, "No run has ended.");
         }
@@ -67,38 +145,5 @@ record EarlierSweeps(Path folder) {
 
     private static String name(Path sweep) {
         return String.valueOf(sweep.getFileName());
-    }
-
-    /// When it got its last row, or was begun [ms since 1970].
-    private static long changed(Path sweep) {
-        Path rows = sweep.resolve(SweepFolder.ROWS);
-        try {
-            return Files.getLastModifiedTime(Files.exists(rows) ? rows : sweep).toMillis();
-        } catch (IOException _) { // somebody takes it away
-            return 0;
-        }
-    }
-
-    private static Optional<Findings> read(Path sweep) {
-        try {
-            return Optional.of(Findings.read(sweep));
-        } catch (InvalidSettings | UncheckedIOException _) {
-            return Optional.empty();
-        }
-    }
-
-    private static Optional<EarlierSweep> describe(Path sweep) {
-        return read(sweep)
-                .filter(findings -> !findings.manifest().sessions().isEmpty())
-                .map(findings -> {
-                    Manifest.Session last = findings.manifest().sessions().getLast();
-                    return new EarlierSweep(
-                            name(sweep),
-                            findings.manifest().title(),
-                            last.started(),
-                            findings.design().trials().size(),
-                            findings.rows().size(),
-                            ShellWords.of(last.command()));
-                });
     }
 }

@@ -496,23 +496,21 @@ final class Messages {
     /// @param newest the one that was begun last here, whether it goes on or not
     record SweepState(boolean possible, int jobs, Optional<SweepInfo> newest) {}
 
-    /// @param runs of one combination that have ended; the newest 500
+    /// @param runs of one combination that have ended, by number; the last 500
     record SweepRuns(List<SweepRunInfo> runs) {}
 
-    /// A run of a sweep, so that it can be run again to be looked at: it comes out as it did.
+    /// A run of a sweep.
     ///
-    /// @param run its number in the sweep
-    /// @param arguments all of them, as one would type them
-    /// @param reason why it could not go on; else empty
-    /// @param seconds simulated; absent when it could not begin
-    record SweepRunInfo(
-            int run,
-            String configuration,
-            Map<String, String> arguments,
-            String seed,
-            String outcome,
-            String reason,
-            Optional<Double> seconds) {}
+    /// @param run its number in the sweep, from 1
+    /// @param reason why it broke; else empty
+    /// @param seconds simulated; absent when it broke
+    record SweepRunInfo(int run, String seed, String outcome, String reason, Optional<Double> seconds) {}
+
+    /// To see a run of a sweep again: it comes out as it did.
+    ///
+    /// @param sweep its number, as in [SweepInfo]
+    /// @param run its number in the sweep, from 1
+    record SweepRunAgain(int sweep, int run) {}
 
     /// A sweep as it is now.
     ///
@@ -575,7 +573,7 @@ final class Messages {
     /// @param name of its folder
     /// @param started when it was begun, or last gone on with; ISO 8601, UTC
     /// @param command what it was begun, or gone on with in a terminal
-    record EarlierSweep(String name, String title, String started, int runs, int ended, String command) {}
+    record EarlierSweep(String name, String title, String started, long runs, long ended, String command) {}
 
     /// As in a box plot.
     ///

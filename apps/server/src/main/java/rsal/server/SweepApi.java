@@ -5,6 +5,7 @@ import io.javalin.http.Header;
 import java.util.Map;
 import rsal.scenario.RunPlan;
 import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.SweepRunAgain;
 import rsal.server.Messages.SweepWish;
 
 /// Sweeps over HTTP. As in [Api], `GET` shows; all else needs the token.
@@ -55,6 +56,11 @@ final class SweepApi {
             sweeps.stop();
             Api.answer(request, Map.of());
         });
+    }
+
+    /// A run of a sweep that is to be seen again; see [Sweeps#plan].
+    RunPlan plan(SweepRunAgain wish) {
+        return sweeps.plan(wish);
     }
 
     /// Before another run begins.

@@ -50,12 +50,8 @@ record SweepDescription(int broken, List<SweepMeasure> measures, List<SweepCombi
     }
 
     static SweepRunInfo run(Row row) {
-        var arguments = new LinkedHashMap<String, String>();
-        row.arguments().forEach((name, value) -> arguments.put(name, Descriptions.typed(value)));
         return new SweepRunInfo(
                 row.run(),
-                row.configuration(),
-                arguments,
                 Long.toString(row.seed()),
                 row.outcome(),
                 row.reason(),

@@ -16,7 +16,9 @@ import org.slf4j.LoggerFactory;
 import rsal.experiment.Manifest;
 import rsal.experiment.Sweep;
 import rsal.experiment.SweepFolder;
+import rsal.scenario.RunPlan;
 import rsal.server.Messages.Mistake;
+import rsal.server.Messages.SweepRunAgain;
 import rsal.server.Messages.SweepRuns;
 import rsal.server.Messages.SweepSize;
 import rsal.server.Messages.SweepState;
@@ -32,6 +34,7 @@ final class Sweeps implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Sweeps.class);
 
     private final Optional<RunServer.Sweeping> sweeping;
+    private final Optional<EarlierSweeps> earlier;
     private final Shelf shelf;
     private final int cores;
     private @Nullable BackgroundSweep newest;
@@ -42,6 +45,7 @@ final class Sweeps implements AutoCloseable {
     /// @param cores how many of them sweeps may keep busy
     Sweeps(Optional<RunServer.Sweeping> sweeping, Shelf shelf, int cores) {
         this.sweeping = sweeping;
+        this.earlier = sweeping.map(here -> new EarlierSweeps(here.folder()));
         this.shelf = shelf;
         this.cores = cores;
     }
@@ -148,6 +152,15 @@ final class Sweeps implements AutoCloseable {
         return newest().orElseThrow(Sweeps::none).runs(label);
     }
 
+    /// A run of the newest once more; see [BackgroundSweep#plan].
+    ///
+    /// @throws Refusal when the newest is another one, or has no such run
+    RunPlan plan(SweepRunAgain wish) {
+        return newest().filter(sweep -> sweep.order().number() == wish.sweep())
+                .orElseThrow(() -> new Refusal(404, "Sweep (%d) is not the newest here.".formatted(wish.sweep())))
+                .plan(wish.run());
+    }
+
     /// Those before the newest.
     SweepsBefore before() {
         return new SweepsBefore(earlier().list(newest().map(last -> last.order().out())));
@@ -161,7 +174,7 @@ final class Sweeps implements AutoCloseable {
     }
 
     private EarlierSweeps earlier() {
-        return new EarlierSweeps(here().folder());
+        return earlier.orElseThrow(Sweeps::notHere);
     }
 
     boolean isUnderWay() {
@@ -173,7 +186,11 @@ final class Sweeps implements AutoCloseable {
     }
 
     private RunServer.Sweeping here() {
-        return sweeping.orElseThrow(() -> new Refusal(404, "No sweeps can be begun here."));
+        return sweeping.orElseThrow(Sweeps::notHere);
+    }
+
+    private static Refusal notHere() {
+        return new Refusal(404, "No sweeps can be begun here.");
     }
 
     private static Refusal none() {

@@ -9,6 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,10 +30,12 @@ import rsal.experiment.statistics.Mean;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.RunResult;
 import rsal.server.Messages.EarlierSweep;
 import rsal.server.Messages.SweepCombination;
 import rsal.server.Messages.SweepInfo;
 import rsal.server.Messages.SweepInfo.SweepStatus;
+import rsal.server.Messages.SweepRunAgain;
 import rsal.server.Messages.SweepRunInfo;
 import rsal.server.Messages.SweepRuns;
 import rsal.server.Messages.SweepState;
@@ -164,7 +168,9 @@ class SweepApiTest {
 
     @Test
     void tellsItsRunsSoThatOneCanBeRunAgainAsItWas() throws Exception {
-        post("", wish(List.of("short"), Map.of("guards", "1:2"), "2"));
+        var wish = new SweepWish(
+                scenario.toString(), List.of("long"), Map.of("guards", "1:2"), "2", "0.5", Optional.of(1));
+        post("", wish);
         SweepInfo ended = awaitEnd();
         String label = ended.combinations().getLast().label();
         String path = "/api/sweeps/runs?combination=" + URLEncoder.encode(label, StandardCharsets.UTF_8);
@@ -172,25 +178,26 @@ class SweepApiTest {
                 Json.read(RawHttp.get(port, path, host).body(), SweepRuns.class).runs();
         assertThat(runs).extracting(SweepRunInfo::seed).containsExactly("1", "2");
         SweepRunInfo last = runs.getLast();
-        assertThat(last.arguments()).containsEntry("guards", "2");
-        assertThat(last.outcome()).isEqualTo("timeout");
+        assertThat(last.outcome()).isEqualTo("limit");
 
-        var again = Map.of(
-                "scenario", ended.scenario(),
-                "configuration", last.configuration(),
-                "arguments", last.arguments(),
-                "seed", last.seed(),
-                "speed", "max");
-        assertThat(RawHttp.post(port, "/api/run/restart", Json.write(again), host, WITH_TOKEN)
-                        .status())
-                .isEqualTo(200);
+        Files.writeString(scenario, "no longer what it was");
+        assertThat(watch(ended.number(), last.run())).isEqualTo(200);
         List<Row> rows =
                 Findings.read(Errand.sweeps(directory).resolve("guard-1")).rows();
-        assertThat(server.run().result().toCompletableFuture().get().eventHash())
-                .isEqualTo(rows.get(last.run() - 1).eventHash());
+        RunResult again = server.run().result().toCompletableFuture().get();
+        assertThat(again.eventHash()).isEqualTo(rows.get(last.run() - 1).eventHash());
+        assertThat(again.outcome()).isEqualTo("limit"); // by the sweep's limit
 
+        assertThat(watch(ended.number() + 1, last.run())).isEqualTo(404);
+        assertThat(watch(ended.number(), 5)).isEqualTo(404);
+        assertThat(watch(ended.number(), 0)).isEqualTo(404);
         assertThat(RawHttp.get(port, "/api/sweeps/runs?combination=none", host).status())
                 .isEqualTo(404);
+    }
+
+    private int watch(int sweep, int run) throws IOException {
+        String wish = Json.write(new SweepRunAgain(sweep, run));
+        return RawHttp.post(port, "/api/run/watch", wish, host, WITH_TOKEN).status();
     }
 
     @Test
@@ -230,6 +237,8 @@ class SweepApiTest {
         Path sweeps = Errand.sweeps(directory);
         Files.createDirectories(sweeps.resolve("empty"));
         Files.writeString(Files.createDirectories(sweeps.resolve("foreign")).resolve(SweepFolder.MANIFEST), "{}");
+        Path half = Files.createDirectories(sweeps.resolve("half"));
+        Files.writeString(half.resolve(SweepFolder.MANIFEST), "{\"format\": 1, \"sessions\": []}");
         Files.writeString(sweeps.resolve("guard-1/" + SweepFolder.ROWS), "{\"run\": 7, ", StandardOpenOption.APPEND);
 
         serve(Errand.plan());
@@ -243,6 +252,13 @@ class SweepApiTest {
         assertThat(earlier.command()).startsWith("rsal sweep ").contains("--vary guards=1,2");
         assertThat(report("guard-1").body()).contains("4 runs of 2 combinations with 2 seeds");
         assertThat(report("foreign").status()).isEqualTo(409);
+        assertThat(report("half").status()).isEqualTo(409);
+        assertThat(before()).isEqualTo(List.of(earlier)); // nothing has changed
+        List<String> rows = Files.readAllLines(sweeps.resolve("guard-1/" + SweepFolder.ROWS));
+        Files.write(sweeps.resolve("guard-1/" + SweepFolder.ROWS), rows.subList(0, 3));
+        Files.setLastModifiedTime(sweeps.resolve("guard-1/" + SweepFolder.ROWS), FileTime.from(Instant.EPOCH));
+        assertThat(before()).extracting(EarlierSweep::ended).containsExactly(3L);
+        assertThat(report("guard-1").body()).contains("of which only 3 have ended");
         for (String none : List.of("guard-2", "empty", "..", "../sweeps/guard-1", sweeps + "/guard-1")) {
             assertThat(report(none).status()).isEqualTo(404);
         }
