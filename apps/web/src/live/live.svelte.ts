@@ -1,4 +1,5 @@
 import { access } from '../api/access.svelte';
+import { api } from '../api/client';
 import type {
   Details,
   EventInfo,
@@ -67,6 +68,14 @@ class Live implements Listener {
   /** Of the robot of that index; null when there is none. */
   idOf(robot: number | null): string | null {
     return robot === null ? null : (this.info?.robots[robot]?.id ?? null);
+  }
+
+  /** What is told of the run that is shown, once more: what came of its scenario's file may have changed. */
+  async readRun() {
+    const run = await api.run();
+    if (run && this.info && run.number === this.info.number) {
+      this.info = { ...this.info, edited: run.edited };
+    }
   }
 
   onMessage(message: ServerMessage) {

@@ -1,9 +1,11 @@
 package rsal.scenario;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -11,14 +13,25 @@ import rsal.settings.Location;
 /// Files, and what was read of them: a run can be made again from that alone. Any thread may read.
 final class ReadFiles implements FileSource {
     private final FileSource files;
-    private final boolean edited;
+    private final Optional<Edited> edited;
     private final Map<String, byte[]> read = Collections.synchronizedMap(new LinkedHashMap<>());
 
-    ReadFiles(FileSource files) {
-        this(files, false);
+    /// A file's text that counts instead of what is in the file.
+    private record Edited(String path, byte[] text) {
+        boolean isIn(FileSource files) {
+            try {
+                return Arrays.equals(files.read(path, text.length, Location.of(path)), text);
+            } catch (InvalidSettings _) { // it is longer, or gone
+                return false;
+            }
+        }
     }
 
-    private ReadFiles(FileSource files, boolean edited) {
+    ReadFiles(FileSource files) {
+        this(files, Optional.empty());
+    }
+
+    private ReadFiles(FileSource files, Optional<Edited> edited) {
         this.files = files;
         this.edited = edited;
     }
@@ -45,32 +58,30 @@ final class ReadFiles implements FileSource {
         });
     }
 
-    /// The same, one of them with another text.
-    ReadFiles with(String edited, String text) {
-        byte[] written = text.getBytes(StandardCharsets.UTF_8);
-        return new ReadFiles(
-                (path, most, askedAt) -> {
-                    if (!path.equals(edited)) {
-                        return files.read(path, most, askedAt);
-                    }
-                    if (written.length > most) {
-                        throw new InvalidSettings(askedAt, "The text has more than %d bytes.".formatted(most), "");
-                    }
-                    return written.clone();
-                },
-                true);
+    /// The same files, one of them with another text. Nothing else is: another that had one is again as it was found.
+    ReadFiles with(String path, String text) {
+        return new ReadFiles(files, Optional.of(new Edited(path, text.getBytes(StandardCharsets.UTF_8))));
     }
 
-    /// Whether one of them has another text than it was found with.
+    /// Whether one of them has another text than it is found with now.
     boolean isEdited() {
-        return edited;
+        return edited.isPresent() && !edited.get().isIn(files);
     }
 
     @Override
     public byte[] read(String path, int most, Location askedAt) {
-        byte[] bytes = files.read(path, most, askedAt);
+        byte[] bytes = edited.isPresent() && edited.get().path().equals(path)
+                ? editedText(edited.get(), most, askedAt)
+                : files.read(path, most, askedAt);
         read.putIfAbsent(path, bytes.clone());
         return bytes;
+    }
+
+    private static byte[] editedText(Edited edited, int most, Location askedAt) {
+        if (edited.text().length > most) {
+            throw new InvalidSettings(askedAt, "The text has more than %d bytes.".formatted(most), "");
+        }
+        return edited.text().clone();
     }
 
     @Override

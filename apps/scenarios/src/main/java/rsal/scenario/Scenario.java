@@ -167,7 +167,7 @@ public final class Scenario {
         return new Origin(file, nameOf(file), location(), read.with(nameOf(file), text)).read();
     }
 
-    /// Whether it has another text than its file.
+    /// Whether it has another text than its file has now.
     public boolean isEdited() {
         return files instanceof ReadFiles read && read.isEdited();
     }

@@ -55,6 +55,21 @@ class EditedScenarioTest {
     }
 
     @Test
+    void isNoneOnceItsFileHasTheSameTextOrItHasThatOfItsFile() throws IOException {
+        Path file = Path.of(own());
+        String other = OWN.replace("scenario: own", "scenario: other");
+        Scenario edited = Scenario.load(file.toString()).edited(other);
+        assertThat(edited.edited(OWN).isEdited()).isFalse();
+
+        Files.writeString(file, other + "# and more");
+        assertThat(edited.isEdited()).isTrue();
+        Files.writeString(file, other);
+        assertThat(edited.isEdited()).isFalse();
+        Files.delete(file);
+        assertThat(edited.isEdited()).isTrue();
+    }
+
+    @Test
     void canBeEditedOnAndBeMadeAgainFromWhatWasRead() {
         Scenario built = Scenario.load("patrol");
         Scenario edited = built.edited(built.text().replace("scenario: patrol", "scenario: rounds"));

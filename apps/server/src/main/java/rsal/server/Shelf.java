@@ -85,12 +85,24 @@ final class Shelf {
         }
         String file = present.location().file();
         String id = ids.stream().filter(one -> isOf(one, file)).findFirst().orElse("");
-        Optional<String> saved = isFile(id) ? text(id).saved() : Optional.empty();
-        return new ScenarioText(id, file, present.text(), saved);
+        return new ScenarioText(id, file, present.text(), isFile(id) ? written(id) : Optional.empty());
     }
 
     private static boolean isOf(String id, String file) {
-        return !Scenario.isWorld(id) && Scenario.fileOf(id).equals(file);
+        try {
+            return !Scenario.isWorld(id) && Scenario.fileOf(id).equals(file);
+        } catch (InvalidSettings _) { // it is gone
+            return false;
+        }
+    }
+
+    /// Empty when its file is gone.
+    private static Optional<String> written(String id) {
+        try {
+            return Optional.of(Scenario.written(id));
+        } catch (InvalidSettings _) {
+            return Optional.empty();
+        }
     }
 
     private boolean isFile(String id) {

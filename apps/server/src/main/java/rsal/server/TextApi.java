@@ -4,6 +4,7 @@ import io.javalin.http.Context;
 import io.javalin.http.Header;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Semaphore;
 import rsal.scenario.Scenario;
 import rsal.scenario.ScenarioSchema;
 import rsal.server.Messages.ConfigurationInfo;
@@ -18,10 +19,12 @@ import rsal.settings.Problem;
 /// makes the server work or changes a file takes the token.
 final class TextApi {
     private static final int MOST_MISTAKES = 100; // nobody mends more at once
+    private static final int MOST_CHECKS = 2; // one under way, and one that waits
 
     private final Seats seats;
     private final Shelf shelf;
     private final Gate gate;
+    private final Semaphore checks = new Semaphore(MOST_CHECKS);
 
     TextApi(Seats seats, Shelf shelf, Gate gate) {
         this.seats = seats;
@@ -39,11 +42,19 @@ final class TextApi {
         });
         routes.post("/api/scenarios/check", request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
-            Api.answer(request, check(Api.read(request, TextToCheck.class, RunServer.MAX_TEXT), present(request)));
+            TextToCheck wish = Api.read(request, TextToCheck.class, RunServer.MAX_TEXT);
+            if (!checks.tryAcquire()) { // or they would keep busy all threads that answer, also for an emergency stop
+                throw new Refusal(409, "Other texts are being checked. Try again in a moment.");
+            }
+            try {
+                Api.answer(request, check(wish, present(request)));
+            } finally {
+                checks.release();
+            }
         });
         routes.put("/api/scenarios/text", request -> {
             Api.authorize(request, gate);
-            TextToSave wish = Api.read(request, TextToSave.class, RunServer.MAX_TEXT);
+            TextToSave wish = Api.read(request, TextToSave.class, 2 * RunServer.MAX_TEXT);
             shelf.save(wish.scenario(), wish.before(), wish.text());
             Api.answer(request, Map.of());
         });

@@ -9,6 +9,11 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -158,6 +163,49 @@ class TextApiTest {
     }
 
     @Test
+    void isNoLongerEditedOnceItIsSaved() throws IOException {
+        String mended = OWN.replace("My own", "Mended");
+        assertThat(restart(Optional.empty(), Optional.of(mended)).body()).contains("\"edited\":true");
+        save(own.toString(), OWN, mended);
+        assertThat(get("/api/run").body()).contains("\"edited\":false");
+    }
+
+    @Test
+    void showsTheTextOfTheRunAlsoWhenItsFileIsGone() throws IOException {
+        Files.delete(own);
+        assertThat(text("")).isEqualTo(new ScenarioText(own.toString(), own.toString(), OWN, Optional.empty()));
+        assertThat(get("/api/scenarios/text?scenario=" + own).status()).isEqualTo(404);
+    }
+
+    @Test
+    void checksFewTextsAtOnceSoThatOthersAreAnswered() throws Exception {
+        String many = IntStream.range(0, 150)
+                .mapToObj(i -> "  many%d: {robots: {one: {count: 9, pose: {free: true}}}}\n".formatted(i))
+                .collect(Collectors.joining("", OWN, ""));
+        String wish = Json.write(new TextToCheck(Optional.empty(), many));
+        try (ExecutorService people = Executors.newVirtualThreadPerTaskExecutor()) {
+            List<Future<Response>> checks = Stream.generate(() ->
+                            people.submit(() -> RawHttp.post(port, "/api/scenarios/check", wish, host, WITH_TOKEN)))
+                    .limit(24) // more than there are threads that answer
+                    .toList();
+            assertThat(RawHttp.post(port, "/api/run/estop", "", host, WITH_TOKEN)
+                            .status())
+                    .isEqualTo(200);
+            assertThat(checks).extracting(Future::isDone).contains(false); // it did not wait for them
+            var refused = 0;
+            for (Future<Response> check : checks) {
+                Response response = check.get();
+                if (response.status() != 200) {
+                    assertThat(response.body()).contains("Other texts are being checked");
+                    refused++;
+                }
+            }
+            assertThat(refused).isBetween(1, 23);
+        }
+        assertThat(check(Optional.empty(), OWN).mistakes()).isEmpty();
+    }
+
+    @Test
     void savesAFileWhole() throws IOException {
         String mended = OWN.replace("My own", "Mine, mended: ä");
         assertThat(save(own.toString(), OWN, mended).status()).isEqualTo(200);
@@ -223,7 +271,9 @@ class TextApiTest {
         assertThat(RawHttp.post(port, "/api/scenarios/check", wish, host, WITH_TOKEN)
                         .status())
                 .isEqualTo(413);
-        TextCheck large = check(Optional.empty(), OWN + "#".repeat(RunServer.MAX_TEXT - 2 * OWN.length()));
-        assertThat(large.mistakes()).isEmpty();
+        String large = OWN + "#".repeat(RunServer.MAX_TEXT - 2 * OWN.length());
+        assertThat(check(Optional.empty(), large).mistakes()).isEmpty();
+        assertThat(save(own.toString(), OWN, large).status()).isEqualTo(200);
+        assertThat(save(own.toString(), large, large + "#").status()).isEqualTo(200);
     }
 }
