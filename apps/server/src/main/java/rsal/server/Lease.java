@@ -5,7 +5,8 @@ import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
-/// Who alone may change anything for now, of those who have the token. Nobody has it at first, and then all may. It is
+/// Who alone may change anything on a server for now, of those who have the token. Nobody has it at first, and then all
+/// may. It is
 /// held for some seconds and taken again and again meanwhile, so that a page that is closed, or asleep, locks nobody
 /// out. Whoever has the token may take it over: it keeps people out of each other's way, and nobody from the robots.
 ///

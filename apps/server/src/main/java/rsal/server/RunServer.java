@@ -132,7 +132,8 @@ public final class RunServer implements AutoCloseable {
         return seats;
     }
 
-    /// Ends the runs, a sweep and the server within a second. Closing twice does nothing.
+    /// Ends the runs, a sweep and the server, with a second's patience for each run whose agents never return. Closing
+    /// twice does nothing.
     @Override
     public void close() {
         server.close();

@@ -1,9 +1,13 @@
 package rsal.server;
 
 import io.javalin.http.Context;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -13,9 +17,12 @@ import org.eclipse.jetty.ee10.websocket.server.JettyWebSocketServerContainer;
 import org.jspecify.annotations.Nullable;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
+import rsal.scenario.run.LiveRun;
+import rsal.time.AllowedToReadWallClock;
 
 /// Runs side by side: the first, at `/`, which is always there, and others, at `/beside/<number>/`. What runs in real
 /// time has no other beside it, which could make it late. All methods may be called from any thread.
+@AllowedToReadWallClock("An operator waits for a stop to be confirmed.")
 final class Seats implements Viewing {
     /// Where the others are, as routes have it.
     static final String BESIDE = "/beside/{seat}";
@@ -23,6 +30,12 @@ final class Seats implements Viewing {
     /// As many as can be watched at once, in two rows of two. Each keeps a core busy when it goes as fast as it can,
     /// and up to [History#MOST_BYTES] to look back on.
     static final int MOST = 4;
+
+    /// For which the operator waits to hear that all have stopped.
+    private static final Duration PATIENCE = Duration.ofSeconds(1);
+
+    /// The fewest: runs side by side, each with as many as there are cores, would take them from each other.
+    private static final int HELPERS_BESIDE = 1;
 
     private static final Pattern LIVE = Pattern.compile("/beside/([^/]+)/api/live");
 
@@ -62,10 +75,13 @@ final class Seats implements Viewing {
                 .filter(seat ->
                         !seat.isFirst() && Integer.toString(seat.number()).equals(number))
                 .findFirst()
-                .orElseThrow(() -> new Refusal(
-                        404,
-                        "There is no run (%s) beside the first. Maybe it was closed."
-                                .formatted(Refusal.shortened(number))));
+                .orElseThrow(() -> gone(number));
+    }
+
+    private static Refusal gone(String number) {
+        return new Refusal(
+                404,
+                "There is no run (%s) beside the first. Maybe it was closed.".formatted(Refusal.shortened(number)));
     }
 
     /// Begins a run beside those that are there. Nobody but its viewers sees it: who is told of runs, records them or
@@ -89,7 +105,8 @@ final class Seats implements Viewing {
             throw new Refusal(
                     409, "The run goes in real time, and another beside it would make it late. Stop it first.");
         }
-        var seat = new Seat(newest + 1, new CurrentRun(plan, _ -> {}), gate);
+        var seat =
+                new Seat(newest + 1, new CurrentRun(plan, _ -> {}, next -> LiveRun.start(next, HELPERS_BESIDE)), gate);
         newest = seat.number();
         all = Stream.concat(all.stream(), Stream.of(seat)).toList();
         return seat;
@@ -97,8 +114,11 @@ final class Seats implements Viewing {
 
     /// Ends a seat's run and begins another one there.
     ///
-    /// @throws Refusal when that is in real time, and not alone
+    /// @throws Refusal when that is in real time, and not alone, or the seat was closed
     synchronized void restart(Seat seat, RunPlan plan) {
+        if (!all.contains(seat)) {
+            throw gone(Integer.toString(seat.number()));
+        }
         if (isInRealTime(plan) && all.size() > 1) {
             throw new Refusal(
                     409, "This goes in real time, and the runs beside it would make it late. Close those first.");
@@ -124,19 +144,43 @@ final class Seats implements Viewing {
 
     /// Switches off all motors of all runs.
     ///
-    /// @return when all are off; the first refusal, if there is one
+    /// @return when all are off, or after [#PATIENCE]; a refusal names each run that has not confirmed it by then
     /// @throws Refusal when all runs are over
     CompletionStage<Answer> estop() {
         List<Seat> going = all.stream().filter(seat -> !seat.now().isOver()).toList();
         if (going.isEmpty()) {
             throw new Refusal(409, "The run is over. Restart it first.");
         }
-        List<CompletionStage<Answer>> answers = going.stream().map(Seat::estop).toList(); // all are told at once
+        List<CompletionStage<Answer>> answers =
+                going.stream().map(Seats::confirmedStop).toList(); // all are told at once
         return answers.stream()
                 .reduce(
                         CompletableFuture.completedFuture(new Answer.Done()),
-                        (all, next) ->
-                                all.thenCombine(next, (one, other) -> one instanceof Answer.Refused ? one : other));
+                        (all, next) -> all.thenCombine(next, Seats::both));
+    }
+
+    private static CompletionStage<Answer> confirmedStop(Seat seat) {
+        CompletableFuture<Answer> stopped = seat.estop().toCompletableFuture();
+        return CompletableFuture.supplyAsync(() -> confirmation(stopped, seat.number()), Thread::startVirtualThread);
+    }
+
+    private static Answer confirmation(CompletableFuture<Answer> stopped, int number) {
+        try {
+            return stopped.get(PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
+        } catch (TimeoutException _) {
+            return new Answer.Refused("Run %d was told to stop and has not confirmed it within %d s. Maybe one of its"
+                            .formatted(number, PATIENCE.toSeconds())
+                    + " agents never returns: see to its robots yourself.");
+        } catch (InterruptedException | ExecutionException e) { // nobody does either
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static Answer both(Answer one, Answer other) {
+        if (one instanceof Answer.Refused(String first) && other instanceof Answer.Refused(String second)) {
+            return new Answer.Refused(first + " " + second);
+        }
+        return one instanceof Answer.Refused ? one : other;
     }
 
     @Override

@@ -215,6 +215,33 @@ class SeatsTest {
         assertThat(post("/api/run/estop", "").body()).contains("The run is over");
     }
 
+    @Test
+    void saysWhichRunDoesNotConfirmAnEmergencyStop() throws Exception {
+        open("{}");
+        var blocked = new CountDownLatch(1);
+        var released = new CountDownLatch(1);
+        try (var _ = run(2).onSnapshot(() -> {
+            blocked.countDown();
+            awaitQuietly(released);
+        })) {
+            blocked.await();
+            Response late = post("/api/run/estop", "");
+            assertThat(late.status()).isEqualTo(409);
+            assertThat(late.body()).contains("Run 2 was told to stop and has not confirmed it within 1 s");
+            assertThat(isStopped(1)).isTrue();
+            released.countDown();
+        }
+        await(run(2), Snapshot::stopped);
+    }
+
+    private static void awaitQuietly(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
+    }
+
     private boolean isStopped(int number) throws Exception {
         return run(number).freshSnapshot().toCompletableFuture().get().stopped();
     }
@@ -229,6 +256,7 @@ class SeatsTest {
         assertThat(open("{}")).isEqualTo(5);
         assertThat(all()).extracting(SeatInfo::number).containsExactly(1, 2, 4, 5);
         assertThat(get("/beside/3/api/run").status()).isEqualTo(404);
+        assertThat(get("/beside/3/api/control").status()).isEqualTo(404);
     }
 
     @Test
