@@ -85,9 +85,11 @@ public final class CsvExport {
     /// Writes them all, one after the other; the folder is made if need be, and files that are there are lost.
     ///
     /// @return those that were written
+    /// @throws IOException when one can't be written; at the end, when a map is none
     public List<Path> write(Path folder) throws IOException {
         Files.createDirectories(folder);
         var written = new ArrayList<Path>();
+        var broken = new ArrayList<String>();
         for (var channel : types.entrySet()) {
             String name = name(channel.getKey());
             Path path = folder.resolve(name + TABLE);
@@ -97,19 +99,20 @@ public final class CsvExport {
             }
             written.add(path);
             if (isMap(channel.getValue()) && last.isPresent()) {
-                written.addAll(writeMap(new Fields(last.get()), folder, name));
+                try {
+                    written.addAll(writeMap(Decoder.grid(new Fields(last.get())), folder, name));
+                } catch (IllegalArgumentException e) { // of another program's recording
+                    broken.add("The last map of (%s) is none: %s".formatted(name, e.getMessage()));
+                }
             }
+        }
+        if (!broken.isEmpty()) {
+            throw new IOException(String.join(" ", broken) + " All else is written.");
         }
         return written;
     }
 
-    private static List<Path> writeMap(Fields fields, Path folder, String name) throws IOException {
-        OccupancyGrid map;
-        try {
-            map = Decoder.grid(fields);
-        } catch (IllegalArgumentException e) { // of another program's recording
-            throw new IOException("The last map of (%s) is none: %s".formatted(name, e.getMessage()), e);
-        }
+    private static List<Path> writeMap(OccupancyGrid map, Path folder, String name) throws IOException {
         Path image = folder.resolve(name + IMAGE);
         Path yaml = folder.resolve(name + MAP);
         Files.write(image, RosMap.pgm(map));
