@@ -91,10 +91,19 @@ describe.skipIf(!chromium)('what people work with', () => {
       async () => ((await plot.locator('.box path').getAttribute('d')) ?? '').includes('L'),
       'a line is drawn',
     );
+    await page.getByLabel('Plot another number beside laser ranges.least').selectOption('base velocity.vx');
+    await eventually(
+      async () => ((await plot.locator('.box path').nth(1).getAttribute('d')) ?? '').includes('L'),
+      'and another line',
+    );
+    await numbers.selectOption('base velocity.omega');
+    expect(await page.locator('[data-plot]').count()).toBe(2);
     await plot.scrollIntoViewIfNeeded();
     await picture('plots');
     await isAccessible();
-    await plot.getByRole('button').click();
+    await plot.getByRole('button', { name: 'Plot base velocity.vx no more' }).click();
+    expect(await plot.locator('.box path').count()).toBe(1);
+    await plot.getByRole('button', { name: 'Plot laser ranges.least no more' }).click();
     expect(await plot.count()).toBe(0);
   });
 

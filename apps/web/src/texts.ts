@@ -250,17 +250,22 @@ export const texts = {
     inCharge: (mine: boolean) => (mine ? 'you, by keys' : 'keys'),
   },
   readings: {
-    title: 'What its devices tell',
+    title: 'Its devices, and what they tell',
+    age: 'How old it is',
     nothing: 'nothing',
     more: (count: number) => `and ${count} more`,
   },
   plots: {
     title: 'Plots',
     add: 'Plot a number…',
+    addTo: 'and…',
+    addToHint: (first: string) => `Plot another number beside ${first}`,
     remove: (name: string) => `Plot ${name} no more`,
+    now: 'now',
+    before: (seconds: string) => `−${seconds} s`,
     nothing: 'nothing to plot',
-    label: (name: string, least: string, greatest: string, span: number) =>
-      `${name} over the last ${span} s: from ${least} to ${greatest}`,
+    label: (names: string[], least: string, greatest: string, span: number) =>
+      `${names.join(' and ')} over the last ${span} s: from ${least} to ${greatest}`,
   },
   agents: {
     title: 'Agents',

@@ -368,6 +368,7 @@ export interface ReadingInfo {
   device: string;
   facts: Fact[];
   left: number;
+  age: number;
 }
 
 export interface Readings {

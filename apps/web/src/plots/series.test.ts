@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { Series, short } from './series';
+import { rangeOf, Series, short, spanOf } from './series';
 
 function series(...points: [time: number, value: number | null][]): Series {
   const all = new Series();
@@ -37,6 +37,24 @@ it('does not grow for ever', () => {
     all.push(i / 1000, i);
   }
   expect(all.range).toEqual([3800, 4999]);
+});
+
+it('several share a box', () => {
+  const low = series([0, 0], [60, 10]);
+  const high = series([0, 20], [60, 40]);
+  const range = rangeOf([low, new Series(), high]);
+  expect(range).toEqual([0, 40]);
+  expect(low.path(100, 40, range)).toBe('M0.0 40.0L100.0 30.0');
+  expect(high.path(100, 40, range)).toBe('M0.0 20.0L100.0 0.0');
+  expect(rangeOf([])).toBeNull();
+});
+
+it('a box begins small, and grows', () => {
+  const young = series([3, 0], [8, 1]);
+  expect(spanOf([young, new Series()])).toBe(10);
+  expect(young.path(100, 10, young.range, 10)).toBe('M50.0 10.0L100.0 0.0');
+  expect(spanOf([young, series([0, 0], [11, 0])])).toBe(30);
+  expect(spanOf([series([0, 0], [31, 0])])).toBe(60);
 });
 
 it('nothing is nothing', () => {

@@ -34,9 +34,23 @@ export class Series {
     return there.length === 0 ? null : [Math.min(...there), Math.max(...there)];
   }
 
-  /** As lines in a box, the newest at its right, the greatest at its top; a gap where there was nothing. */
-  path(width: number, height: number): string {
-    const range = this.range;
+  /** From the oldest to the newest that is kept [s]. */
+  get seconds(): number {
+    return (this.times.at(-1) ?? 0) - (this.times[0] ?? 0);
+  }
+
+  /**
+   * As lines in a box, the newest at its right, the greatest at its top; a gap where there was nothing.
+   *
+   * @param range of the box, which may be wider than its own
+   * @param seconds of the box
+   */
+  path(
+    width: number,
+    height: number,
+    range: readonly [number, number] | null = this.range,
+    seconds = SPAN,
+  ): string {
     const now = this.times.at(-1);
     if (range === null || now === undefined) {
       return '';
@@ -51,7 +65,7 @@ export class Series {
           drawn = false;
           return '';
         }
-        const x = width * (1 - (now - time) / SPAN);
+        const x = width * (1 - (now - time) / seconds);
         const y = span === 0 ? height / 2 : height * (1 - (value - least) / span);
         const step = `${drawn ? 'L' : 'M'}${x.toFixed(1)} ${y.toFixed(1)}`;
         drawn = true;
@@ -60,6 +74,18 @@ export class Series {
       .join('');
   }
 }
+
+/** From the least to the greatest of all of them; null when there is nothing. */
+export function rangeOf(all: readonly Series[]): [number, number] | null {
+  const ranges = all.map(({ range }) => range).filter((range) => range !== null);
+  return ranges.length === 0
+    ? null
+    : [Math.min(...ranges.map(([least]) => least)), Math.max(...ranges.map(([, greatest]) => greatest))];
+}
+
+/** How much of the past a box shows that has room for all of them, in round numbers [s]. */
+export const spanOf = (all: readonly Series[]) =>
+  [10, 30].find((seconds) => all.every((series) => series.seconds <= seconds)) ?? SPAN;
 
 /** As many digits as it takes to tell it from its neighbours. */
 export function short(value: number): string {

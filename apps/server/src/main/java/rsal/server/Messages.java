@@ -609,13 +609,14 @@ final class Messages {
             String noBehavior,
             String noGoal) {}
 
-    /// What those devices of a robot have told last that are not drawn on the map.
+    /// What the devices of a robot have told last.
     record Readings(List<ReadingInfo> readings) {}
 
     /// @param device its name within the robot
     /// @param facts in words; only the first few of something that can be many
     /// @param left how many more there are
-    record ReadingInfo(String device, List<Fact> facts, int left) {}
+    /// @param age how long ago it was taken [s], by the run's clock; below zero when a robot's clock is ahead
+    record ReadingInfo(String device, List<Fact> facts, int left, double age) {}
 
     /// @param value for people to read
     /// @param color that it is about, `#rrggbb`

@@ -1,11 +1,17 @@
 package rsal.server;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.IntFunction;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
+import rsal.behavior.Decision;
 import rsal.data.ActuatorState;
 import rsal.data.BatteryState;
 import rsal.data.Blobs;
@@ -15,45 +21,143 @@ import rsal.data.Covariance2d;
 import rsal.data.Fiducials;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.GripperState;
+import rsal.data.LaserScan;
+import rsal.data.LightState;
+import rsal.data.OccupancyGrid;
+import rsal.data.Odometry;
 import rsal.data.Point2d;
+import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
+import rsal.data.Twist2d;
 import rsal.scenario.run.Reading;
 import rsal.server.Messages.Fact;
+import rsal.server.Messages.NumberInfo;
 import rsal.server.Messages.ReadingInfo;
 import rsal.server.Messages.Readings;
 
-/// Says in words what devices have told that the map does not show.
+/// Says in words what devices have told. Of those that nobody thought of here it tells the numbers; see [Numbers].
 final class ReadingWords {
     /// Of one device.
     static final int MOST_FACTS = 12;
 
+    private static final Point2d HERE = new Point2d(0, 0);
+    private static final MathContext FOUR_DIGITS = new MathContext(4);
+
     private ReadingWords() {}
 
     static Readings of(List<Reading> readings) {
-        return new Readings(readings.stream()
-                .flatMap(reading -> facts(reading.value().value()).map(facts -> info(reading.device(), facts)).stream())
-                .toList());
+        return new Readings(readings.stream().map(ReadingWords::info).toList());
     }
 
-    private static ReadingInfo info(String device, List<Fact> facts) {
+    private static ReadingInfo info(Reading reading) {
+        List<Fact> facts = facts(reading.value().value());
         return new ReadingInfo(
-                device, facts.stream().limit(MOST_FACTS).toList(), Math.max(0, facts.size() - MOST_FACTS));
+                reading.device(),
+                facts.stream().limit(MOST_FACTS).toList(),
+                Math.max(0, facts.size() - MOST_FACTS),
+                reading.age().toMillis() / 1e3);
     }
 
-    private static Optional<List<Fact>> facts(Object value) {
+    private static List<Fact> facts(Object value) {
         return switch (value) {
-            case GripperState gripper -> Optional.of(gripper(gripper));
-            case BatteryState battery -> Optional.of(battery(battery));
+            case LaserScan scan -> scan(scan);
+            case RangeArray ranges -> ranges(ranges);
+            case Odometry odometry -> odometry(odometry);
+            case GripperState gripper -> gripper(gripper);
+            case BatteryState battery -> battery(battery);
             case Blobs blobs ->
-                Optional.of(
-                        blobs.blobs().stream().map(blob -> blob(blobs, blob)).toList());
+                blobs.blobs().stream().map(blob -> blob(blobs, blob)).toList();
             case Fiducials seen ->
-                Optional.of(seen.fiducials().stream().map(ReadingWords::marker).toList());
-            case BumperState bumpers -> Optional.of(bumpers(bumpers));
-            case ActuatorState actuator -> Optional.of(List.of(actuator(actuator)));
-            case PoseEstimate estimate -> Optional.of(estimate(estimate));
-            default -> Optional.empty();
+                seen.fiducials().stream().map(ReadingWords::marker).toList();
+            case BumperState bumpers -> bumpers(bumpers);
+            case ActuatorState actuator -> List.of(actuator(actuator));
+            case PoseEstimate estimate -> estimate(estimate);
+            case LightState light -> light(light);
+            case OccupancyGrid map -> map(map);
+            case Decision decision -> decision(decision);
+            default -> Numbers.of(value).stream().map(ReadingWords::number).toList();
         };
+    }
+
+    private static List<Fact> scan(LaserScan scan) {
+        return hits(
+                scan.count(),
+                scan::isHit,
+                beam -> scan.baseFromLaser().compose(Pose2d.polar(scan.ranges()[beam], scan.angle(beam))));
+    }
+
+    private static List<Fact> ranges(RangeArray array) {
+        return hits(
+                array.count(),
+                array::isHit,
+                sensor -> array.baseFromSensors().get(sensor).compose(Pose2d.polar(array.ranges()[sensor], 0)));
+    }
+
+    /// @param hit where one met something, as seen from the robot
+    private static List<Fact> hits(int count, IntPredicate isHit, IntFunction<Pose2d> hit) {
+        List<Point2d> hits = IntStream.range(0, count)
+                .filter(isHit)
+                .mapToObj(i -> hit.apply(i).position())
+                .toList();
+        String nearest = hits.stream()
+                .min(Comparator.comparingDouble(HERE::distanceTo))
+                .map(ReadingWords::place)
+                .orElse("nothing");
+        return List.of(fact("nearest", nearest), fact("hits", "%d of %d".formatted(hits.size(), count)));
+    }
+
+    private static List<Fact> odometry(Odometry odometry) {
+        Pose2d pose = odometry.odomFromBase();
+        var facts = new ArrayList<Fact>(velocity(odometry.velocity()));
+        facts.add(fact(
+                "odometry", String.format(Locale.ROOT, "%.2f, %.2f m, ", pose.x(), pose.y()) + degrees(pose.theta())));
+        if (odometry.stalled()) {
+            facts.add(fact("motors", "stalled"));
+        }
+        return facts;
+    }
+
+    private static List<Fact> velocity(Twist2d velocity) {
+        String along = String.format(Locale.ROOT, "%.2f m/s", velocity.vx());
+        String sideways = velocity.vy() == 0 ? "" : String.format(Locale.ROOT, ", %.2f m/s left", velocity.vy());
+        return List.of(fact("velocity", along + sideways), fact("turn", degrees(velocity.omega()) + "/s"));
+    }
+
+    private static List<Fact> light(LightState light) {
+        return List.of(new Fact(
+                "light",
+                light.lit() ? "shines" : "dark",
+                Optional.of(light.color().toString())));
+    }
+
+    private static List<Fact> map(OccupancyGrid map) {
+        int known = 0;
+        for (byte cell : map.cells()) {
+            known += cell == OccupancyGrid.UNKNOWN ? 0 : 1;
+        }
+        return List.of(
+                fact("map", "%d × %d cells".formatted(map.width(), map.height())),
+                fact("resolution", String.format(Locale.ROOT, "%.2f m", map.resolution())),
+                fact("known", String.format(Locale.ROOT, "%.0f %%", 100.0 * known / Math.max(1, map.cells().length))));
+    }
+
+    private static List<Fact> decision(Decision decision) {
+        var facts = new ArrayList<Fact>();
+        facts.add(fact("in charge", decision.inCharge().isEmpty() ? "nobody" : decision.inCharge()));
+        facts.addAll(velocity(decision.twist()));
+        return facts;
+    }
+
+    /// One of a device that nobody thought of here.
+    private static Fact number(NumberInfo number) {
+        return fact(
+                number.name(),
+                number.value()
+                        .map(value -> new BigDecimal(value, FOUR_DIGITS)
+                                .stripTrailingZeros()
+                                .toPlainString())
+                        .orElse("none"));
     }
 
     private static List<Fact> gripper(GripperState state) {
@@ -82,7 +186,7 @@ final class ReadingWords {
     }
 
     private static String closed(GripperState state) {
-        return Double.isFinite(state.closed())
+        return state.closed() > 0 && state.closed() < 1
                 ? String.format(Locale.ROOT, ", %.0f %% closed", 100 * state.closed())
                 : "";
     }
@@ -171,6 +275,11 @@ final class ReadingWords {
     private static String direction(double bearing) {
         long degrees = Math.round(Math.toDegrees(bearing));
         return degrees == 0 ? "ahead" : degrees > 0 ? degrees + "° left" : -degrees + "° right";
+    }
+
+    /// In whole ones, and never -0.
+    private static String degrees(double radians) {
+        return Math.round(Math.toDegrees(radians)) + "°";
     }
 
     private static Fact fact(String name, String value) {

@@ -3,6 +3,7 @@ package rsal.server;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -17,7 +18,7 @@ import rsal.server.Messages.CameraView;
 
 class CameraViewsTest {
     private static Reading reading(String device, Object value) {
-        return new Reading(device, new Stamped<>(Instant.EPOCH, "base_link", value));
+        return new Reading(device, new Stamped<>(Instant.EPOCH, "base_link", value), Duration.ZERO);
     }
 
     @Test

@@ -2,6 +2,7 @@ package rsal.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -78,6 +79,6 @@ class NumbersTest {
     }
 
     private static Reading reading(String device, Object value) {
-        return new Reading(device, new Stamped<>(Instant.EPOCH, "r1/" + device, value));
+        return new Reading(device, new Stamped<>(Instant.EPOCH, "r1/" + device, value), Duration.ZERO);
     }
 }

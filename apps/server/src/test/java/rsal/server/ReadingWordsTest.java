@@ -2,11 +2,13 @@ package rsal.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.Collections;
 import java.util.List;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
+import rsal.behavior.Decision;
 import rsal.data.ActuatorState;
 import rsal.data.BatteryState;
 import rsal.data.Blobs;
@@ -17,11 +19,16 @@ import rsal.data.Fiducials;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.GripperState;
 import rsal.data.Interval;
-import rsal.data.Path2d;
+import rsal.data.LaserScan;
+import rsal.data.LightState;
+import rsal.data.OccupancyGrid;
+import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
+import rsal.data.Twist2d;
 import rsal.scenario.run.Reading;
 import rsal.server.Messages.ReadingInfo;
 
@@ -29,7 +36,8 @@ class ReadingWordsTest {
     private static final Pose2d AHEAD = new Pose2d(0, 0, 0);
 
     private static List<ReadingInfo> told(Object value) {
-        return ReadingWords.of(List.of(new Reading("device", new Stamped<>(Instant.EPOCH, "r1/device", value))))
+        return ReadingWords.of(
+                        List.of(new Reading("device", new Stamped<>(Instant.EPOCH, "r1/device", value), Duration.ZERO)))
                 .readings();
     }
 
@@ -130,7 +138,44 @@ class ReadingWordsTest {
     }
 
     @Test
-    void whatTheMapShowsIsNotTold() {
-        assertThat(told(Path2d.EMPTY)).isEmpty();
+    void whatMeasuresDistancesSaysWhatIsNearestAsSeenFromTheRobot() {
+        var mounted = new Pose2d(0.1, 0, 0);
+        float none = Float.POSITIVE_INFINITY;
+        var scan = new LaserScan(mounted, -Math.PI / 2, Math.PI / 2, 0.02, 8, new float[] {none, 0.9f, 0.5f});
+        assertThat(words(scan)).containsExactly("nearest: 0.51 m, 79° left", "hits: 2 of 3");
+        var sonars =
+                new RangeArray(List.of(mounted, Pose2d.ofDegrees(0, 0.1, 90)), 0.2, 0.1, 5, new float[] {none, 1.5f});
+        assertThat(words(sonars)).containsExactly("nearest: 1.60 m, 90° left", "hits: 1 of 2");
+        var blind = new LaserScan(mounted, 0, 0.1, 0.02, 8, new float[] {Float.NaN});
+        assertThat(words(blind)).containsExactly("nearest: nothing", "hits: 0 of 1");
+    }
+
+    @Test
+    void basesPilotsLightsAndMappersAreToldToo() {
+        var velocity = new Twist2d(0.3, 0, Math.toRadians(-12));
+        assertThat(words(new Odometry(Pose2d.ofDegrees(1, -2, 90), velocity, true)))
+                .containsExactly(
+                        "velocity: 0.30 m/s", "turn: -12°/s", "odometry: 1.00, -2.00 m, 90°", "motors: stalled");
+        assertThat(words(new Decision(new Twist2d(0, 0.1, 0), "", List.of())))
+                .containsExactly("in charge: nobody", "velocity: 0.00 m/s, 0.10 m/s left", "turn: 0°/s");
+        assertThat(words(new LightState(new Rgb(0, 255, 0), LightState.Signal.ON, true)))
+                .containsExactly("light: shines");
+        var map = new OccupancyGrid(2, 2, 0.05, 0, 0, new byte[] {0, 100, -1, -1});
+        assertThat(words(map)).containsExactly("map: 2 × 2 cells", "resolution: 0.05 m", "known: 50 %");
+    }
+
+    @Test
+    void ofOthersTheNumbersAreTold() {
+        record Weather(double temperature, int drops, double wind) {}
+        assertThat(words(new Weather(21.123456, 3, Double.NaN)))
+                .containsExactly("temperature: 21.12", "drops: 3", "wind: none");
+    }
+
+    @Test
+    void itsAgeIsTold() {
+        var late = new Reading("device", new Stamped<>(Instant.EPOCH, "r1/device", 7), Duration.ofMillis(1250));
+        assertThat(ReadingWords.of(List.of(late)).readings())
+                .extracting(ReadingInfo::age)
+                .containsExactly(1.25);
     }
 }

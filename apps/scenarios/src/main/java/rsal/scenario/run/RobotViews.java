@@ -8,6 +8,7 @@ import java.util.Optional;
 import rsal.behavior.Pilot;
 import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
+import rsal.data.Stamped;
 import rsal.device.Device;
 import rsal.device.DriveBase;
 import rsal.device.Gripper;
@@ -68,9 +69,9 @@ final class RobotViews {
                 .flatMap(Navigator::costMap);
     }
 
-    private static Optional<Reading> reading(Device device) {
+    private Optional<Reading> reading(Device device) {
         return device instanceof Sensor<?> sensor
-                ? sensor.latest().map(value -> new Reading(device.info().name(), value))
+                ? sensor.latest().map(value -> new Reading(device.info().name(), value, age(value)))
                 : Optional.empty();
     }
 
@@ -125,7 +126,11 @@ final class RobotViews {
         return new RobotView.Real(
                 proxies.has(robot.id()),
                 proxies.mapFromProxy(robot.id()),
-                teller(robot).flatMap(Sensor::latest).map(newest -> Duration.between(newest.time(), clock.instant())));
+                teller(robot).flatMap(Sensor::latest).map(this::age));
+    }
+
+    private Duration age(Stamped<?> reading) {
+        return Duration.between(reading.time(), clock.instant());
     }
 
     /// Who tells where a robot is.
