@@ -66,6 +66,9 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     const panel = (await page.getByRole('region', { name: 'Agents' }).boundingBox())!;
     const first = (await goals.locator('[data-goal]').first().boundingBox())!;
     expect(first.y + first.height).toBeLessThan(panel.y + panel.height);
+    const beliefs = agent(page, 'evade').locator('dl').first();
+    expect(await beliefs.locator('dt').count()).toBeGreaterThan(0);
+    expect(await beliefs.innerText()).not.toMatch(/\d\.\d{4}/);
     await picture(page, 'mind-light');
     await isAccessible(page);
   });
@@ -160,7 +163,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await isAccessible(page);
     await page.getByLabel('mapFromBase').fill('1 2 90');
     await page.getByRole('button', { name: 'Say it' }).click();
-    await page.getByText('says on pose: courier-1 is at (1.00, 2.00, 90°)').first().waitFor();
+    await page.getByText('is told on pose: courier-1 is at (1.00, 2.00, 90°)').first().waitFor();
   });
 
   it('are stopped, started again, and joined by others like them', async () => {

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { clockTime, degrees, factor } from './format';
+import { brief, clockTime, degrees, factor } from './format';
 
 it.each([
   [0, '0:00.0'],
@@ -25,3 +25,10 @@ it.each([
   [-Math.PI, '180°'],
   [-Math.PI / 2, '-90°'],
 ])('%f radians are %s', (radians, text) => expect(degrees(radians)).toBe(text));
+
+it.each([
+  ['go(-1.631998817773008,-1.947434467801798)', 'go(-1.632,-1.947)'],
+  ['0.46695204089382697, 2.0000001, 1.25', '0.467, 2, 1.25'],
+  ['1.2345e-7 and r1.12345a', '1.2345e-7 and r1.12345a'],
+  ['prey-1', 'prey-1'],
+])('%s is %s in brief', (words, text) => expect(brief(words)).toBe(text));

@@ -30,3 +30,10 @@ export function meters(value: number, digits = 2): string {
 export function seconds(value: number): string {
   return `${value.toFixed(1)} s`;
 }
+
+/** Words with numbers as short as people read them: `0.46695204089382697` is `0.467`. */
+export function brief(words: string): string {
+  return words.replace(/(?<![\w.])-?\d+\.\d{4,}(?!\w)/g, (number) =>
+    String(Number(Number(number).toFixed(3))),
+  );
+}

@@ -299,6 +299,8 @@ export const texts = {
     unset: 'nothing',
     fallback: (value: string) => `default: ${value}`,
     wants: 'What it wants',
+    ended: (state: string) => (state === '' ? 'ended' : `ended; at last: ${state}`),
+    believes: 'What it believes',
     urgency: 'How urgent it is',
     ways: (plans: string[]) => `ways: ${plans.join(', ')}`,
     failed: (why: string) => `failed: ${why}`,

@@ -13,6 +13,7 @@ import jason.asSyntax.Pred;
 import jason.asSyntax.SourceInfo;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
+import jason.bb.BeliefBase;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Iterator;
@@ -81,7 +82,7 @@ final class Thoughts {
             }
             boolean waits = c.getPendingIntentions().containsValue(intention);
             goals.add(new GoalView(
-                    Terms.written(intention.getBottom().getTrigger().getLiteral()),
+                    goal(intention.getBottom().getTrigger().getLiteral()),
                     waits ? GoalState.SUSPENDED : GoalState.PURSUED,
                     0,
                     plans(intention),
@@ -89,6 +90,13 @@ final class Thoughts {
                     complaint));
         }
         return List.copyOf(goals);
+    }
+
+    /// Whose source is told only when that is another.
+    private static String goal(Literal own) {
+        Literal told = own.copy();
+        told.delSource(BeliefBase.ASelf);
+        return Terms.written(told);
     }
 
     /// Of the plans under way, the outermost first.
@@ -119,9 +127,8 @@ final class Thoughts {
         var steps = new ArrayList<String>();
         for (IntendedMeans means : intention) {
             PlanBody step = means.isFinished() ? null : means.getCurrentStep();
-            String goal =
-                    means.getTrigger().getOperator() + "" + means.getTrigger().getType()
-                            + Terms.written(means.getTrigger().getLiteral());
+            String goal = means.getTrigger().getOperator() + ""
+                    + means.getTrigger().getType() + goal(means.getTrigger().getLiteral());
             steps.add(
                     step == null || step.getBodyTerm() == null
                             ? goal

@@ -860,7 +860,7 @@ class WrittenAgentTest extends RobotBench {
         assertThat(view("a").status()).isEqualTo(Society.Status.RUNNING);
         List<Mind.GoalView> left =
                 society.look("a", Mind.View.class).orElseThrow().goals();
-        assertThat(left).extracting(Mind.GoalView::name).containsExactly("wait[source(self)]");
+        assertThat(left).extracting(Mind.GoalView::name).containsExactly("wait");
         assertThat(left.getFirst().failure())
                 .isEqualTo("Goal (go) has failed, and so has the plan for that at a.asl:4: .fail.");
     }

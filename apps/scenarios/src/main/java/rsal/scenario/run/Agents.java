@@ -197,7 +197,8 @@ final class Agents implements AutoCloseable {
     private <M> Answer say(String to, Phrasebook.Phrase<M> phrase) {
         String words =
                 Words.clipped(new Message<>(phrase.topic(), OPERATOR, to, scheduler.instant(), phrase.message()));
-        journal.event(OPERATOR, to, "says on %s: %s".formatted(phrase.topic().name(), words));
+        String said = to.isEmpty() ? "all are told on %s: %s" : "is told on %s: %s";
+        journal.event(OPERATOR, to, said.formatted(phrase.topic().name(), words));
         if (to.isEmpty()) {
             society.orElseThrow().publish(OPERATOR, phrase.topic(), phrase.message());
         } else {

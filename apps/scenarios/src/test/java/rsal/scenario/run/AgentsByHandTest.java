@@ -158,7 +158,7 @@ class AgentsByHandTest {
         step();
         assertThat(letters("amy")).containsExactly("go home", "all go home");
         assertThat(letters("base")).containsExactly("all go home");
-        assertThat(byHand()).containsExactly("amy says on text: go home", " says on text: all go home");
+        assertThat(byHand()).containsExactly("amy is told on text: go home", " all are told on text: all go home");
     }
 
     private List<String> letters(String agent) throws Exception {
