@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { AxeBuilder } from '@axe-core/playwright';
 import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { SideBySide } from '../src/api/messages';
 import { chromium, flags } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
@@ -157,6 +158,53 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await frame(page, 1).locator('#map').click();
     await page.keyboard.press('F8');
     await areStopped(page, 1);
+  });
+
+  it('stop together from the page of one that is over, or was closed', async () => {
+    await rsal.beside({ configuration: 'three' });
+    await rsal.beside({ configuration: 'three' });
+    const page = await open(rsal.url);
+    await page.locator('tr[data-robot="guard-1"]').waitFor();
+    await rsal.post('stop');
+    await page.getByTestId('outcome').waitFor();
+    const isStopped = async (run: number) => {
+      const all = await (await fetch(`${rsal.origin}/api/beside`)).json();
+      return (all as SideBySide).runs.find(({ number }) => number === run)!.stopped;
+    };
+    await page.getByRole('button', { name: 'Emergency stop', exact: true }).click();
+    await eventually(() => isStopped(2), 'run 2 stands');
+
+    await page.goto(rsal.url.replace('/#', '/beside/3/#'));
+    await page.locator('tr[data-robot="guard-3"]').waitFor();
+    await page.getByRole('button', { name: 'Arm', exact: true }).click();
+    await eventually(async () => !(await isStopped(3)), 'run 3 goes on');
+    await rsal.close(2);
+    await rsal.beside({ configuration: 'three' });
+    await rsal.close(3);
+    await page.getByText('This run was closed.').waitFor();
+    await page.keyboard.press('F8');
+    await eventually(() => isStopped(4), 'run 4 stands');
+  });
+
+  it('are controlled by one person at a time, in all frames', async () => {
+    await rsal.beside({ configuration: 'three' });
+    const page = await open(rsal.url);
+    await page.locator('tr[data-robot="guard-1"]').waitFor();
+    await page.getByRole('button', { name: 'Take control', exact: true }).click();
+    const form = page.getByRole('dialog', { name: 'Take control' });
+    await form.getByLabel('Your name').fill('Ann');
+    await form.getByRole('button', { name: 'Take control' }).click();
+    await page.getByRole('button', { name: /^Give control back/ }).waitFor();
+    await page.keyboard.press('b');
+    await section(page, 2).waitFor();
+    await page.getByRole('button', { name: /^Give control back/ }).waitFor(); // it went along
+
+    const bob = await browser!.newPage();
+    await bob.goto(rsal.url.replace('/#', '/beside.html#'));
+    await bob.getByRole('button', { name: 'Ann has control' }).waitFor();
+    expect(await bob.getByRole('button', { name: 'Pause all' }).isDisabled()).toBe(true);
+    expect(await bob.getByRole('button', { name: 'Emergency stop', exact: true }).isEnabled()).toBe(true);
+    await bob.close();
   });
 
   it('are told together, and begin again with one seed', async () => {

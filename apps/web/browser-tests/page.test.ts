@@ -337,9 +337,41 @@ describe.skipIf(!chromium)('the page', () => {
       await page.locator('dialog[open]').waitFor();
       await stops(`beside the dialog of ${key}`);
     }
+    for (const name of ['Scenarios…', 'Restart…', 'Keys']) {
+      await page.getByRole('button', { name, exact: true }).click();
+      await page.locator('dialog[open]').waitFor();
+      await page.keyboard.press('Escape');
+      await page.locator('dialog[open]').waitFor({ state: 'detached' });
+      await stops(`after ${name} was clicked and closed`);
+    }
+    await page.keyboard.press('1');
+    await page.getByText('Plots', { exact: true }).click();
+    await stops('after something was opened by a click');
+    const short = page.getByRole('combobox', { name: 'Filter events' });
+    await short.click();
+    await short.selectOption('agent');
+    await stops('after a choice from a list');
     await page.keyboard.press(',');
     await page.locator('.timeline[data-past="true"]').waitFor();
     await stops('while one looks back');
+  });
+
+  it('can be stopped by a click while a dialog covers the page', async () => {
+    const stopped = page.getByText('no robot moves until they are armed');
+    for (const key of ['r', 'c', 'x', '?']) {
+      await page.keyboard.press(key);
+      const dialog = page.locator('dialog[open]');
+      const button = dialog.getByRole('button', { name: 'Emergency stop' });
+      await button.waitFor();
+      expect(await button.evaluate((b) => b === document.activeElement)).toBe(false);
+      const [above, covered] = [(await button.boundingBox())!, (await dialog.boundingBox())!];
+      expect(above.y + above.height).toBeLessThan(covered.y);
+      await button.click();
+      await eventually(async () => (await stopped.count()) === 1, `beside the dialog of ${key}`);
+      await page.keyboard.press('Escape');
+      await page.getByRole('button', { name: 'Arm', exact: true }).click();
+      await stopped.waitFor({ state: 'hidden' });
+    }
   });
 
   it('makes an enlarged panel small again by Esc, however it was enlarged', async () => {
@@ -352,6 +384,19 @@ describe.skipIf(!chromium)('the page', () => {
     await page.locator('.panel.large').waitFor();
     await page.keyboard.press('Escape');
     await page.locator('.panel.large').waitFor({ state: 'detached' });
+    await page.setViewportSize({ width: 1024, height: 768 });
+    await enlarge.click();
+    await page.getByRole('button', { name: 'Emergency stop' }).click(); // not covered
+    await page.getByRole('button', { name: 'Arm', exact: true }).click();
+  });
+
+  it('keeps the emergency stop in sight where the page is higher than the window', async () => {
+    await page.setViewportSize({ width: 800, height: 600 });
+    await page.mouse.move(400, 400);
+    await page.evaluate(() => document.scrollingElement!.scrollTo(0, 10_000));
+    const stop = (await page.getByRole('button', { name: 'Emergency stop' }).boundingBox())!;
+    expect(stop.y).toBeGreaterThanOrEqual(0);
+    expect(stop.y + stop.height).toBeLessThan(600);
   });
 
   it('shows everything to a viewer that comes late and may only watch', async () => {
@@ -365,6 +410,8 @@ describe.skipIf(!chromium)('the page', () => {
       expect(await late.getByRole('button', { name, exact: true }).isDisabled(), name).toBe(true);
     }
     await late.keyboard.press('p');
+    await late.getByRole('alert').getByText('This tab may only watch.').waitFor();
+    await late.keyboard.press('Space');
     await late.keyboard.press('r');
     expect(await late.getByRole('dialog').count()).toBe(0);
     const before = await time();
@@ -581,9 +628,14 @@ describe.skipIf(!chromium)('the page', () => {
     await page.locator('tr[data-robot][data-x]').first().waitFor();
     await first.end();
     await page.getByText('The server is gone.').waitFor();
-    await Rsal.run('hunt-and-prey', '--port', first.port, '--seed', '7');
+    let maps = 0;
+    page.on('request', (request) => {
+      maps += request.url().includes('/api/map/1') ? 1 : 0;
+    });
+    await Rsal.run('find-and-collect', '--port', first.port, '--seed', '7');
     await page.getByText('The server is gone.').waitFor({ state: 'hidden' });
     await page.locator('header').getByText('seed 7').waitFor();
     await page.locator('tr[data-robot][data-x]').first().waitFor();
+    await eventually(() => Promise.resolve(maps > 0), 'its map is asked for, though it counts its runs anew');
   });
 });

@@ -2,25 +2,41 @@ import { access } from './api/access.svelte';
 import { api } from './api/client';
 import type { LookBack, RobotPose } from './api/messages';
 import { driving } from './driving/driving.svelte';
-import { framed } from './framed';
 import { look } from './live/connection';
 import { live } from './live/live.svelte';
-import { attempt } from './notices.svelte';
+import { attempt, notices } from './notices.svelte';
 import { nameOf, nextSpeed } from './speeds';
+import { texts } from './texts';
 import { WantedSpeed } from './wantedspeed';
 
 const wanted = new WantedSpeed((speed) => attempt(api.speed(speed)));
 
 /** What buttons and keys do to the run. Nothing happens where nothing can. */
 export const commands = {
-  /** Of the run as it is now, also for who looks back; and of those beside it, also when it is over itself. */
+  /** Of all runs as they are now, also for who looks back, and when this one is over. */
   emergencyStop: () => {
-    if (access.operator && live.frame !== null && !live.recording && (framed || live.past || !live.over)) {
-      void attempt(api.emergencyStop());
-      commands.toPresent(); // where what became of it is seen, and armed again
+    if (live.recording) {
+      return;
     }
+    if (!access.operator) {
+      notices.add(texts.access.why); // or who watches might think that robots stand still
+      return;
+    }
+    void attempt(api.emergencyStop(), true);
+    commands.toPresent(); // where what became of it is seen, and armed again
   },
   rearm: () => act(api.rearm),
+  /** Whether the run can be changed from here; if not, says why. */
+  mayAct: (): boolean => {
+    if (access.allowed && live.frame !== null && !live.over) {
+      return true;
+    }
+    const why = whyNot();
+    if (why !== null) {
+      notices.add(why);
+    }
+    return false;
+  },
   pause: () => (live.past ? play() : act(() => (live.frame!.paused ? api.resume() : api.pause()))),
   step: () => {
     if (live.past) {
@@ -92,17 +108,27 @@ function change(direction: 1 | -1) {
     go({ speed: nextSpeed(live.frame!.speed, direction), playing: live.going });
     return;
   }
-  if (mayAct()) {
+  if (commands.mayAct()) {
     void wanted.change(direction, live.frame!.speed);
   }
 }
 
-function act(command: () => Promise<unknown>) {
-  if (mayAct()) {
-    void attempt(command());
+/** Null when that is plain to see. */
+function whyNot(): string | null {
+  if (live.recording || live.frame === null) {
+    return null;
   }
+  if (!access.operator) {
+    return texts.access.why;
+  }
+  if (access.elsewhere !== null) {
+    return texts.control.onlyWatch(access.elsewhere);
+  }
+  return live.past ? texts.access.past : live.over ? texts.access.over : null;
 }
 
-function mayAct(): boolean {
-  return access.allowed && live.frame !== null && !live.over;
+function act(command: () => Promise<unknown>) {
+  if (commands.mayAct()) {
+    void attempt(command());
+  }
 }

@@ -142,10 +142,18 @@ export function isModified(event: Pick<Pressed, 'ctrlKey' | 'metaKey' | 'altKey'
   return event.ctrlKey || event.metaKey || event.altKey;
 }
 
+interface Focused {
+  tagName: string;
+  type: string;
+  shadowRoot: object | null;
+  closest: (selector: string) => object | null;
+}
+
 /** Whether the focused element needs the key itself. */
 function takesKeys(target: EventTarget | null, key: string): boolean {
-  const element = target as { tagName?: string; type?: string; shadowRoot?: object | null } | null;
-  if (key === 'Escape' || key === EMERGENCY_STOP) {
+  const element = target as Partial<Focused> | null;
+  const isClosed = element?.closest?.('dialog:not([open])'); // which a browser lets go of only a moment later
+  if (key === 'Escape' || key === EMERGENCY_STOP || isClosed) {
     return false;
   }
   switch (element?.tagName) {
@@ -154,7 +162,6 @@ function takesKeys(target: EventTarget | null, key: string): boolean {
       return true;
     case 'BUTTON':
     case 'SUMMARY':
-    case 'A':
       return key === ' ';
     case 'INPUT':
       return element.type === 'range'

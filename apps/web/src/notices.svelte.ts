@@ -7,10 +7,13 @@ class Notices {
   list = $state<{ id: number; text: string }[]>([]);
   private next = 1;
 
-  add(text: string) {
+  /** @param lasting until somebody puts it away */
+  add(text: string, lasting = false) {
     const id = this.next++;
-    this.list.push({ id, text });
-    setTimeout(() => this.dismiss(id), SHOWN_MILLIS);
+    this.list = [...this.list.filter((notice) => notice.text !== text), { id, text }];
+    if (!lasting) {
+      setTimeout(() => this.dismiss(id), SHOWN_MILLIS);
+    }
   }
 
   dismiss(id: number) {
@@ -23,9 +26,10 @@ export const notices = new Notices();
 /**
  * Waits for a command; when it is refused, says why.
  *
+ * @param lasting whether it says so until somebody puts that away
  * @returns whether it was done
  */
-export async function attempt(command: Promise<unknown>): Promise<boolean> {
+export async function attempt(command: Promise<unknown>, lasting = false): Promise<boolean> {
   try {
     await command;
     return true;
@@ -33,7 +37,7 @@ export async function attempt(command: Promise<unknown>): Promise<boolean> {
     if (!(e instanceof RefusedError)) {
       throw e;
     }
-    notices.add(e.message);
+    notices.add(e.message, lasting);
     return false;
   }
 }

@@ -58,6 +58,8 @@ export const texts = {
   access: {
     label: 'View only',
     why: 'This tab may only watch. To control the run, open the address that was printed when it started; it ends in #token=…',
+    past: 'This is the past, which nobody changes. Look at the present first (L).',
+    over: 'The run is over. Restart it first.',
   },
   connection: {
     connecting: 'Connecting…',
@@ -120,6 +122,8 @@ export const texts = {
     takeOverHint: 'All you may do is to watch, and to stop in an emergency. Take control over…',
     giveBack: 'Give control back: all who have the token may act again',
     of: (name: string) => `${name} has control`,
+    onlyWatch: (name: string) =>
+      `${name} has control: all you may do is to watch, and to stop in an emergency. Take it over by the key above.`,
     lost: (name: string) => `${name} has taken control.`,
   },
   onboard: {
@@ -356,6 +360,7 @@ export const texts = {
     heardHint: 'How often a message reached somebody who listened',
     lostHint: 'How often one did not, and why',
     none: 'Nothing was said yet.',
+    past: 'How much was said by topic is counted for the present only.',
     why: {
       outOfRange: 'out of range',
       byChance: 'by chance',

@@ -91,7 +91,12 @@ export const api = {
   drive: (wish: Drive) => post('drive', wish),
   release: (wish: Release) => post('release', wish, true),
   behavior: (wish: Order) => post('behavior', wish),
-  emergencyStop: () => post('estop'),
+  /** For the robots of all runs, whichever this page shows, and also when that one is over, or was closed. */
+  emergencyStop: () => {
+    patience.abort(); // a run that hangs keeps connections, of which a browser has six
+    patience = new AbortController();
+    return send('POST', 'run/estop', {}, false, '/');
+  },
   rearm: () => post('rearm'),
   motors: (wish: Motors) => post('motors', wish),
   check: (wish: Restart) => post('check', wish) as Promise<Plan>,
@@ -137,6 +142,11 @@ export const seats = {
   close: (number: number) => send('DELETE', `beside/${String(number)}`),
 };
 
+/** How long a look at the run may take [ms]: one that hangs never answers. */
+const LONGEST_LOOK_MILLIS = 5000;
+/** Given up when connections are needed for something else. */
+let patience = new AbortController();
+
 const home = (number: number) => (number === 1 ? '' : `beside/${String(number)}/`);
 
 const post = (command: string, body: object = {}, evenAtTheEnd = false) =>
@@ -164,6 +174,7 @@ async function send(
       },
       body: JSON.stringify(body),
       keepalive: evenAtTheEnd,
+      signal: patience.signal,
     });
   } catch {
     throw new RefusedError('The server does not answer.', []);
@@ -179,6 +190,8 @@ async function send(
   return answer;
 }
 
+const looking = () => AbortSignal.any([patience.signal, AbortSignal.timeout(LONGEST_LOOK_MILLIS)]);
+
 const whoAsks = () => ({ 'RSAL-Operator': access.id });
 
 const at = (time: number | null) => (time === null ? '' : `&time=${String(time)}`);
@@ -189,7 +202,7 @@ const about = <T>(what: string, robot: string) => found<T>(`${what}?robot=${enco
 /** Something to look at; null when nobody knows any more. */
 async function found<T>(what: string, home = ''): Promise<T | null> {
   try {
-    const response = await fetch(`${home}api/${what}`, { headers: whoAsks() });
+    const response = await fetch(`${home}api/${what}`, { headers: whoAsks(), signal: looking() });
     return response.ok ? ((await response.json()) as T) : null;
   } catch {
     return null;
@@ -208,18 +221,19 @@ async function drawn(run: number, robot: string, time: number | null = null): Pr
 /** @param name that it gets; null when it isn't there */
 async function grid(what: string, name: string): Promise<Grid | null> {
   try {
-    const response = await fetch(`api/${what}`);
+    const response = await fetch(`api/${what}`, { signal: looking() });
     return response.ok ? decodeGrid(await response.arrayBuffer(), name) : null;
   } catch {
     return null;
   }
 }
 
-/** A byte a cell, row by row from the lower left one. */
-async function map(run: number): Promise<Uint8Array> {
-  const response = await fetch(`api/map/${String(run)}`);
-  if (!response.ok) {
-    throw new Error(`There is no map of run ${String(run)}.`);
+/** A byte a cell, row by row from the lower left one; null when it isn't there. */
+async function map(run: number): Promise<Uint8Array | null> {
+  try {
+    const response = await fetch(`api/map/${String(run)}`);
+    return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
+  } catch {
+    return null;
   }
-  return new Uint8Array(await response.arrayBuffer());
 }

@@ -1,4 +1,4 @@
-import { seats as ask } from '../api/client';
+import { api, seats as ask } from '../api/client';
 import type { SeatInfo, SideBySide } from '../api/messages';
 import { attempt } from '../notices.svelte';
 import { valueOf } from '../speeds';
@@ -59,7 +59,7 @@ class Seats {
 
   /** All robots of all runs: whichever is asked, the server stops them all. */
   async emergencyStop(): Promise<void> {
-    await attempt(ask.tell(1, 'estop'));
+    await attempt(api.emergencyStop(), true);
     await this.look();
   }
 

@@ -1,7 +1,6 @@
 import { access } from '../api/access.svelte';
 import { api } from '../api/client';
 import type { Control as Told } from '../api/messages';
-import { live } from '../live/live.svelte';
 import { notices } from '../notices.svelte';
 import { texts } from '../texts';
 
@@ -9,6 +8,7 @@ import { texts } from '../texts';
 const PAUSE_MILLIS = 2000;
 const FIRST_PAUSE_MILLIS = 200;
 const NAME = 'rsal.name';
+const HAD = 'rsal.control';
 
 /** Who alone may change anything for now, of all who have the token. */
 class Control {
@@ -16,14 +16,23 @@ class Control {
   holder = $state<string | null>(null);
   mine = $state(false);
 
+  /** Whether this tab had it on the page before, which gave it back as it was left. */
+  private get had(): boolean {
+    return sessionStorage.getItem(HAD) !== null;
+  }
+
   /** As this person was called last. */
   get name(): string {
     return localStorage.getItem(NAME) ?? '';
   }
 
-  /** Asks, and keeps it while it is this tab's, from now on. */
-  start() {
-    void this.ask();
+  /**
+   * Asks, and keeps it while it is this tab's, from now on.
+   *
+   * @param possible whether there is something to control; null while that is not known
+   */
+  start(possible: () => boolean | null) {
+    void this.ask(possible);
     addEventListener('pagehide', () => {
       if (this.mine && top === window) {
         void api.giveControlBack().catch(() => {});
@@ -31,17 +40,17 @@ class Control {
     });
   }
 
-  private async ask() {
-    const isKnown = live.info !== null; // and with it, whether this is a recording, which nobody controls
-    if (isKnown && live.recording === null) {
+  private async ask(possible: () => boolean | null) {
+    if (possible()) {
       await this.keepOrLook();
     }
-    setTimeout(() => void this.ask(), isKnown ? PAUSE_MILLIS : FIRST_PAUSE_MILLIS);
+    setTimeout(() => void this.ask(possible), possible() === null ? FIRST_PAUSE_MILLIS : PAUSE_MILLIS);
   }
 
   private async keepOrLook() {
     try {
-      const kept = this.mine ? await api.takeControl({ name: this.name, over: false }) : await api.control();
+      const mine = this.mine || (this.had && this.holder === null);
+      const kept = mine ? await api.takeControl({ name: this.name, over: false }) : await api.control();
       if (kept !== null) {
         this.learn(kept);
       }
@@ -63,6 +72,11 @@ class Control {
     }
     this.holder = holder;
     this.mine = mine;
+    if (mine) {
+      sessionStorage.setItem(HAD, 'true');
+    } else if (holder !== null) {
+      sessionStorage.removeItem(HAD);
+    }
     access.elsewhere = mine ? null : holder;
   }
 
@@ -76,6 +90,7 @@ class Control {
   }
 
   async giveBack() {
+    sessionStorage.removeItem(HAD);
     this.mine = false; // or it would be taken again meanwhile
     await api.giveControlBack();
     await this.look();

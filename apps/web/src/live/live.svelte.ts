@@ -28,6 +28,8 @@ const PANEL_MILLIS = 200;
 class Live implements Listener {
   connection = $state<'connecting' | 'open' | 'gone' | 'closed'>('connecting');
   info = $state.raw<RunInfo | null>(null);
+  /** Counts runs that this page was told of: another server counts its runs from 1 again. */
+  told = $state(0);
   details = $state.raw<Details | null>(null);
   /** What of the simulated world is no robot. */
   things = $state.raw(Things.NONE);
@@ -80,6 +82,8 @@ class Live implements Listener {
 
   onMessage(message: ServerMessage) {
     if (message.run) {
+      this.told++;
+      access.past = false; // until a frame says otherwise
       this.robots = message.run.robots;
       this.info = { ...message.run, robots: withShades(this.robots) };
       this.things = Things.NONE;
@@ -191,14 +195,10 @@ class Live implements Listener {
     return this.past ? this.events.slice(0, countUntil(this.events, time)) : this.events;
   }
 
-  /** Whether it goes on by itself. */
-  get going(): boolean {
-    return this.frame !== null && !this.frame.paused && !this.over;
-  }
+  readonly over: boolean = $derived(this.frame?.ended === true || (this.details?.ending ?? null) !== null);
 
-  get over(): boolean {
-    return this.frame?.ended === true || (this.details?.ending ?? null) !== null;
-  }
+  /** Whether it goes on by itself. */
+  readonly going: boolean = $derived(this.frame !== null && !this.frame.paused && !this.over);
 }
 
 /** Whether something changed that a person is waiting to see. */

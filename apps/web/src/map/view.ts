@@ -133,7 +133,11 @@ export class View {
     context.transform(cos, -sin, -sin / this.squeeze, -cos / this.squeeze, x, y);
   }
 
+  /** Itself when nobody would see it. */
   panned(dx: number, dy: number): View {
+    if (Math.abs(dx) < 0.01 && Math.abs(dy) < 0.01) {
+      return this;
+    }
     return new View(this.scale, this.originX + dx, this.originY + dy, this);
   }
 
