@@ -44,7 +44,7 @@ describe.skipIf(!chromium)('the card of a robot', () => {
 
   it('tells what its devices see, feel and have, and goes on telling', async () => {
     await open('picker');
-    expect(await told('gripper')).toMatch(/paddles\s+open/);
+    await eventually(async () => /paddles\s+open/.test(await told('gripper')), 'the gripper tells');
     expect(await told('battery')).toMatch(/level\s+\d+\.\d %/);
     expect(await told('blob-finder')).toMatch(/1\.\d\d m, ahead/);
     expect(await told('fiducial-finder')).toMatch(/marker 7\s+\d\.\d\d m, ahead/);

@@ -176,13 +176,33 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await page.getByText('started again').first().waitFor();
     await look(page, 'nav-1');
     await agent(page, 'nav-1').getByRole('button', { name: 'Another like it' }).click();
-    await page.getByLabel('For robot').selectOption('prey');
+    await agent(page, 'nav-1').getByLabel('For robot').selectOption('prey');
     await picture(page, 'another-dark');
     await isAccessible(page);
     await page.getByRole('button', { name: 'Start', exact: true }).click();
     await agent(page, 'nav-3').getByRole('button', { name: 'Stop it' }).click();
     await agent(page, 'nav-3').getByRole('button', { name: 'Start it again' }).waitFor();
     expect(await page.getByText('started, like nav-1, for prey').count()).toBeGreaterThan(0);
+  });
+
+  it('are started of any type, as the form says', async () => {
+    const page = await open(1400, 900, 'light');
+    await page.getByRole('button', { name: 'New…' }).click();
+    const form = page.getByRole('dialog', { name: 'A new agent' });
+    await form.getByLabel('Type').selectOption('wander');
+    await form.getByLabel('For robot').selectOption('prey');
+    await form.getByRole('textbox', { name: 'period' }).fill('often');
+    await form.getByRole('button', { name: 'Start' }).click();
+    await form.getByText('(period) must be').waitFor();
+    await form.getByRole('textbox', { name: 'period' }).fill('7');
+    await picture(page, 'new-agent');
+    await isAccessible(page);
+    await form.getByRole('button', { name: 'Start' }).click();
+    const started = agent(page, 'wander-1');
+    await started.waitFor();
+    await started.getByText('Arguments (').click();
+    expect(await started.locator('[data-argument="period"]').innerText()).toContain('7 s');
+    await page.getByText('started, as wander, for prey').first().waitFor();
   });
 
   it('are left alone by who may only watch', async () => {

@@ -143,7 +143,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     await form(page).getByRole('button', { name: 'Begin' }).click();
     await eventually(async () => (await ended(page)) >= 5, 'it grows');
     await picture(page, 'sweep-light');
-    await page.getByRole('dialog').getByRole('button', { name: 'Stop' }).click();
+    await page.getByRole('dialog').getByRole('button', { name: 'Stop', exact: true }).click();
     await eventually(async () => (await status(page).innerText()) === 'Stopped', 'it stops');
     const stopped = await ended(page);
     expect(stopped).toBeLessThan(48);
@@ -156,7 +156,7 @@ describe.skipIf(!chromium)('a sweep', () => {
 
     await page.getByRole('button', { name: 'Go on' }).click();
     await eventually(async () => (await ended(page)) > stopped, 'it goes on');
-    await page.getByRole('dialog').getByRole('button', { name: 'Stop' }).click();
+    await page.getByRole('dialog').getByRole('button', { name: 'Stop', exact: true }).click();
     await eventually(async () => (await status(page).innerText()) === 'Stopped', 'it stops again');
     const command = (await page.locator('dialog[open] .body > pre').innerText()).split(' ');
     expect(command[0]).toBe('rsal');

@@ -4,6 +4,7 @@ import type {
   Addition,
   AgentAddition,
   AgentInside,
+  AgentTypes,
   Cameras,
   Control,
   ControlWish,
@@ -11,6 +12,7 @@ import type {
   Links,
   Mistake,
   Motors,
+  NewAgent,
   Order,
   Plan,
   PlottedNumbers,
@@ -76,6 +78,8 @@ export const api = {
   links: (robot: string) => about<Links>('links', robot),
   sayable: () => found<Sayables>('sayable'),
   say: (wish: Saying) => post('say', wish),
+  agentTypes: () => found<AgentTypes>('agents/types'),
+  newAgent: (wish: NewAgent) => post('new-agent', wish) as Promise<Added>,
   addAgent: (wish: AgentAddition) => post('add-agent', wish) as Promise<Added>,
   startAgent: (name: string) => post('start-agent', { name }),
   stopAgent: (name: string) => post('stop-agent', { name }),
@@ -142,9 +146,10 @@ export const seats = {
   close: (number: number) => send('DELETE', `beside/${String(number)}`),
 };
 
-/** How long a look at the run may take [ms]: one that hangs never answers. */
+/** How long a look at the run may take, and all else [ms]: one that hangs never answers. */
 const LONGEST_LOOK_MILLIS = 5000;
-/** Given up when connections are needed for something else. */
+const LONGEST_MILLIS = 30_000;
+/** Of looks, which are given up when connections are needed for something else. */
 let patience = new AbortController();
 
 const home = (number: number) => (number === 1 ? '' : `beside/${String(number)}/`);
@@ -174,7 +179,7 @@ async function send(
       },
       body: JSON.stringify(body),
       keepalive: evenAtTheEnd,
-      signal: patience.signal,
+      signal: AbortSignal.timeout(LONGEST_MILLIS),
     });
   } catch {
     throw new RefusedError('The server does not answer.', []);

@@ -55,6 +55,17 @@ export interface AgentName {
   name: string;
 }
 
+export interface AgentTypeInfo {
+  type: string;
+  description: string;
+  needsRobot: boolean;
+  arguments: ArgumentInfo[];
+}
+
+export interface AgentTypes {
+  types: AgentTypeInfo[];
+}
+
 export interface ArgumentInfo {
   name: string;
   kind: ArgumentKind;
@@ -315,6 +326,12 @@ export interface Mistake {
 export interface Motors {
   robot: string;
   on: boolean;
+}
+
+export interface NewAgent {
+  type: string;
+  robot: string;
+  arguments: Record<string, string>;
 }
 
 export interface Newcomers {

@@ -7,7 +7,7 @@ import { drawGoals } from './layers/goals';
 import { drawLinks } from './layers/links';
 import { drawNames } from './layers/names';
 import { drawParticles } from './layers/particles';
-import { drawPaths } from './layers/paths';
+import { drawMotion, drawPaths } from './layers/paths';
 import { drawRobots } from './layers/robots';
 import { drawScans } from './layers/scans';
 import { drawStanding } from './layers/standing';
@@ -17,6 +17,7 @@ import { drawTrails } from './layers/trails';
 import type { Layer } from './scene';
 
 export type Switchable =
+  | 'floor'
   | 'grid'
   | 'map'
   | 'costs'
@@ -26,6 +27,7 @@ export type Switchable =
   | 'particles'
   | 'trails'
   | 'paths'
+  | 'motion'
   | 'goals'
   | 'estimates'
   | 'links'
@@ -35,7 +37,7 @@ export type Switchable =
 type Ordered = [Switchable | null, Layer][];
 
 /**
- * What lies on the floor, from there up; drawn when a frame comes. The grid, maps that robots draw, costs, and things that were
+ * What lies on the floor, from there up; drawn when a frame comes. The map, the grid, maps that robots draw, costs, and things that were
  * not moved, are drawn with the floor.
  */
 const lying: Ordered = [
@@ -43,6 +45,7 @@ const lying: Ordered = [
   ['cones', drawCones],
   ['trails', drawTrails],
   ['paths', drawPaths],
+  ['motion', drawMotion],
   ['goals', drawGoals],
 ];
 
@@ -71,6 +74,7 @@ const obliqueBodies: Ordered = [
 
 class Layers {
   shown = $state<Record<Switchable, boolean>>({
+    floor: true,
     grid: true,
     map: true,
     costs: false,
@@ -80,6 +84,7 @@ class Layers {
     particles: true,
     trails: true,
     paths: true,
+    motion: true,
     goals: true,
     estimates: true,
     links: false,

@@ -9,9 +9,9 @@ const LENGTH = 0.3;
 /** x red, y green, as usual. */
 const X = '#d62828';
 const Y = '#12883f';
-/** Names nearer to each other than this stand one below the other [px]. */
-const WIDTH = 100;
+/** Names that would lie over each other stand one below the other, this far apart [px]. */
 const ROW = 13;
+const GAP = 6;
 const FONT = '600 11px system-ui, sans-serif';
 
 /** A frame, by its name and its pose in the map frame. */
@@ -56,7 +56,7 @@ export const drawAxes: Layer = (context, scene) => {
   context.lineCap = 'round';
   context.font = FONT;
   context.textBaseline = 'top';
-  const written: Pixel[] = [];
+  const written: (Pixel & { end: number })[] = [];
   for (const { name, pose } of axesOf(scene)) {
     const origin = view.toPixel(pose);
     for (const [color, angle] of [
@@ -78,10 +78,11 @@ export const drawAxes: Layer = (context, scene) => {
       }
     }
     const at = { px: origin.px + 5, py: origin.py + 4 };
-    while (written.some(({ px, py }) => Math.abs(px - at.px) < WIDTH && Math.abs(py - at.py) < ROW)) {
+    const end = at.px + context.measureText(name).width + GAP;
+    while (written.some((other) => other.px < end && at.px < other.end && Math.abs(other.py - at.py) < ROW)) {
       at.py += ROW;
     }
-    written.push(at);
+    written.push({ ...at, end });
     context.lineWidth = 3;
     context.strokeStyle = palette.halo;
     context.strokeText(name, at.px, at.py);

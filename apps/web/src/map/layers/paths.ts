@@ -9,8 +9,8 @@ const STANDING = 0.02;
 /** Of more robots, only the selected one's motion is drawn: it would be lost in the others'. */
 const MANY = 60;
 
-/** Planned ways, dashed, and where the present motion takes robots next. */
-export const drawPaths: Layer = (context, { info, frame, view, selected }) => {
+/** Planned ways, dashed. */
+export const drawPaths: Layer = (context, { info, frame, view }) => {
   context.lineWidth = 2 / view.scale;
   context.lineJoin = 'round';
   context.setLineDash([7 / view.scale, 5 / view.scale]);
@@ -26,6 +26,11 @@ export const drawPaths: Layer = (context, { info, frame, view, selected }) => {
     context.stroke();
   });
   context.setLineDash([]);
+};
+
+/** Where their present motion takes robots next. */
+export const drawMotion: Layer = (context, { info, frame, view, selected }) => {
+  context.lineJoin = 'round';
   context.lineWidth = 3 / view.scale;
   context.globalAlpha = 0.7;
   frame.robots.forEach(({ pose, speed, turnRate }, i) => {

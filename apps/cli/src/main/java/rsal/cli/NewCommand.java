@@ -16,6 +16,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import rsal.agent.AgentHostProvider;
+import rsal.experiment.report.ShellWords;
 import rsal.scenario.Providers;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Template;
@@ -117,9 +118,9 @@ final class NewCommand extends Subcommand {
                 """.formatted(command(), name, name, ends ? "" : " --for 30");
     }
 
-    /// In quotes for a shell.
+    /// As a word for a shell, wherever it is called from.
     private static String command() {
-        return "'" + System.getProperty("rsal.launcher", "rsal").replace("'", "'\\''") + "'";
+        return ShellWords.of(List.of(System.getProperty("rsal.launcher", "rsal")));
     }
 
     private String readme(String name, Template template, Map<String, String> texts) {
@@ -134,10 +135,13 @@ final class NewCommand extends Subcommand {
                 %s. Made by `rsal new`, from %s.
 
                 ```
-                rsal run %s.yaml          with the page
-                rsal show %s.yaml         what can be set, robots, agents, ends and measures
-                ./test.sh%s   runs it with three seeds; fails where one does not end in success
+                %s run %s.yaml
+                %s show %s.yaml
+                ./test.sh
                 ```
+
+                The first runs it, with the page. The second tells what can be set, its robots, agents, ends and measures. The third runs
+                it with three seeds, and fails where one does not end in success.
 
                 | file | |
                 |---|---|
@@ -151,9 +155,10 @@ final class NewCommand extends Subcommand {
                         mas == null || mas.equals(JAVA)
                                 ? "`%s`".formatted(template.scenario().name())
                                 : "its template for " + mas,
+                        command(),
                         name,
+                        command(),
                         name,
-                        " ".repeat(name.length() + 12),
                         files,
                         written
                                 ? "Those in AgentSpeak are files\nhere, for the configurations that name them: change one, and run such a configuration"
@@ -202,7 +207,7 @@ final class NewCommand extends Subcommand {
             return;
         }
         all.forEach(out()::println);
-        out().println("\nRun it by   rsal run %s%nTest it by  %s".formatted(run, folder.resolve(TEST)));
+        out().println("\nRun it by   %s run %s%nTest it by  %s".formatted(command(), run, folder.resolve(TEST)));
         out().flush();
     }
 }

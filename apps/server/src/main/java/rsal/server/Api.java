@@ -38,6 +38,7 @@ import rsal.server.Messages.Control;
 import rsal.server.Messages.ControlWish;
 import rsal.server.Messages.Drive;
 import rsal.server.Messages.Motors;
+import rsal.server.Messages.NewAgent;
 import rsal.server.Messages.Order;
 import rsal.server.Messages.Plan;
 import rsal.server.Messages.Refused;
@@ -182,6 +183,11 @@ final class Api {
         command(routes, "behavior", request -> {
             Order wish = read(request, Order.class);
             answerWhenDone(request, running(request).behave(wish.robot(), wish.behavior()));
+        });
+        routes.get("/api/agents/types", request -> answer(request, Descriptions.agentTypes(LiveRun.agentTypes())));
+        command(routes, "new-agent", request -> {
+            NewAgent wish = read(request, NewAgent.class);
+            answerWhenDone(request, running(request).newAgent(wish.type(), wish.robot(), wish.arguments()));
         });
         command(routes, "add-agent", request -> {
             AgentAddition wish = read(request, AgentAddition.class);

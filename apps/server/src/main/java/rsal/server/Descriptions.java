@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import org.jspecify.annotations.Nullable;
+import rsal.agent.AgentType;
 import rsal.agent.Society;
 import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
@@ -40,7 +41,10 @@ import rsal.scenario.run.TopicTraffic;
 import rsal.scene.Scene;
 import rsal.server.Messages.AgentDetails;
 import rsal.server.Messages.AgentInside;
+import rsal.server.Messages.AgentTypeInfo;
+import rsal.server.Messages.AgentTypes;
 import rsal.server.Messages.ArgumentInfo;
+import rsal.server.Messages.ArgumentInfo.ArgumentKind;
 import rsal.server.Messages.BeliefInfo;
 import rsal.server.Messages.ChangeInfo;
 import rsal.server.Messages.Communication;
@@ -125,16 +129,51 @@ final class Descriptions {
     }
 
     private static ArgumentInfo argument(Parameter parameter, RunPlan plan) {
+        return argument(
+                parameter,
+                String.valueOf(plan.arguments().get(parameter.name())),
+                plan.options().arguments().containsKey(parameter.name()));
+    }
+
+    static AgentTypes agentTypes(List<AgentType> types) {
+        return new AgentTypes(types.stream()
+                .map(type -> new AgentTypeInfo(
+                        type.key(),
+                        type.description(),
+                        !type.needs().isEmpty(),
+                        type.parameters().stream()
+                                .map(parameter -> argument(
+                                        parameter,
+                                        parameter
+                                                .fallback()
+                                                .map(String::valueOf)
+                                                .orElse(""),
+                                        false))
+                                .toList()))
+                .toList());
+    }
+
+    private static ArgumentInfo argument(Parameter parameter, String value, boolean typed) {
         return new ArgumentInfo(
                 parameter.name(),
-                ArgumentInfo.ArgumentKind.valueOf(parameter.kind().name()),
-                String.valueOf(plan.arguments().get(parameter.name())),
-                plan.options().arguments().containsKey(parameter.name()),
+                kind(parameter.kind()),
+                value,
+                typed,
                 finite(parameter.min()),
                 finite(parameter.max()),
-                parameter.options(),
+                parameter.kind() == Parameter.Kind.TEXT ? parameter.options() : List.of(),
                 parameter.unit(),
                 parameter.description());
+    }
+
+    /// As one types it: names of robots and places are texts, too.
+    private static ArgumentKind kind(Parameter.Kind kind) {
+        return switch (kind) {
+            case NUMBER -> ArgumentKind.NUMBER;
+            case INTEGER -> ArgumentKind.INTEGER;
+            case FLAG -> ArgumentKind.FLAG;
+            case TEXT, ROBOTS, PLACES, POINTS -> ArgumentKind.TEXT;
+        };
     }
 
     private static Optional<Double> finite(double value) {

@@ -796,6 +796,20 @@ final class Messages {
     /// @param robot that it is to act for; empty when the other one has none
     record AgentAddition(String like, String robot) {}
 
+    /// Asks for an agent of a type.
+    ///
+    /// @param type one of [AgentTypes]
+    /// @param robot that it is to act for; empty for none
+    /// @param arguments as one types them; those that are left out are as the type has them
+    record NewAgent(String type, String robot, Map<String, String> arguments) {}
+
+    /// Types of agents that are installed.
+    record AgentTypes(List<AgentTypeInfo> types) {}
+
+    /// @param needsRobot whether it can't be without one
+    /// @param arguments with the values that they have when nobody types any; empty where one must be typed
+    record AgentTypeInfo(String type, String description, boolean needsRobot, List<ArgumentInfo> arguments) {}
+
     record AgentName(String name) {}
 
     /// Something to be said to agents.

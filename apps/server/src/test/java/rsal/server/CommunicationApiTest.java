@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.agent.AgentType;
 import rsal.scenario.RunOptions;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
@@ -95,6 +96,21 @@ class CommunicationApiTest {
                 .filter(one -> one.get("topic").asString().equals("pose"))
                 .mapToLong(one -> one.get(what).asLong())
                 .sum();
+    }
+
+    @Test
+    void tellsAllTypesOfAgentsWithWhatCanBeTyped() throws Exception {
+        List<JsonNode> types = each(get("/api/agents/types").get("types"));
+        assertThat(types)
+                .extracting(type -> type.get("type").asString())
+                .containsAll(LiveRun.agentTypes().stream().map(AgentType::key).toList());
+        JsonNode nav = types.stream()
+                .filter(type -> type.get("type").asString().equals("nav"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(nav.get("needsRobot").asBoolean()).isTrue();
+        assertThat(each(nav.get("arguments")))
+                .allMatch(argument -> !argument.get("description").asString().isEmpty());
     }
 
     @Test

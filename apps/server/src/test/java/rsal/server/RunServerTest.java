@@ -271,6 +271,8 @@ class RunServerTest {
                     "release",
                     "behavior",
                     "add-agent",
+                    "new-agent",
+                    "watch",
                     "start-agent",
                     "stop-agent",
                     "say",

@@ -28,6 +28,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
+import rsal.agent.AgentType;
 import rsal.agent.Turns;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
@@ -316,6 +317,22 @@ public final class LiveRun implements AutoCloseable {
     /// @param typed what a person typed, by name of the field
     public CompletionStage<Answer> say(String to, String topic, Map<String, String> typed) {
         return ask(stage -> stage.say(to, topic, typed));
+    }
+
+    /// Starts an agent of a type that is installed, as people want it. It is named after its type.
+    ///
+    /// @param robot id of the one that it is to act for; empty for none
+    /// @param typed its arguments, as somebody typed them; those that are left out are as the type has them
+    /// @return [Answer.Added] with its name
+    public CompletionStage<Answer> newAgent(String type, String robot, Map<String, String> typed) {
+        return ask(stage -> stage.newAgent(type, robot, typed));
+    }
+
+    /// Types of agents that people can start: the same in all runs.
+    ///
+    /// @throws InvalidSettings when one of them can't be loaded
+    public static List<AgentType> agentTypes() {
+        return List.copyOf(TypedAgent.types().values());
     }
 
     /// What people can say: the same in all runs.

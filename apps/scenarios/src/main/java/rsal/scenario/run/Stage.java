@@ -280,10 +280,32 @@ final class Stage implements AutoCloseable {
         }
         PlannedAgent another =
                 newcomers.another(example.get(), Optional.of(robot).filter(id -> !id.isEmpty()));
-        String words = "started, like " + like + (robot.isEmpty() ? "" : ", for " + robot);
-        Answer answer = agents.start(another, words, new Answer.Added(another.name()));
+        return start(another, "started, like " + like);
+    }
+
+    /// Starts an agent of a type.
+    ///
+    /// @param robot that it is to act for; empty for none
+    /// @param typed its arguments, as somebody typed them
+    Answer newAgent(String type, String robot, Map<String, String> typed) {
+        Optional<Robot> body = team.robot(robot);
+        if (!robot.isEmpty() && body.isEmpty()) {
+            return world.unknown(robot);
+        }
+        try {
+            List<Robot> all = List.copyOf(team.robots().values());
+            PlannedAgent wanted = TypedAgent.read(type, body, typed, all, plan.seed());
+            return start(newcomers.another(wanted, wanted.robot()), "started, as " + type);
+        } catch (IllegalArgumentException e) {
+            return new Answer.Refused(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private Answer start(PlannedAgent agent, String how) {
+        String words = how + agent.robot().map(robot -> ", for " + robot).orElse("");
+        Answer answer = agents.start(agent, words, new Answer.Added(agent.name()));
         if (answer instanceof Answer.Added) {
-            newcomers.took(another);
+            newcomers.took(agent);
         }
         return answer;
     }

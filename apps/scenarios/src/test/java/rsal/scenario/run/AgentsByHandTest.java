@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.agent.AgentType;
 import rsal.agent.Society;
 import rsal.scenario.RunOptions;
 
@@ -122,6 +123,33 @@ class AgentsByHandTest {
                 .isEqualTo(new Answer.Refused("Agent (base) has no robot, and neither has another one like it."));
         assertThat(answer(run.addAgent("amy", "north"))).isInstanceOf(Answer.Refused.class);
         assertThat(byHand()).isEmpty();
+    }
+
+    @Test
+    void anyTypeThatIsInstalledIsStartedAsItIsTyped() throws Exception {
+        assertThat(LiveRun.agentTypes()).extracting(AgentType::key).contains("chatter", "wander");
+        assertThat(answer(run.newAgent("chatter", "", Map.of()))).isEqualTo(new Answer.Added("chatter-1"));
+        assertThat(answer(run.newAgent("chatter", "east", Map.of()))).isEqualTo(new Answer.Added("chatter-2"));
+        assertThat(inside("chatter-2").agent().robot()).contains("east");
+        assertThat(status("chatter-1")).isEqualTo(Society.Status.RUNNING);
+        assertThat(byHand())
+                .containsExactly("chatter-1 started, as chatter", "chatter-2 started, as chatter, for east");
+    }
+
+    @Test
+    void whatCantBeStartedSaysWhy() throws Exception {
+        assertThat(whyNot("wonder", "east", Map.of()))
+                .startsWith("There is no type (wonder) of agents. Maybe (wander)");
+        assertThat(whyNot("wander", "north", Map.of())).contains("(north)");
+        assertThat(whyNot("wander", "", Map.of())).isEqualTo("Agents (wander) need a robot that they act for.");
+        assertThat(whyNot("wander", "east", Map.of("hurry", "1"))).contains("(hurry) is not known here");
+        assertThat(whyNot("follow", "east", Map.of("period", "soon"))).contains("(period) must be");
+        assertThat(whyNot("witness", "", Map.of("of", "nobody"))).contains("(of) must be", "not (nobody)");
+        assertThat(byHand()).isEmpty();
+    }
+
+    private String whyNot(String type, String robot, Map<String, String> arguments) throws Exception {
+        return ((Answer.Refused) answer(run.newAgent(type, robot, arguments))).why();
     }
 
     @Test
