@@ -26,7 +26,7 @@ import rsal.settings.Suggestion;
 /// The command line.
 @Command(
         name = "rsal",
-        version = Main.VERSION,
+        versionProvider = Build.class,
         mixinStandardHelpOptions = true,
         description = "Runs teams of robots that agents decide for.",
         synopsisSubcommandLabel = "COMMAND",
@@ -66,9 +66,6 @@ import rsal.settings.Suggestion;
             HelpCommand.class
         })
 public final class Main implements Runnable {
-    /// The program's name and version.
-    static final String VERSION = "rsal 0.1.0";
-
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private CommandSpec spec;

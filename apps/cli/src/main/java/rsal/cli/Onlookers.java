@@ -53,7 +53,7 @@ final class Onlookers implements AutoCloseable {
     }
 
     synchronized LiveRun start(RunPlan plan) {
-        var origin = new Origin(plan, Main.VERSION, command, Instant.now());
+        var origin = new Origin(plan, Build.name(), command, Instant.now());
         var witnesses = new ArrayList<Witness>();
         recorder.begin(origin).ifPresent(witnesses::add);
         foxglove.ifPresent(server -> witnesses.add(server.next(origin)));

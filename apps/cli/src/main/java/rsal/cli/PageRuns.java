@@ -136,7 +136,7 @@ final class PageRuns {
                                 onStart,
                                 eye::start,
                                 eye::recorded,
-                                first.sweeps().map(folder -> new RunServer.Sweeping(folder, Main.VERSION)))));
+                                first.sweeps().map(folder -> new RunServer.Sweeping(folder, Build.name())))));
     }
 
     /// Starts a server at a port, with the built page.

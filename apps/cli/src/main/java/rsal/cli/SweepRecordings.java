@@ -25,7 +25,7 @@ record SweepRecordings(Path folder, String command) implements Recordings {
     public Recording begin(Trial trial, RunPlan plan) throws IOException {
         Path file = Recordings.file(folder, trial.number());
         Files.createDirectories(file.resolveSibling("."));
-        var origin = new Origin(plan, Main.VERSION, command, Instant.now());
+        var origin = new Origin(plan, Build.name(), command, Instant.now());
         return new Recorded(Recorder.begin(file, true, origin, Backlog.Behind.WAIT, System::nanoTime));
     }
 
