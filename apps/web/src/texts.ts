@@ -226,6 +226,8 @@ export const texts = {
     placeThere: 'Place',
     placeHint: 'Put it there, in the simulation and in the belief of its localizer',
     copyThere: 'Copy',
+    believe: 'Believe',
+    believeHint: 'Tell its localizer that it is at these numbers; it stays where it is',
     copyHint: 'Put another robot like it there, with the same devices and agents',
     remove: 'Remove',
     removeHint: 'Take it and its agents out of the simulation',

@@ -64,6 +64,7 @@ export const api = {
   speed: (factor: string) => post('speed', { factor }),
   stop: () => post('stop'),
   place: (to: RobotPose) => post('place', to),
+  believe: (to: RobotPose) => post('believe', to),
   add: (wish: Addition) => post('add', wish) as Promise<Added>,
   addRobot: (wish: RobotPose) => post('add-robot', wish) as Promise<Added>,
   remove: (name: string) => post('remove', { name }),

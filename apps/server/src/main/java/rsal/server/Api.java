@@ -150,6 +150,10 @@ final class Api {
             RobotPose to = read(request, RobotPose.class);
             answerWhenDone(request, running(request).place(to.robot(), pose(to)));
         });
+        command(routes, "believe", request -> {
+            RobotPose to = read(request, RobotPose.class);
+            answerWhenDone(request, running(request).believe(to.robot(), pose(to)));
+        });
         command(routes, "add", request -> {
             Addition wish = read(request, Addition.class);
             Pose2d there = pose(wish.x(), wish.y(), wish.heading());

@@ -270,6 +270,7 @@ class RunServerTest {
                     "drive",
                     "release",
                     "behavior",
+                    "believe",
                     "add-agent",
                     "new-agent",
                     "watch",

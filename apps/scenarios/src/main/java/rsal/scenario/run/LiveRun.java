@@ -217,6 +217,11 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.world().place(entity, mapFromEntity));
     }
 
+    /// Tells a robot's localizer where it is. The robot stays where it truly is, which its localizer may find out.
+    public CompletionStage<Answer> believe(String robot, Pose2d mapFromBase) {
+        return ask(stage -> stage.world().believe(robot, mapFromBase));
+    }
+
     /// Puts something new into the simulated world.
     ///
     /// @return [Answer.Added] when it is there

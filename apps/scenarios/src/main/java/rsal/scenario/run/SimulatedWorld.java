@@ -11,6 +11,7 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.Solid;
+import rsal.device.Localizer;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Standing;
@@ -96,14 +97,40 @@ final class SimulatedWorld {
         return team.robot(id).map(robot -> placeRobot(robot, mapFromBase)).orElseGet(() -> placeThing(id, mapFromBase));
     }
 
+    /// Tells a robot's localizer where it is; the robot stays where it truly is.
+    Answer believe(String id, Pose2d mapFromBase) {
+        Optional<Robot> robot = team.robot(id);
+        if (robot.isEmpty()) {
+            return unknown(id);
+        }
+        Optional<Answer> impossible = impossible(id, mapFromBase);
+        if (impossible.isPresent()) {
+            return impossible.get();
+        }
+        Optional<Localizer> localizer = team.localizer(robot.get());
+        if (localizer.isEmpty()) {
+            return new Answer.Refused("Robot (%s) has no localizer that could be told.".formatted(id));
+        }
+        var _ = localizer.get().relocalize(PoseEstimate.of(mapFromBase, PLACED_BY_HAND));
+        journal.event("operator", id, "told that it is at " + Words.of(mapFromBase));
+        return new Answer.Done();
+    }
+
+    private Optional<Answer> impossible(String robot, Pose2d mapFromBase) {
+        OccupancyGrid map = plan.map();
+        if (lacks(robot) || faults.isGone(robot)) {
+            return Optional.of(new Answer.Refused("Robot (%s) is gone.".formatted(robot)));
+        }
+        return mapFromBase.isFinite() && map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))
+                ? Optional.empty()
+                : Optional.of(new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromBase))));
+    }
+
     private Answer placeRobot(Robot robot, Pose2d mapFromBase) {
         String id = robot.id();
-        if (lacks(id) || faults.isGone(id)) {
-            return new Answer.Refused("Robot (%s) is gone.".formatted(id));
-        }
-        OccupancyGrid map = plan.map();
-        if (!mapFromBase.isFinite() || !map.contains(map.column(mapFromBase.x()), map.row(mapFromBase.y()))) {
-            return new Answer.Refused("%s is outside the map.".formatted(Words.of(mapFromBase)));
+        Optional<Answer> impossible = impossible(id, mapFromBase);
+        if (impossible.isPresent()) {
+            return impossible.get();
         }
         Optional<SimulationControl> overseer = systems.overseer(id);
         if (overseer.isPresent() && overseer.get().place(id, mapFromBase) instanceof Placement.Refused(String why)) {

@@ -141,6 +141,25 @@ class ComingTest {
     }
 
     @Test
+    void aRobotCanBeToldWhereItIsWithoutBeingMoved() throws InterruptedException {
+        Snapshot before = await(now -> now.robots().getFirst().estimate().isPresent());
+        Pose2d truth = before.robots().getFirst().truth().orElseThrow();
+        assertThat(truth.distanceTo(THERE)).isGreaterThan(3);
+        assertThat(answer(run.believe("prey", THERE))).isEqualTo(DONE);
+        Snapshot told = await(now -> now.robots()
+                        .getFirst()
+                        .estimate()
+                        .orElseThrow()
+                        .value()
+                        .mapFromBase()
+                        .distanceTo(THERE)
+                < 1);
+        assertThat(told.robots().getFirst().truth().orElseThrow().distanceTo(truth))
+                .isLessThan(2);
+        assertThat(run.events(0)).extracting(RunEvent::text).contains("told that it is at (-8.00, -1.00, 0°)");
+    }
+
+    @Test
     void thingsAreAddedMovedAndRemoved() throws InterruptedException {
         assertThat(answer(run.add(Prop.BOX, THERE))).isEqualTo(new Answer.Added("box-1"));
         assertThat(answer(run.add(Prop.BALL, new Pose2d(-7, -1, 0)))).isEqualTo(new Answer.Added("ball-1"));
@@ -165,6 +184,8 @@ class ComingTest {
         refuses(run.addRobot("prey", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
         refuses(run.remove("nobody"), "There is no (nobody)");
         refuses(run.place("nobody", THERE), "There is no (nobody)");
+        refuses(run.believe("nobody", THERE), "There is no (nobody)");
+        refuses(run.believe("prey", new Pose2d(-1000, 0, 0)), "outside");
         answer(run.add(Prop.BOX, THERE));
         refuses(run.place("box-1", new Pose2d(-31.4, -7.7, 0)), "(wall) is in the way");
         refuses(run.add(Prop.BALL, THERE), "(box-1) is in the way");
