@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -119,12 +120,15 @@ final class ReplayCommand extends Subcommand {
                         .formatted(seconds(steered.event().time()), steered.events(), line(steered.event()));
             case Finding.Different different ->
                 "Different from %s s on; up to %s s all is the same (%d events).%n  recorded: %s%n  now:      %s"
-                        .formatted(
-                                seconds(different.time()),
-                                seconds(different.equalUntil()),
-                                different.events(),
-                                line(different.recorded(), different.now()),
-                                line(different.now(), different.recorded()));
+                                .formatted(
+                                        seconds(different.time()),
+                                        seconds(different.equalUntil()),
+                                        different.events(),
+                                        line(different.recorded(), different.now()),
+                                        line(different.now(), different.recorded()))
+                        + different.differences().stream()
+                                .map("%n  %s"::formatted)
+                                .collect(Collectors.joining());
         };
     }
 
@@ -160,6 +164,7 @@ final class ReplayCommand extends Subcommand {
                 found.put("events", different.events());
                 found.put("recorded", different.recorded().map(ReplayCommand::line));
                 found.put("now", different.now().map(ReplayCommand::line));
+                found.put("differences", different.differences());
             }
         }
         return found;

@@ -20,6 +20,7 @@ import rsal.scenario.run.Witness;
 public final class Verification {
     private static final Duration PERIOD = Duration.ofMillis(100);
 
+    private final Recording recording;
     private final List<Hashed> recorded;
     private final Map<Duration, String> hashes;
     private final boolean isWhole;
@@ -28,6 +29,7 @@ public final class Verification {
 
     // of the run's thread
     private int next;
+    private Optional<RunEvent> unequal = Optional.empty(); // the first that is the same after what is not
     private Duration equalUntil = Duration.ZERO;
 
     /// What came of it.
@@ -47,12 +49,19 @@ public final class Verification {
         /// @param equalUntil up to when all is known to be the same
         /// @param recorded empty when nothing was
         /// @param now empty when nothing happened
+        /// @param differences of robots and agents at that time, in words, a line each; empty where not known
         record Different(
-                Duration time, Duration equalUntil, Optional<RunEvent> recorded, Optional<RunEvent> now, int events)
+                Duration time,
+                Duration equalUntil,
+                Optional<RunEvent> recorded,
+                Optional<RunEvent> now,
+                int events,
+                List<String> differences)
                 implements Finding {}
     }
 
     private Verification(Recording recording) throws IOException {
+        this.recording = recording;
         this.recorded = recording.events();
         this.hashes = recording.hashes();
         this.isWhole = recording.result().containsKey("outcome");
@@ -84,33 +93,37 @@ public final class Verification {
             return;
         }
         if (next >= recorded.size()) {
-            differ(event.time(), Optional.empty(), Optional.of(event));
+            differ(event.time(), Optional.empty(), Optional.of(event), List.of());
             return;
         }
         Hashed before = recorded.get(next);
         if (before.event().equals(event) && before.hash().equals(hash)) {
             next++;
             equalUntil = event.time();
+        } else if (before.event().equals(event)) {
+            next++; // what lies before it is not the same: the next look at all robots tells what
+            unequal = unequal.or(() -> Optional.of(event));
         } else if (isByHand(before.event())) {
             finding.complete(new Finding.Steered(before.event(), next));
         } else {
-            differ(event.time(), Optional.of(before.event()), Optional.of(event));
+            differ(event.time(), Optional.of(before.event()), Optional.of(event), List.of());
         }
     }
 
-    private void compare(Duration time, String hash) {
+    private void compare(Snapshot now, String hash) {
+        Duration time = now.time();
         if (finding.isDone() || isBeyond(time)) {
             return;
         }
         boolean isLate =
                 next < recorded.size() && recorded.get(next).event().time().compareTo(time) < 0;
         String before = hashes.get(time);
-        if (isLate || (before != null && !before.equals(hash))) {
+        if (isLate || (before != null && !before.equals(hash)) || unequal.isPresent()) {
             Optional<RunEvent> missing = isLate ? Optional.of(recorded.get(next).event()) : Optional.empty();
             if (missing.filter(Verification::isByHand).isPresent()) {
                 finding.complete(new Finding.Steered(missing.get(), next));
             } else {
-                differ(time, missing, Optional.empty());
+                differ(time, missing, Optional.empty(), differences(now));
             }
         } else {
             equalUntil = time;
@@ -133,13 +146,31 @@ public final class Verification {
                     isByHand(missing)
                             ? new Finding.Steered(missing, next)
                             : new Finding.Different(
-                                    missing.time(), equalUntil, Optional.of(missing), Optional.empty(), next));
+                                    missing.time(),
+                                    equalUntil,
+                                    Optional.of(missing),
+                                    Optional.empty(),
+                                    next,
+                                    List.of()));
         }
+        unequal.ifPresent(event -> differ(event.time(), Optional.of(event), Optional.of(event), List.of()));
         finding.complete(new Finding.Same(next, equalUntil, isWhole)); // unless something else was found
     }
 
-    private void differ(Duration time, Optional<RunEvent> before, Optional<RunEvent> now) {
-        finding.complete(new Finding.Different(time, equalUntil, before, now, next));
+    private void differ(Duration time, Optional<RunEvent> before, Optional<RunEvent> now, List<String> differences) {
+        finding.complete(new Finding.Different(time, equalUntil, before, now, next, differences));
+    }
+
+    /// From what was recorded of the same time.
+    private List<String> differences(Snapshot now) {
+        try {
+            var before = Playback.of(recording); // whoever has the recording closes that
+            return before.until().compareTo(now.time()) < 0
+                    ? List.of()
+                    : Differences.between(before.at(now.time()), now);
+        } catch (IOException e) {
+            return List.of("What was recorded then can't be read: " + e.getMessage());
+        }
     }
 
     private static boolean isByHand(RunEvent event) {
@@ -156,7 +187,7 @@ public final class Verification {
 
         @Override
         public void sees(Snapshot now, String hash) {
-            compare(now.time(), hash);
+            compare(now, hash);
         }
 
         @Override

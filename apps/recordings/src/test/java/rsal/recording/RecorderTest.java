@@ -123,6 +123,28 @@ class RecorderTest {
         assertThat(verify(file)).isInstanceOf(Finding.Different.class);
     }
 
+    @Test
+    void robotsThatAreElsewhereAreNamedWithBothPoses() throws Exception {
+        Path scenario = Files.writeString(folder.resolve("own.yaml"), """
+                rsal: 1
+                scenario: own
+                world: {map: office}
+                robots: {guard: {model: pioneer2dx, pose: [0, -1, 0], devices: {laser: urg04lx, pilot: {}}}}
+                agents: {walk: {type: wander, robot: guard}}
+                run: {stop: [{when: time > 20, outcome: success}]}
+                """);
+        Path file = folder.resolve("run.mcap");
+        String own = scenario.toString();
+        Recorded.run(Recorded.plan(own, 1, 20), Recorded.plan(own, 2, 20), file); // with other noise
+        assertThat(verify(file)).isInstanceOfSatisfying(Finding.Different.class, different -> {
+            assertThat(different.equalUntil()).isLessThan(different.time());
+            assertThat(different.differences())
+                    .singleElement()
+                    .asString()
+                    .matches("guard: (true pose|odometry|estimated pose) \\(.* rad\\) recorded, \\(.* rad\\) now");
+        });
+    }
+
     /// A scenario of one's own is in the file with all that it is made of.
     @Test
     void aRecordingNeedsNoOtherFile() throws Exception {
