@@ -394,6 +394,7 @@ export const texts = {
       const whom = partners.length === 1 ? partners[0] : `${partners.length} agents`;
       return act === 'cfp' ? `asks ${whom} for bids` : `${act} to ${whom}`;
     },
+    forgotten: 'What happened until then is no longer kept here. Recordings have all of it.',
     none: 'Nothing has happened yet.',
     noneMatch: 'No event matches.',
     more: (count: number) => `${count} earlier ones are not shown; filter to find them.`,

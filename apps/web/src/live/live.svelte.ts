@@ -189,11 +189,14 @@ class Live implements Listener {
     return this.info?.recording ?? null;
   }
 
-  /** What had happened by the time that is shown, oldest first. */
-  get happened(): EventInfo[] {
-    const time = this.frame?.time ?? 0;
-    return this.past ? this.events.slice(0, countUntil(this.events, time)) : this.events;
-  }
+  private readonly happenedCount: number = $derived(
+    this.past ? countUntil(this.events, this.frame?.time ?? 0) : this.events.length,
+  );
+
+  /** What had happened by the time that is shown, oldest first. Another one only when that is other. */
+  readonly happened: readonly EventInfo[] = $derived(
+    this.happenedCount < this.events.length ? this.events.slice(0, this.happenedCount) : this.events,
+  );
 
   readonly over: boolean = $derived(this.frame?.ended === true || (this.details?.ending ?? null) !== null);
 
