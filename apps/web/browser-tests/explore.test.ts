@@ -37,7 +37,7 @@ describe.skipIf(!chromium)('robots that explore', () => {
     await page.goto(rsal.url);
 
     await eventually(() => Promise.resolve(free.length > 2 && free.at(-1)! > free[0]!), 'the map grows');
-    const chip = page.getByRole('button', { name: 'Drawn map' });
+    const chip = page.getByRole('button', { name: 'Drawn', exact: true });
     const floor = page.locator('canvas').first();
     await rsal.post('pause');
     const shown = await floor.screenshot();

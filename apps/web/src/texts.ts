@@ -151,7 +151,7 @@ export const texts = {
   layers: {
     floor: 'Map',
     grid: 'Grid',
-    map: 'Drawn map',
+    map: 'Drawn',
     costs: 'Costs',
     scans: 'Scans',
     cones: 'Sonar',
