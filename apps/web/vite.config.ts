@@ -1,12 +1,27 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import { svelte } from '@sveltejs/vite-plugin-svelte';
-import { defineConfig } from 'vite';
+import { defineConfig, type Plugin } from 'vite';
 
 /** `npm run dev` shows the run of a server that is started beside it on its usual port. */
 const server = 'http://127.0.0.1:8735';
 
+/** Leaves what is worth it packed, too: so the server does not work for that while somebody waits. */
+const packed: Plugin = {
+  name: 'packed',
+  apply: 'build',
+  writeBundle({ dir }, files) {
+    for (const name of Object.keys(files).filter((file) => /\.(js|css|html|svg)$/.test(file))) {
+      const file = join(dir ?? 'dist', name);
+      writeFileSync(`${file}.gz`, gzipSync(readFileSync(file), { level: 9 }));
+    }
+  },
+};
+
 export default defineConfig({
   base: './', // the same page is at the address of each of the runs side by side
-  plugins: [svelte()],
+  plugins: [svelte(), packed],
   build: {
     rolldownOptions: { input: ['index.html', 'beside.html'] },
     target: 'es2023',

@@ -272,7 +272,8 @@ final class PageBench implements Bench {
     private static double wholeSize(Path page) {
         try (Stream<Path> files = Files.walk(page)) {
             return size(files.filter(Files::isRegularFile)
-                    .filter(file -> !file.endsWith("plots.js"))); // of pages of results
+                    .filter(file -> !file.endsWith("plots.js")) // of pages of results
+                    .filter(file -> !file.toString().endsWith(".gz"))); // of the others, packed
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

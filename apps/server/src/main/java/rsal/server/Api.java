@@ -11,6 +11,7 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
@@ -18,6 +19,7 @@ import java.util.function.Function;
 import java.util.zip.GZIPOutputStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.data.OccupancyGrid;
@@ -472,7 +474,20 @@ final class Api {
         if (asset.hashed()) {
             request.header(Header.CACHE_CONTROL, "max-age=31536000, immutable");
         }
-        request.contentType(asset.type()).result(asset.content());
+        request.header(Header.VARY, Header.ACCEPT_ENCODING);
+        boolean packed = asset.packed().isPresent() && takesGzip(request.header(Header.ACCEPT_ENCODING));
+        if (packed) {
+            request.header(Header.CONTENT_ENCODING, "gzip");
+        }
+        request.contentType(asset.type()).result(packed ? asset.packed().orElseThrow() : asset.content());
+    }
+
+    /// @param accepted as RFC 9110, 12.5.3, has it: `gzip, deflate, br;q=0.5`
+    private static boolean takesGzip(@Nullable String accepted) {
+        return accepted != null
+                && Arrays.stream(accepted.split(",", -1))
+                        .map(String::strip)
+                        .anyMatch(one -> one.matches("gzip(\\s*;\\s*q=(1(\\.0*)?|0?\\.\\d*[1-9]\\d*))?"));
     }
 
     static <T extends Record> T read(Context request, Class<T> type) throws IOException {

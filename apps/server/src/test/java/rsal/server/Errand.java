@@ -2,10 +2,12 @@ package rsal.server;
 
 import java.io.IOException;
 import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.zip.GZIPOutputStream;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
@@ -44,6 +46,9 @@ final class Errand {
         Files.writeString(directory.resolve("index.html"), "<!doctype html><title>The page</title>");
         Path assets = Files.createDirectories(directory.resolve("assets"));
         Files.writeString(assets.resolve("index-1a2b.js"), "/* the page's code */");
+        try (var packed = new GZIPOutputStream(Files.newOutputStream(assets.resolve("index-1a2b.js.gz")))) {
+            packed.write("/* the page's code */".getBytes(StandardCharsets.UTF_8));
+        }
         var options = new RunServer.Options(
                 port,
                 TOKEN,

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static rsal.server.Errand.TOKEN;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.net.ConnectException;
 import java.net.InetAddress;
@@ -11,8 +12,13 @@ import java.net.InetSocketAddress;
 import java.net.NetworkInterface;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -146,6 +152,32 @@ class RunServerTest {
                 free += cost >= 0 && cost < 100 ? 1 : 0;
             }
             assertThat(free).as("where the robot can be").isPositive();
+        }
+
+        @Test
+        void sendsWhatIsPackedToThoseWhoTakeThat() throws Exception {
+            URI script = server.url().resolve("/assets/index-1a2b.js");
+            assertThat(packed(script, "deflate, gzip;q=0.8, br")).isEqualTo("/* the page's code */");
+            for (String accepted : List.of("deflate", "gzip;q=0", "x-gzip")) {
+                assertThat(RawHttp.get(port, "/assets/index-1a2b.js", host, "Accept-Encoding: " + accepted)
+                                .text())
+                        .contains("Vary: Accept-Encoding", "the page's code")
+                        .doesNotContain("Content-Encoding");
+            }
+            assertThat(get("/assets/index-1a2b.js.gz").status()).isEqualTo(404);
+        }
+
+        private static String packed(URI address, String accepted) throws Exception {
+            try (HttpClient http = HttpClient.newHttpClient()) {
+                var request = HttpRequest.newBuilder(address)
+                        .header("Accept-Encoding", accepted)
+                        .build();
+                HttpResponse<byte[]> response = http.send(request, HttpResponse.BodyHandlers.ofByteArray());
+                assertThat(response.headers().firstValue("content-encoding")).contains("gzip");
+                try (var unpacked = new GZIPInputStream(new ByteArrayInputStream(response.body()))) {
+                    return new String(unpacked.readAllBytes(), StandardCharsets.UTF_8);
+                }
+            }
         }
 
         @Test
