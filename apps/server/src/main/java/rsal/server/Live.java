@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
 import rsal.server.Messages.Receipt;
 import rsal.server.ViewerCounts.Reason;
 
-/// Shows a run over WebSockets, 20 times a second, or 5 times when it goes by too fast to be followed: to draw more
+/// Shows a run over WebSockets, 20 times a second, or 4 times when it goes by too fast to be followed: to draw more
 /// would take from the run what nobody sees. Each snapshot of one that goes on is encoded once, whoever looks; while
 /// nobody looks, twice a second, to look back on.
 final class Live implements Viewing {
@@ -32,7 +32,7 @@ final class Live implements Viewing {
     private static final int PERIOD_MILLIS = 50;
     private static final Duration PERIOD = Duration.ofMillis(PERIOD_MILLIS);
     private static final int UNWATCHED = 10; // periods between looks
-    private static final int FAST = 4;
+    private static final int FAST = 5;
     private static final String RECEIPTS =
             "This takes receipts: {\"frame\": 7} or {\"events\": 7}; and {\"look\": {\"time\": 7}}.";
     private static final Logger LOG = LoggerFactory.getLogger(Live.class);
