@@ -127,12 +127,32 @@ describe.skipIf(!chromium)('what people work with', () => {
     await told('Motors of courier-1 are off.');
     await page.getByRole('button', { name: 'Motors on', exact: true }).click(); // which leaves it without the focus
     await eventually(async () => !(await page.locator('.banner').innerText()).includes('off'), 'all are on');
+    const map = await page.locator('#map').boundingBox();
     await page.keyboard.press(' ');
     await told('no robot moves until they are armed');
+    expect(await page.locator('#map').boundingBox(), 'nothing moves under the pointer').toEqual(map);
     await page.getByRole('button', { name: 'Motors on', exact: true }).click();
     await told('Motors of courier-2, prey are off.');
     await picture('motors');
     await page.getByRole('button', { name: 'Arm all' }).click();
     await eventually(async () => !(await page.locator('.banner').innerText()).includes('off'), 'all are on');
+  });
+
+  it('the map has the room of all panels when somebody wants it', async () => {
+    const before = (await page.locator('#map').boundingBox())!;
+    await page.getByRole('button', { name: 'The map alone' }).click();
+    const panels = page.locator('.panels');
+    await eventually(async () => !(await panels.isVisible()), 'panels are hidden');
+    const map = (await page.locator('#map').boundingBox())!;
+    expect(map.width * map.height).toBeGreaterThan(1.3 * before.width * before.height);
+    expect(await page.getByRole('slider', { name: 'Time' }).isVisible()).toBe(true);
+    await picture('alone');
+    await page.keyboard.press('Escape');
+    await eventually(() => panels.isVisible(), 'they are back');
+    await page.keyboard.press('h');
+    await eventually(async () => !(await panels.isVisible()), 'hidden by a key');
+    await page.keyboard.press('h');
+    await eventually(() => panels.isVisible(), 'and back by it');
+    expect(await page.locator('#map').boundingBox()).toEqual(before);
   });
 });

@@ -18,6 +18,7 @@ export type Action =
         | 'drive'
         | 'fit'
         | 'upright'
+        | 'mapAlone'
         | 'oblique'
         | 'menu'
         | 'scenarios'
@@ -65,6 +66,7 @@ export const keys: [string, string][] = [
   ['V', 'look at it from above, or at an angle, with heights'],
   ['I  O', 'zoom in, out'],
   ['0', 'show the whole map'],
+  ['H', 'hide the panels, so that the map has all room, or show them again'],
   ['M', 'add something in the middle of the map, or remove what is there'],
   ['C', 'choose a scenario'],
   ['X', 'look at the newest sweep'],
@@ -95,6 +97,7 @@ const actions: Record<string, Action> = {
   t: { kind: 'measure' },
   k: { kind: 'drive' },
   '0': { kind: 'fit' },
+  h: { kind: 'mapAlone' },
   n: { kind: 'upright' },
   v: { kind: 'oblique' },
   i: { kind: 'zoom', factor: ZOOM },

@@ -13,6 +13,8 @@ class Selection {
   onboard = $state(false);
   /** The next click on the map sends the selected robot there. */
   aiming = $state(false);
+  /** The map has the room of all panels. */
+  mapAlone = $state(false);
   /** Dragging on the map measures distances. */
   measuring = $state(false);
 
@@ -38,6 +40,8 @@ class Selection {
       this.measuring = false;
     } else if (this.aiming) {
       this.aiming = false;
+    } else if (this.mapAlone) {
+      this.mapAlone = false;
     } else if (this.following) {
       this.following = false;
     } else {

@@ -99,6 +99,7 @@ export const texts = {
     zoomOut: 'Zoom out',
     fit: 'Show all',
     oblique: 'Look at an angle, with heights',
+    alone: 'The map alone',
     upright: 'Turn back, y up',
     costsHint: 'Select a robot to see what places cost it.',
     noCosts: (robot: string) => `${robot} plans its ways by no costs.`,
