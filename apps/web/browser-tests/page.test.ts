@@ -76,7 +76,6 @@ describe.skipIf(!chromium)('the page', () => {
     return opened;
   }
 
-  /** Waits until something holds, however slow the machine is. */
   /** Simulated seconds on the page's clock. */
   async function time(of = page): Promise<number> {
     const text = await of.getByTestId('time').innerText();
@@ -446,6 +445,22 @@ describe.skipIf(!chromium)('the page', () => {
       async () => (await page.locator('tr[data-robot][data-x]').count()) === 6,
       'there are 6 robots',
     );
+  });
+
+  it('shows the next run from its beginning to who looks back on the last', async () => {
+    await eventually(async () => (await time()) > 3, 'there is something to look back on');
+    await page.keyboard.press(',');
+    const past = page.locator('.timeline[data-past="true"]');
+    await past.waitFor();
+    const before = await time();
+    await rsal.post('restart', { configuration: 'virtual', arguments: {}, seed: '8' });
+    await past.waitFor({ state: 'detached' });
+    await eventually(
+      async () => (await page.getByRole('banner').innerText()).includes('seed 8') && (await time()) < before,
+      'the next run is shown',
+    );
+    const now = await time();
+    await eventually(async () => (await time()) > now, 'and goes on');
   });
 
   it('offers the present speed for the next run, unless nobody could watch it', async () => {
