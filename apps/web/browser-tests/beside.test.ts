@@ -1,52 +1,28 @@
 import { fileURLToPath } from 'node:url';
 import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { SideBySide } from '../src/api/messages';
-import { chromium, flags } from './chromium';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectNoViolation, picture, visits } from './visits';
+import { timeOn } from './world';
 
 const OWN = fileURLToPath(new URL('beside.yaml', import.meta.url));
-/** Where pictures go of what was tested, for people to look at; none when it is not set. */
-const PICTURES = process.env.PICTURES;
 
 describe.skipIf(!chromium)('runs side by side', () => {
+  const { open, close } = visits();
   let rsal: Rsal;
-  let browser: Browser | undefined;
-  let context: BrowserContext | undefined;
-  /** What no page may do: fail, break its security policy. */
-  let faults: string[] = [];
-
-  beforeAll(async () => {
-    browser = await driver.launch({ executablePath: chromium!, args: flags });
-  });
 
   beforeEach(async () => {
-    faults = [];
     rsal = await Rsal.run(OWN, '--port', '0');
   });
 
   afterEach(async () => {
-    await context?.close();
+    await close();
     await Rsal.endAll();
-    expect(faults).toEqual([]);
   });
-
-  afterAll(() => browser?.close());
-
-  async function open(url: string, more: Parameters<Browser['newContext']>[0] = {}): Promise<Page> {
-    context = await browser!.newContext({ viewport: { width: 1280, height: 800 }, ...more });
-    const page = await context.newPage();
-    page.on('pageerror', (error) => faults.push(error.message));
-    page.on('console', (message) => {
-      if (message.type() === 'error' && !/status of 4(09|22)/.test(message.text())) {
-        faults.push(message.text());
-      }
-    });
-    await page.goto(url);
-    return page;
-  }
 
   /** Begins runs beside the first, and shows them all. */
   async function beside(page: Page, ...wishes: object[]) {
@@ -61,10 +37,7 @@ describe.skipIf(!chromium)('runs side by side', () => {
   const frame = (page: Page, run: number) => section(page, run).frameLocator('iframe');
 
   /** Simulated seconds on a frame's own clock. */
-  async function time(page: Page, run: number): Promise<number> {
-    const text = await frame(page, run).getByTestId('time').innerText();
-    return text.split(':').reduce((sum, part) => 60 * sum + Number(part), 0);
-  }
+  const time = (page: Page, run: number) => timeOn(frame(page, run));
 
   async function goesOn(page: Page, run: number) {
     const before = await time(page, run);
@@ -86,18 +59,10 @@ describe.skipIf(!chromium)('runs side by side', () => {
       `robots of ${runs.join(', ')} stand`,
     );
 
-  async function picture(page: Page, name: string) {
-    if (PICTURES) {
-      await page.screenshot({ path: `${PICTURES}/${name}.png` });
-    }
-  }
-
   /** In the frames, too; each of these has landmarks of its own, as the page of one run has. */
   async function expectAccessible(page: Page) {
-    const around = await new AxeBuilder({ page }).exclude('iframe').analyze();
-    const within = await new AxeBuilder({ page }).disableRules('landmark-unique').analyze();
-    const violations = [...around.violations, ...within.violations];
-    expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+    await expectNoViolation(new AxeBuilder({ page }).exclude('iframe'));
+    await expectNoViolation(new AxeBuilder({ page }).disableRules('landmark-unique'));
   }
 
   it('are begun by a click, go on, stop together by the space key, and are closed', async () => {
@@ -199,12 +164,10 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await section(page, 2).waitFor();
     await page.getByRole('button', { name: /^Give control back/ }).waitFor(); // it went along
 
-    const bob = await browser!.newPage();
-    await bob.goto(rsal.url.replace('/#', '/beside.html#'));
+    const bob = await open(rsal.url.replace('/#', '/beside.html#'));
     await bob.getByRole('button', { name: 'Ann has control' }).waitFor();
     expect(await bob.getByRole('button', { name: 'Pause all' }).isDisabled()).toBe(true);
     expect(await bob.getByRole('button', { name: 'Emergency stop', exact: true }).isEnabled()).toBe(true);
-    await bob.close();
   });
 
   it('are told together, and begin again with one seed', async () => {

@@ -1,36 +1,26 @@
 import { fileURLToPath } from 'node:url';
-import { chromium as driver, type Browser, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { visits } from './visits';
 
 const WORLD = fileURLToPath(new URL('picker.world', import.meta.url));
 
 describe.skipIf(!chromium)('the card of a robot', () => {
+  const { open: visit } = visits();
   let rsal: Rsal;
-  let browser: Browser | undefined;
   let page: Page;
 
   beforeAll(async () => {
-    [rsal, browser] = await Promise.all([
-      Rsal.run(WORLD, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
-  });
-
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
+    rsal = await Rsal.run(WORLD, '--port', '0');
   });
 
   beforeEach(async () => {
     await rsal.post('restart', {});
-    page = await browser!.newPage({ viewport: { width: 1400, height: 900 } });
-    await page.goto(rsal.url);
+    page = await visit(rsal.url, { viewport: { width: 1400, height: 900 } });
   });
-
-  afterEach(() => page.close());
 
   async function open(robot: string) {
     await page.locator(`tr[data-robot="${robot}"][data-x]`).click();

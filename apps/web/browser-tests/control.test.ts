@@ -1,40 +1,20 @@
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-
-const PICTURES = process.env.PICTURES;
+import { expectAccessible, picture, visits } from './visits';
 
 describe.skipIf(!chromium)('control, of several who have the token', () => {
+  const { openRun } = visits();
   let rsal: Rsal;
-  let browser: Browser | undefined;
-  const contexts: BrowserContext[] = [];
   let ann: Page;
   let bob: Page;
 
   beforeAll(async () => {
-    [rsal, browser] = await Promise.all([
-      Rsal.run('patrol', '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
-    [ann, bob] = await Promise.all([open(), open()]);
+    rsal = await Rsal.run('patrol', '--port', '0');
+    [ann, bob] = await Promise.all([openRun(rsal.url), openRun(rsal.url)]);
   });
-
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
-  });
-
-  async function open(): Promise<Page> {
-    const context = await browser!.newContext({ viewport: { width: 1280, height: 800 } });
-    contexts.push(context);
-    const page = await context.newPage();
-    await page.goto(rsal.url);
-    await page.locator('tr[data-robot][data-x]').first().waitFor();
-    return page;
-  }
 
   const pause = (page: Page) => page.getByRole('button', { name: /^(Pause|Resume)$/ });
 
@@ -48,18 +28,13 @@ describe.skipIf(!chromium)('control, of several who have the token', () => {
   it('is taken by a click, and leaves the others to watch', async () => {
     expect(await pause(bob).isEnabled()).toBe(true);
     await ann.getByRole('button', { name: 'Take control', exact: true }).click();
-    if (PICTURES) {
-      await ann.screenshot({ path: `${PICTURES}/control-take.png` });
-    }
+    await picture(ann, 'control-take');
     await take(ann, 'Ann');
     await bob.getByRole('button', { name: 'Ann has control' }).waitFor();
     expect(await pause(bob).isEnabled()).toBe(false);
     expect(await pause(ann).isEnabled()).toBe(true);
-    if (PICTURES) {
-      await bob.screenshot({ path: `${PICTURES}/control-others.png` });
-    }
-    const found = await new AxeBuilder({ page: bob }).analyze();
-    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+    await picture(bob, 'control-others');
+    await expectAccessible(bob);
   });
 
   it('is kept for as long as its page is there', async () => {

@@ -1,37 +1,25 @@
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectAccessible, picture, visits } from './visits';
+import { drawnOn } from './world';
 
 const CROWD = fileURLToPath(new URL('crowd.yaml', import.meta.url));
 const ROBOTS = 120;
-const PICTURES = process.env.PICTURES;
 
 describe.skipIf(!chromium)('a crowd of robots', () => {
-  let browser: Browser | undefined;
+  const { openRun } = visits();
   let page: Page;
 
   beforeAll(async () => {
-    const [rsal, started] = await Promise.all([
-      Rsal.run(CROWD, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
-    browser = started;
-    const context = await browser.newContext({ viewport: { width: 1400, height: 900 } });
-    page = await context.newPage();
-    await page.goto(rsal.url);
-    await page.locator('tr[data-robot][data-x]').first().waitFor();
+    const rsal = await Rsal.run(CROWD, '--port', '0');
+    page = await openRun(rsal.url, { viewport: { width: 1400, height: 900 } });
     await eventually(async () => (await drawn('lying')) > 0, 'scans are drawn');
     await rsal.post('pause');
     await page.getByRole('button', { name: 'Resume' }).waitFor();
-  });
-
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
   });
 
   const row = (i: number) => page.locator(`tr[data-robot="robot-${i}"]`);
@@ -39,16 +27,7 @@ describe.skipIf(!chromium)('a crowd of robots', () => {
   const scroll = (name: string, share: number) =>
     list(name).evaluate((node, to) => (node.scrollTop = to * node.scrollHeight), share);
 
-  /** How many pixels of a canvas of the map have something on them. */
-  const drawn = (canvas: 'lying' | 'standing') =>
-    page
-      .locator('#map canvas')
-      .nth(canvas === 'lying' ? 1 : 2)
-      .evaluate((node) => {
-        const { width, height } = node as HTMLCanvasElement;
-        const { data } = (node as HTMLCanvasElement).getContext('2d')!.getImageData(0, 0, width, height);
-        return data.filter((value, at) => at % 4 === 3 && value > 0).length;
-      });
+  const drawn = (canvas: 'lying' | 'standing') => drawnOn(page, canvas);
 
   it('is listed as far as one looks, and further where one scrolls', async () => {
     expect(await page.locator('tr[data-robot]').count()).toBeLessThan(ROBOTS);
@@ -105,9 +84,7 @@ describe.skipIf(!chromium)('a crowd of robots', () => {
     await layer('Scans').click();
     await layer('Trails').click();
     await eventually(async () => (await drawn('lying')) === all, 'all is back');
-    if (PICTURES) {
-      await page.screenshot({ path: `${PICTURES}/crowd.png` });
-    }
+    await picture(page, 'crowd');
   });
 
   it('has links of the one that is selected, as all would be too many', async () => {
@@ -123,7 +100,6 @@ describe.skipIf(!chromium)('a crowd of robots', () => {
   });
 
   it('leaves the page accessible', async () => {
-    const { violations } = await new AxeBuilder({ page }).analyze();
-    expect(violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+    await expectAccessible(page);
   });
 });

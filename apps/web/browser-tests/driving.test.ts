@@ -1,53 +1,27 @@
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectAccessible, visits } from './visits';
+import { poseOf } from './world';
 
 const WORLD = fileURLToPath(new URL('driving.world', import.meta.url));
 
 describe.skipIf(!chromium)('robots of a world', () => {
+  const { openRun } = visits();
   let rsal: Rsal;
-  let browser: Browser | undefined;
-  let contexts: BrowserContext[] = [];
-  let faults: string[] = [];
   let page: Page;
 
   beforeAll(async () => {
-    [rsal, browser] = await Promise.all([
-      Rsal.run(WORLD, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
-  });
-
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
+    rsal = await Rsal.run(WORLD, '--port', '0');
   });
 
   beforeEach(async () => {
-    faults = [];
     await rsal.post('restart');
-    page = await open(rsal);
+    page = await openRun(rsal.url);
   });
-
-  afterEach(async () => {
-    await Promise.all(contexts.map((context) => context.close()));
-    contexts = [];
-    expect(faults).toEqual([]);
-  });
-
-  async function open(of: Rsal, options: Parameters<Browser['newContext']>[0] = {}): Promise<Page> {
-    const context = await browser!.newContext({ viewport: { width: 1280, height: 720 }, ...options });
-    contexts.push(context);
-    const opened = await context.newPage();
-    opened.on('pageerror', (error) => faults.push(error.message));
-    await opened.goto(of.url);
-    await opened.locator('tr[data-robot][data-x]').first().waitFor();
-    return opened;
-  }
 
   const row = (robot: string, of = page) => of.locator(`tr[data-robot="${robot}"]`);
 
@@ -60,12 +34,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await eventually(() => of.getByLabel('Behavior').isEnabled(), 'what it can do is known');
   }
 
-  async function pose(robot: string) {
-    const [x, y, heading] = await Promise.all(
-      ['data-x', 'data-y', 'data-heading'].map(async (name) => Number(await row(robot).getAttribute(name))),
-    );
-    return { x: x!, y: y!, heading: heading! };
-  }
+  const pose = (robot: string) => poseOf(page, robot);
 
   async function moved(robot: string, by = 0.2) {
     const before = await pose(robot);
@@ -151,7 +120,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     ['nothing gets through any more', async () => page.route('**/api/run/drive', () => {})],
     ['the page is closed', async () => page.close()],
   ])('stop when %s', async (_, happens) => {
-    const other = await open(rsal);
+    const other = await openRun(rsal.url);
     await take('idle');
     await page.keyboard.down('w');
     await moved('idle');
@@ -198,7 +167,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
   });
 
   it('are driven by one page at a time, and all see it', async () => {
-    const other = await open(rsal);
+    const other = await openRun(rsal.url);
     await select('idle', other);
     await take('idle');
     await row('idle', other).getByText('keys', { exact: true }).waitFor();
@@ -274,11 +243,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
   });
 
   it('cannot be driven by those who may only watch', async () => {
-    const context = await browser!.newContext();
-    contexts.push(context);
-    const watching = await context.newPage();
-    await watching.goto(rsal.origin);
-    await watching.locator('tr[data-robot][data-x]').first().waitFor();
+    const watching = await openRun(rsal.origin);
     await row('idle', watching).getByRole('button').click();
     expect(await watching.getByRole('button', { name: 'Drive by keys' }).isDisabled()).toBe(true);
     expect(await watching.getByLabel('Behavior').isDisabled()).toBe(true);
@@ -289,7 +254,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
 
   it('drive in a hunt, too', async () => {
     const hunt = await Rsal.run('hunt-and-prey', '--port', '0', '--seed', '42');
-    page = await open(hunt);
+    page = await openRun(hunt.url);
     await moved('hunter-1');
     await take('hunter-1');
     await stands('hunter-1');
@@ -307,13 +272,10 @@ describe.skipIf(!chromium)('robots of a world', () => {
       [1280, 720],
       [820, 1180],
     ])('break no rule of accessibility while they are driven, at %i × %i', async (width, height) => {
-      page = await open(rsal, { colorScheme, viewport: { width, height } });
+      page = await openRun(rsal.url, { colorScheme, viewport: { width, height } });
       for (const robot of ['glider', 'blind']) {
         await take(robot);
-        const { violations } = await new AxeBuilder({ page }).analyze();
-        expect(
-          violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`),
-        ).toEqual([]);
+        await expectAccessible(page);
       }
     });
   });

@@ -1,13 +1,12 @@
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { Rsal } from './rsal';
+import { expectAccessible, picture, visits } from './visits';
 
-const PICTURES = process.env.PICTURES;
 const TEXT = `rsal: 1
 scenario: own
 title: My own
@@ -19,37 +18,25 @@ robots:
 `;
 
 describe.skipIf(!chromium)('the editor of texts', () => {
+  const { openRun } = visits();
   let folder: string;
   let file: string;
   let rsal: Rsal;
-  let browser: Browser | undefined;
-  let context: BrowserContext | undefined;
 
   beforeAll(async () => {
     folder = await mkdtemp(join(tmpdir(), 'rsal-editor-'));
     file = join(folder, 'own.yaml');
     await writeFile(file, TEXT);
-    [rsal, browser] = await Promise.all([
-      Rsal.run(file, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
+    rsal = await Rsal.run(file, '--port', '0');
   });
 
   afterAll(async () => {
-    await browser?.close();
     await Rsal.endAll();
     await rm(folder, { recursive: true });
   });
 
-  afterEach(() => context?.close());
-
-  async function open(colorScheme: 'light' | 'dark' = 'light', width = 1280): Promise<Page> {
-    context = await browser!.newContext({ viewport: { width, height: 800 }, colorScheme });
-    const page = await context.newPage();
-    await page.goto(rsal.url);
-    await page.locator('tr[data-robot]').first().waitFor();
-    return page;
-  }
+  const opened = (colorScheme: 'light' | 'dark' = 'light', width = 1280) =>
+    openRun(rsal.url, { viewport: { width, height: 800 }, colorScheme });
 
   const dialog = (page: Page) => page.getByRole('dialog', { name: /^Edit: / });
   const text = (page: Page) => dialog(page).getByRole('textbox', { name: 'Text of the scenario' });
@@ -61,14 +48,8 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     await dialog(page).getByText('No mistakes.').waitFor();
   }
 
-  async function picture(page: Page, name: string) {
-    if (PICTURES) {
-      await page.screenshot({ path: `${PICTURES}/${name}.png` });
-    }
-  }
-
   it('is not loaded before it is opened', async () => {
-    const page = await open();
+    const page = await opened();
     const loaded: string[] = [];
     page.on('request', (request) => loaded.push(request.url()));
     const before = await page.evaluate(() =>
@@ -80,7 +61,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
   });
 
   it('underlines a mistake where it is, with its remedy', async () => {
-    const page = await open();
+    const page = await opened();
     const errors: string[] = [];
     page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
     await edit(page);
@@ -90,8 +71,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     const list = dialog(page).getByRole('list', { name: 'Mistakes' });
     expect(await list.innerText()).toMatch(/colr[^]*color/);
     await picture(page, 'editor-mistake-light');
-    const found = await new AxeBuilder({ page }).include('dialog[open]').analyze();
-    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+    await expectAccessible(page, 'dialog[open]');
     await list.getByRole('button', { name: 'Line 9' }).click();
     await dialog(page).locator('.mistake').hover();
     await dialog(page).locator('.meaning').waitFor();
@@ -99,7 +79,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
   });
 
   it('completes keys and values, and runs what was written', async () => {
-    const page = await open('dark');
+    const page = await opened('dark');
     await edit(page);
     await text(page).press('Control+End');
     await page.keyboard.type('    col');
@@ -122,7 +102,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
   });
 
   it('keeps the keys of the page from the text, but for the emergency stop on F8', async () => {
-    const page = await open();
+    const page = await opened();
     await edit(page);
     // the run has another text than the file, which can be saved as it is
     expect(await dialog(page).getByRole('button', { name: 'Save' }).isEnabled()).toBe(true);
@@ -139,7 +119,7 @@ describe.skipIf(!chromium)('the editor of texts', () => {
   });
 
   it('asks before it loses what was typed, and saves it', async () => {
-    const page = await open('light', 480);
+    const page = await opened('light', 480);
     await page.keyboard.press('c');
     await page.getByRole('button', { name: /^Edit: My own/ }).click();
     await dialog(page).getByText('No mistakes.').waitFor();

@@ -1,42 +1,32 @@
 import { fileURLToPath } from 'node:url';
-import { chromium as driver, type Browser, type Page } from 'playwright-core';
-import { afterAll, beforeAll, beforeEach, afterEach, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { visits } from './visits';
 
 const SCENARIO = fileURLToPath(new URL('faulty.yaml', import.meta.url));
 
 describe.skipIf(!chromium)('a robot that is gone', () => {
+  const { open } = visits();
   let rsal: Rsal;
-  let browser: Browser | undefined;
   let page: Page;
   /** How often was asked what a robot can do. */
   let asked: number;
 
   beforeAll(async () => {
-    [rsal, browser] = await Promise.all([
-      Rsal.run(SCENARIO, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
-  });
-
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
+    rsal = await Rsal.run(SCENARIO, '--port', '0');
   });
 
   beforeEach(async () => {
     await rsal.post('restart', {});
-    page = await browser!.newPage({ viewport: { width: 1400, height: 900 } });
     asked = 0;
+    page = await open(rsal.url, { viewport: { width: 1400, height: 900 } });
     page.on('request', (request) => {
       asked += request.url().includes('/api/abilities') ? 1 : 0;
     });
-    await page.goto(rsal.url);
   });
-
-  afterEach(() => page.close());
 
   const row = (robot: string) => page.locator(`tr[data-robot="${robot}"]`);
   const says = (robot: string) => row(robot).locator('.behavior').innerText();

@@ -1,58 +1,31 @@
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectAccessible, picture, visits } from './visits';
 
 const TEAM = fileURLToPath(new URL('talk.yaml', import.meta.url));
-/** Where pictures go of what was tested, for people to look at; none when it is not set. */
-const PICTURES = process.env.PICTURES;
 
 describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
+  const { openRun } = visits();
   let rsal: Rsal;
-  let browser: Browser | undefined;
-  let context: BrowserContext | undefined;
 
   beforeAll(async () => {
-    [rsal, browser] = await Promise.all([
-      Rsal.run(TEAM, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
+    rsal = await Rsal.run(TEAM, '--port', '0');
   });
 
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
-  });
-
-  afterEach(() => context?.close());
-
-  async function open(width: number, height: number, colorScheme: 'light' | 'dark'): Promise<Page> {
-    context = await browser!.newContext({ viewport: { width, height }, colorScheme });
-    const page = await context.newPage();
-    await page.goto(rsal.url);
-    await page.locator('tr[data-robot][data-x]').first().waitFor();
-    return page;
-  }
+  const opened = (width: number, height: number, colorScheme: 'light' | 'dark') =>
+    openRun(rsal.url, { viewport: { width, height }, colorScheme });
 
   const agent = (page: Page, name: string) => page.locator(`[data-agent="${name}"]`);
   const look = (page: Page, name: string) => agent(page, name).getByRole('button').first().click();
 
-  async function picture(page: Page, name: string) {
-    if (PICTURES) {
-      await page.screenshot({ path: `${PICTURES}/${name}.png` });
-    }
-  }
-
-  async function isAccessible(page: Page) {
-    const found = await new AxeBuilder({ page }).include('.panels').analyze();
-    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
-  }
+  const isAccessible = (page: Page) => expectAccessible(page, '.panels');
 
   it('is shown of the agent of the robot that is selected', async () => {
-    const page = await open(1400, 900, 'light');
+    const page = await opened(1400, 900, 'light');
     await page.locator('tr[data-robot="prey"]').first().click();
     const goals = agent(page, 'evade').getByRole('list', { name: 'What it wants' });
     await goals.waitFor();
@@ -74,7 +47,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('tells conversations, the newest first', async () => {
-    const page = await open(1400, 900, 'dark');
+    const page = await opened(1400, 900, 'dark');
     await look(page, 'spread');
     const talks = agent(page, 'spread').getByRole('list', { name: 'What it talks about' });
     await talks.getByText('request', { exact: true }).first().waitFor();
@@ -91,7 +64,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('has a mailbox of what reached it, the newest first', async () => {
-    const page = await open(1400, 900, 'light');
+    const page = await opened(1400, 900, 'light');
     await look(page, 'nav-1');
     const inside = agent(page, 'nav-1');
     await inside.getByText('What reached it').click();
@@ -105,7 +78,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('has a history of what it did, believed and wanted, step by step', async () => {
-    const page = await open(1400, 900, 'light');
+    const page = await opened(1400, 900, 'light');
     await look(page, 'evade');
     const inside = agent(page, 'evade');
     await inside.getByText('What changed in it').click();
@@ -118,7 +91,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('tells by topic what was said, heard and lost, and why', async () => {
-    const page = await open(1000, 900, 'light');
+    const page = await opened(1000, 900, 'light');
     await page.getByRole('button', { name: 'By topic' }).click();
     const pose = page.locator('[data-topic="pose"]');
     await pose.waitFor();
@@ -130,7 +103,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('fits into a narrow window', async () => {
-    const page = await open(480, 900, 'dark');
+    const page = await opened(480, 900, 'dark');
     await page.locator('tr[data-robot="prey"]').first().click();
     await page.locator('[data-goal]').first().waitFor();
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
@@ -140,7 +113,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('asks nothing of agents that nobody looks at', async () => {
-    const page = await open(1400, 900, 'light');
+    const page = await opened(1400, 900, 'light');
     const asked: string[] = [];
     page.on('request', (request) => asked.push(new URL(request.url()).pathname));
     await page.waitForTimeout(1500);
@@ -150,7 +123,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('takes words from the operator, and says so in the events', async () => {
-    const page = await open(1400, 900, 'light');
+    const page = await opened(1400, 900, 'light');
     await look(page, 'evade');
     await agent(page, 'evade').getByRole('button', { name: 'Say…' }).click();
     await page.getByLabel('Topic', { exact: true }).selectOption('pose');
@@ -167,7 +140,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('are stopped, started again, and joined by others like them', async () => {
-    const page = await open(1400, 900, 'dark');
+    const page = await opened(1400, 900, 'dark');
     await look(page, 'spread');
     const spread = agent(page, 'spread');
     await spread.getByRole('button', { name: 'Stop it' }).click();
@@ -186,7 +159,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('are started of any type, as the form says', async () => {
-    const page = await open(1400, 900, 'light');
+    const page = await opened(1400, 900, 'light');
     await page.getByRole('button', { name: 'New…' }).click();
     const form = page.getByRole('dialog', { name: 'A new agent' });
     await form.getByLabel('Type').selectOption('wander');
@@ -206,9 +179,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('are left alone by who may only watch', async () => {
-    context = await browser!.newContext();
-    const page = await context.newPage();
-    await page.goto(rsal.origin);
+    const page = await openRun(rsal.origin);
     await look(page, 'evade');
     await agent(page, 'evade')
       .getByText(/^Arguments/)
@@ -217,7 +188,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
   });
 
   it('shows the arguments of an agent, and which are not the default', async () => {
-    const page = await open(1400, 900, 'light');
+    const page = await opened(1400, 900, 'light');
     await look(page, 'evade');
     const inside = agent(page, 'evade');
     const hunter = inside.locator('[data-argument="hunter"]');

@@ -1,33 +1,20 @@
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectAccessible, picture, visits } from './visits';
 
 const WORLD = fileURLToPath(new URL('onboard.world', import.meta.url));
-const PICTURES = process.env.PICTURES;
 
 describe.skipIf(!chromium)('the view from a robot', () => {
-  let browser: Browser | undefined;
+  const { openRun } = visits();
   let page: Page;
 
   beforeAll(async () => {
-    const [rsal, started] = await Promise.all([
-      Rsal.run(WORLD, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
-    browser = started;
-    const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
-    page = await context.newPage();
-    await page.goto(rsal.url);
-    await page.locator('tr[data-robot][data-x]').first().waitFor();
-  });
-
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
+    const rsal = await Rsal.run(WORLD, '--port', '0');
+    page = await openRun(rsal.url);
   });
 
   const view = () => page.getByRole('region', { name: /^View from/ });
@@ -50,12 +37,6 @@ describe.skipIf(!chromium)('the view from a robot', () => {
         return seen;
       });
 
-  const picture = async (name: string) => {
-    if (PICTURES) {
-      await page.screenshot({ path: `${PICTURES}/${name}.png` });
-    }
-  };
-
   it('begins with a sentence, until a robot is selected', async () => {
     await page.keyboard.press('e');
     await view().getByText('Select a robot').waitFor();
@@ -68,7 +49,7 @@ describe.skipIf(!chromium)('the view from a robot', () => {
     expect(seen.blue).toBeGreaterThan(200);
     expect(seen.green).toBe(0);
     expect(seen.orange).toBe(0);
-    await picture('onboard');
+    await picture(page, 'onboard');
   });
 
   it('looks from whoever is selected', async () => {
@@ -84,9 +65,8 @@ describe.skipIf(!chromium)('the view from a robot', () => {
     await view().getByRole('button', { name: 'Enlarge' }).click();
     await eventually(async () => (await view().boundingBox())!.width > 2 * small.width, 'it is large');
     await eventually(async () => (await counts()).red > 800, 'the picture, too');
-    await picture('onboard-large');
-    const found = await new AxeBuilder({ page }).analyze();
-    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+    await picture(page, 'onboard-large');
+    await expectAccessible(page);
     await page.keyboard.press('e');
     await view().waitFor({ state: 'detached' });
   });

@@ -1,115 +1,34 @@
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
-import {
-  chromium as driver,
-  type Browser,
-  type BrowserContext,
-  type Locator,
-  type Page,
-} from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Locator, Page } from 'playwright-core';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectAccessible, visits } from './visits';
+import { drag, onScreen, poseOf, timeOn } from './world';
 
 const SEED = '42';
 
 describe.skipIf(!chromium)('the page', () => {
+  const { open, openRun } = visits();
   let rsal: Rsal;
-  let browser: Browser | undefined;
-  let contexts: BrowserContext[] = [];
-  /** What no page may do: fail, break its security policy, call somebody else. */
-  let faults: string[] = [];
   let page: Page;
 
   beforeAll(async () => {
-    [rsal, browser] = await Promise.all([
-      Rsal.run('hunt-and-prey', '--port', '0', '--seed', SEED),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
-  });
-
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
+    rsal = await Rsal.run('hunt-and-prey', '--port', '0', '--seed', SEED);
   });
 
   beforeEach(async () => {
-    faults = [];
     await rsal.post('restart', { configuration: 'virtual', arguments: {}, seed: SEED });
     await rsal.post('speed', { factor: '1' });
-    page = await open(rsal.url);
+    page = await opened(rsal.url);
   });
 
-  afterEach(async () => {
-    await Promise.all(contexts.map((context) => context.close()));
-    contexts = [];
-    expect(faults).toEqual([]);
-  });
+  const opened = (url: string, options = {}) =>
+    openRun(url, { viewport: { width: 1280, height: 720 }, ...options });
 
-  async function open(url: string, options: Parameters<Browser['newContext']>[0] = {}): Promise<Page> {
-    const context = await browser!.newContext({ viewport: { width: 1280, height: 720 }, ...options });
-    contexts.push(context);
-    const opened = await context.newPage();
-    opened.on('pageerror', (error) => faults.push(error.message));
-    opened.on('console', (message) => {
-      if (message.type() === 'error' && !/status of 4(09|22)/.test(message.text())) {
-        faults.push(message.text());
-      }
-    });
-    opened.on('request', (request) => {
-      if (new URL(request.url()).host !== new URL(rsal.url).host) {
-        faults.push(`asks ${request.url()}`);
-      }
-    });
-    await opened.goto(url);
-    await opened.locator('tr[data-robot][data-x]').first().waitFor();
-    return opened;
-  }
-
-  /** A page of another server, which may be gone at times. */
-  async function openAnother(url: string): Promise<Page> {
-    const context = await browser!.newContext();
-    contexts.push(context);
-    const opened = await context.newPage();
-    await opened.goto(url);
-    return opened;
-  }
-
-  /** Simulated seconds on the page's clock. */
-  async function time(of = page): Promise<number> {
-    const text = await of.getByTestId('time').innerText();
-    return text.split(':').reduce((sum, part) => 60 * sum + Number(part), 0);
-  }
-
-  async function pose(robot: string) {
-    const row = page.locator(`tr[data-robot="${robot}"]`);
-    const [x, y, heading] = await Promise.all(
-      ['data-x', 'data-y', 'data-heading'].map(async (name) => Number(await row.getAttribute(name))),
-    );
-    return { x: x!, y: y!, heading: heading! };
-  }
-
-  /** Where a place of the map is on the screen. */
-  async function onScreen({ x, y }: { x: number; y: number }) {
-    const map = page.locator('#map');
-    const box = (await map.boundingBox())!;
-    const [scale, originX, originY] = await Promise.all(
-      ['data-scale', 'data-origin-x', 'data-origin-y'].map(async (name) =>
-        Number(await map.getAttribute(name)),
-      ),
-    );
-    return { x: box.x + originX! + x * scale!, y: box.y + originY! - y * scale! };
-  }
-
-  async function drag(from: { x: number; y: number }, to: { x: number; y: number }) {
-    const [start, end] = [await onScreen(from), await onScreen(to)];
-    await page.mouse.move(start.x, start.y);
-    await page.mouse.down();
-    await page.mouse.move((start.x + end.x) / 2, (start.y + end.y) / 2);
-    await page.mouse.move(end.x, end.y);
-    await page.mouse.up();
-  }
+  const time = (of = page) => timeOn(of);
+  const pose = (robot: string) => poseOf(page, robot);
 
   async function pause() {
     await page.getByRole('button', { name: 'Pause' }).click();
@@ -182,7 +101,7 @@ describe.skipIf(!chromium)('the page', () => {
     const error = page.locator('tr[data-robot="prey-1"] td').nth(2);
     expect(await error.innerText()).toMatch(/m$/);
     const target = { x: 10, y: -1.6 };
-    await drag(before, target);
+    await drag(page, before, target);
     await eventually(async () => {
       const now = await pose('prey-1');
       return Math.hypot(now.x - target.x, now.y - target.y) < 0.2;
@@ -203,7 +122,7 @@ describe.skipIf(!chromium)('the page', () => {
   it('says why a robot cannot be put into a wall, and leaves it where it is', async () => {
     await pause();
     const before = await pose('prey-1');
-    await drag(before, { x: 0, y: 7.75 });
+    await drag(page, before, { x: 0, y: 7.75 });
     const notice = page.getByRole('alert');
     await notice.getByText(/./).first().waitFor();
     expect(await pose('prey-1')).toEqual(before);
@@ -224,7 +143,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.keyboard.press('g');
     await page.getByText('Click where hunter-1 shall go').waitFor();
     const target = { x: start.x > 0 ? -25 : 25, y: -1.6 };
-    const { x, y } = await onScreen(target);
+    const { x, y } = await onScreen(page, target);
     await page.mouse.click(x, y);
     await page.getByText('Click where hunter-1 shall go').waitFor({ state: 'hidden' });
     await page.getByRole('searchbox', { name: 'Filter events' }).fill('operator hunter-1');
@@ -239,7 +158,7 @@ describe.skipIf(!chromium)('the page', () => {
   it('says when a robot cannot get where it is sent', async () => {
     await rsal.post('goal', { robot: 'hunter-1', x: -31, y: -7.55, heading: 0 }); // in a corner
     await page.getByRole('alert').getByText("hunter-1 can't get to (-31.00, -7.55, 0°): no path.").waitFor();
-    const late = await open(rsal.url);
+    const late = await opened(rsal.url);
     await late.locator('li', { hasText: 'unreached' }).first().waitFor();
     expect(await late.getByRole('alert').getByText(/./).count()).toBe(0);
   });
@@ -248,7 +167,7 @@ describe.skipIf(!chromium)('the page', () => {
     [1280, 720],
     [820, 1180],
   ])('shows all digits of a place at %i × %i', async (width, height) => {
-    page = await open(rsal.url, { viewport: { width, height } });
+    page = await opened(rsal.url, { viewport: { width, height } });
     await page.keyboard.press('1');
     for (const name of ['x [m]', 'y [m]', 'heading [°]']) {
       const field = page.getByLabel(name);
@@ -400,7 +319,7 @@ describe.skipIf(!chromium)('the page', () => {
 
   it('shows everything to a viewer that comes late and may only watch', async () => {
     await eventually(async () => (await time()) > 2, 'the run goes on');
-    const late = await open(rsal.origin);
+    const late = await opened(rsal.origin);
     await late.getByText('View only').waitFor();
     expect(await late.locator('tr[data-robot]').count()).toBe(3);
     await late.getByText('3 robots, 3 agents').waitFor(); // the first events are there, too
@@ -518,7 +437,7 @@ describe.skipIf(!chromium)('the page', () => {
     [820, 1180],
   ])('shows the whole ending beside the map at %i × %i', async (width, height) => {
     await rsal.post('restart', { configuration: 'advanced', arguments: {} });
-    page = await open(rsal.url, { viewport: { width, height } });
+    page = await opened(rsal.url, { viewport: { width, height } });
     await rsal.post('stop');
     await page.getByTestId('outcome').waitFor();
     const map = (await page.locator('#map').boundingBox())!;
@@ -537,7 +456,7 @@ describe.skipIf(!chromium)('the page', () => {
 
   it('explains what is out of bounds', async () => {
     const bounded = await Rsal.run(fileURLToPath(new URL('bounded.yaml', import.meta.url)), '--port', '0');
-    page = await openAnother(bounded.url);
+    page = await open(bounded.url, { mayFail: true });
     await page.getByText(/^Out of bounds: way is [\d.]+ m; the scenario allows at least 1000 m\.$/).waitFor();
     await bounded.end();
     await page.close();
@@ -580,7 +499,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.keyboard.press('f');
     const box = (await map.boundingBox())!;
     await eventually(async () => {
-      const { x, y } = await onScreen(await pose('prey-1'));
+      const { x, y } = await onScreen(page, await pose('prey-1'));
       return Math.hypot(x - box.x - box.width / 2, y - box.y - box.height / 2) < 20;
     }, 'the prey is in the middle');
     await page.keyboard.press('0');
@@ -607,14 +526,8 @@ describe.skipIf(!chromium)('the page', () => {
       [1280, 720],
       [820, 1180],
     ])('breaks no rule of accessibility at %i × %i', async (width, height) => {
-      page = await open(rsal.url, { colorScheme, viewport: { width, height } });
-      const check = async (what: string) => {
-        const { violations } = await new AxeBuilder({ page }).analyze();
-        expect(
-          violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`),
-          what,
-        ).toEqual([]);
-      };
+      page = await opened(rsal.url, { colorScheme, viewport: { width, height } });
+      const check = (what: string) => expectAccessible(page, undefined, what);
       await check('as it comes');
       await page.keyboard.press('1');
       await check('with a robot selected');
@@ -639,7 +552,7 @@ describe.skipIf(!chromium)('the page', () => {
 
   it('says when the server is gone, and comes back with it', async () => {
     const first = await Rsal.run('hunt-and-prey', '--port', '0');
-    page = await openAnother(first.origin);
+    page = await open(first.origin, { mayFail: true });
     await page.locator('tr[data-robot][data-x]').first().waitFor();
     await first.end();
     await page.getByText('The server is gone.').waitFor();

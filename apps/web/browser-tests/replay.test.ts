@@ -1,71 +1,46 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-
-const PICTURES = process.env.PICTURES;
+import { expectAccessible, picture, visits } from './visits';
+import { timeOn } from './world';
 
 describe.skipIf(!chromium)('looking back', () => {
+  const { openRun } = visits();
   const folder = mkdtempSync(join(tmpdir(), 'rsal-replay-'));
   const file = join(folder, 'hunt.mcap');
   let recorded: Rsal;
   let running: Rsal;
-  let browser: Browser;
-  let contexts: BrowserContext[] = [];
-  let faults: string[] = [];
   let page: Page;
 
   beforeAll(async () => {
     await Rsal.headless(
       ...['run', 'hunt-and-prey', '--headless', '--speed', 'max', '--seed', '5', '--record', file],
     );
-    [recorded, running, browser] = await Promise.all([
+    [recorded, running] = await Promise.all([
       Rsal.replay(file, '--port', '0'),
       Rsal.run('hunt-and-prey', '--port', '0', '--seed', '5'),
-      driver.launch({ executablePath: chromium!, args: flags }),
     ]);
   }, 120_000);
 
   afterAll(async () => {
-    await browser.close();
     await Rsal.endAll();
     rmSync(folder, { recursive: true });
   });
 
-  afterEach(async () => {
-    await Promise.all(contexts.map((context) => context.close()));
-    contexts = [];
-    expect(faults).toEqual([]);
-  });
-
-  async function open(url: string, options: Parameters<Browser['newContext']>[0] = {}) {
-    faults = [];
-    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
-    contexts.push(context);
-    page = await context.newPage();
-    page.on('pageerror', (error) => faults.push(error.message));
-    page.on('console', (message) => {
-      if (message.type() === 'error') {
-        faults.push(message.text());
-      }
-    });
-    await page.goto(url);
-    await page.locator('tr[data-robot][data-x]').first().waitFor();
+  async function look(url: string, options = {}) {
+    page = await openRun(url, options);
     await cursor().waitFor();
   }
 
   const cursor = () => page.getByRole('slider', { name: 'Time that is shown' });
   const button = (name: string) => page.getByRole('button', { name, exact: true });
 
-  async function time(): Promise<number> {
-    const text = await page.getByTestId('time').innerText();
-    return text.split(':').reduce((sum, part) => 60 * sum + Number(part), 0);
-  }
+  const time = () => timeOn(page);
 
   const shows = (least: number, most: number) =>
     eventually(
@@ -78,14 +53,8 @@ describe.skipIf(!chromium)('looking back', () => {
     return Promise.all(['data-x', 'data-y', 'data-heading'].map((name) => row.getAttribute(name)));
   }
 
-  async function picture(name: string) {
-    if (PICTURES) {
-      await page.screenshot({ path: join(PICTURES, `${name}.png`) });
-    }
-  }
-
   it('plays a recording, which can only be looked at', async () => {
-    await open(recorded.url);
+    await look(recorded.url);
     const begin = await time();
     await eventually(async () => (await time()) > begin + 1, 'it plays');
     expect(await page.locator('.view-only').innerText()).toContain('Recording');
@@ -111,7 +80,7 @@ describe.skipIf(!chromium)('looking back', () => {
   });
 
   it('scrubs to and fro, and shows the same again', async () => {
-    await open(recorded.url);
+    await look(recorded.url);
     await button('Pause').click();
     await button('Resume').waitFor();
     await cursor().fill('20');
@@ -124,7 +93,7 @@ describe.skipIf(!chromium)('looking back', () => {
     await page.getByTestId('outcome').waitFor();
     expect(await page.locator('ol li').count()).toBeGreaterThan(known);
     expect(await page.getByTestId('outcome').innerText()).toBe('Success');
-    await picture('replay-end');
+    await picture(page, 'replay-end');
     await cursor().fill('20');
     await shows(19.9, 20.1);
     await eventually(
@@ -141,7 +110,7 @@ describe.skipIf(!chromium)('looking back', () => {
   });
 
   it('marks what happened, in words, and goes there', async () => {
-    await open(recorded.url);
+    await look(recorded.url);
     const caught = page.locator('.mark.caught').first();
     await caught.hover();
     expect(await page.locator('.words').innerText()).toContain('is caught by');
@@ -172,12 +141,12 @@ describe.skipIf(!chromium)('looking back', () => {
       dark: { colorScheme: 'dark' as const },
       narrow: { viewport: { width: 760, height: 1000 } },
     })) {
-      await open(recorded.url, options);
+      await look(recorded.url, options);
       await cursor().fill('30');
       await shows(29.9, 34);
       await page.locator('.mark.caught').first().hover();
-      await picture(`replay-${name}`);
-      expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+      await picture(page, `replay-${name}`);
+      await expectAccessible(page);
       const box = (await page.locator('.timeline').boundingBox())!;
       expect(box.x + box.width).toBeLessThanOrEqual(options.viewport?.width ?? 1280);
     }
@@ -185,12 +154,12 @@ describe.skipIf(!chromium)('looking back', () => {
 
   it('looks back in a run that goes on, and to the present again', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });
-    await open(running.url);
+    await look(running.url);
     await eventually(async () => (await time()) > 4, 'it has run a while');
     await cursor().fill('2');
     await shows(1.9, 2.1);
     expect(await page.locator('.timeline').getAttribute('data-past')).toBe('true');
-    await picture('live-back');
+    await picture(page, 'live-back');
     await button('Resume').waitFor();
     expect(await button('Stop').isDisabled()).toBe(true);
     expect(await button('Emergency stop').isDisabled()).toBe(false);

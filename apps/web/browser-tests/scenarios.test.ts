@@ -1,52 +1,29 @@
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectAccessible, picture, visits } from './visits';
 
 const OWN = fileURLToPath(new URL('talk.yaml', import.meta.url));
-/** Where pictures go of what was tested, for people to look at; none when it is not set. */
-const PICTURES = process.env.PICTURES;
 
 describe.skipIf(!chromium)('the choice of a scenario', () => {
+  const { open } = visits();
   let rsal: Rsal;
-  let browser: Browser | undefined;
-  let context: BrowserContext | undefined;
 
   beforeAll(async () => {
-    [rsal, browser] = await Promise.all([
-      Rsal.serve(OWN, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
+    rsal = await Rsal.serve(OWN, '--port', '0');
   });
 
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
-  });
-
-  afterEach(() => context?.close());
-
-  async function open(url: string, colorScheme: 'light' | 'dark' = 'light', width = 1280): Promise<Page> {
-    context = await browser!.newContext({ viewport: { width, height: 800 }, colorScheme });
-    const page = await context.newPage();
-    await page.goto(url);
-    return page;
-  }
+  const opened = (url: string, colorScheme: 'light' | 'dark' = 'light', width = 1280) =>
+    open(url, { viewport: { width, height: 800 }, colorScheme });
 
   const catalog = (page: Page) => page.getByRole('dialog', { name: 'Scenarios' });
   const card = (page: Page, id: string) => catalog(page).locator(`[data-scenario="${id}"]`);
 
-  async function picture(page: Page, name: string) {
-    if (PICTURES) {
-      await page.screenshot({ path: `${PICTURES}/${name}.png` });
-    }
-  }
-
   it('comes first, with a picture of each, while the first run waits', async () => {
-    const page = await open(rsal.url);
+    const page = await opened(rsal.url);
     await catalog(page).waitFor();
     await eventually(
       async () => (await catalog(page).locator('[data-scenario]').count()) > 5,
@@ -62,12 +39,11 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
     );
     await eventually(async () => (await page.getByTestId('rate').innerText()).includes('paused'), 'it waits');
     await picture(page, 'scenarios-light');
-    const found = await new AxeBuilder({ page }).include('dialog[open]').analyze();
-    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
+    await expectAccessible(page, 'dialog[open]');
   });
 
   it('runs another one, as it is told', async () => {
-    const page = await open(rsal.url);
+    const page = await opened(rsal.url);
     await card(page, 'hunt-and-prey')
       .getByRole('button', { name: /^Choose/ })
       .click();
@@ -96,7 +72,7 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
   });
 
   it('is there by a key, and takes another host for the agents', async () => {
-    const page = await open(rsal.url.replace('&choose', ''), 'dark', 480);
+    const page = await opened(rsal.url.replace('&choose', ''), 'dark', 480);
     await page.locator('tr[data-robot]').first().waitFor();
     await page.keyboard.press('c');
     await card(page, OWN).waitFor();
@@ -117,7 +93,7 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
   });
 
   it('can be looked at without the token, and changes nothing then', async () => {
-    const page = await open(rsal.url.split('#')[0]!);
+    const page = await opened(rsal.url.split('#')[0]!);
     await page.getByRole('button', { name: 'Scenarios…' }).click();
     await card(page, 'patrol').waitFor();
     expect(

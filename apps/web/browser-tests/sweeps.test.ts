@@ -2,45 +2,31 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type BrowserContext, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectAccessible, picture, visits } from './visits';
 
 const OWN = fileURLToPath(new URL('wander.yaml', import.meta.url));
-/** Where pictures go of what was tested, for people to look at; none when it is not set. */
-const PICTURES = process.env.PICTURES;
 
 describe.skipIf(!chromium)('a sweep', () => {
+  const { open } = visits();
   let rsal: Rsal;
   let folder: string;
-  let browser: Browser | undefined;
-  let context: BrowserContext | undefined;
 
   beforeAll(async () => {
     folder = mkdtempSync(join(tmpdir(), 'rsal-sweeps-'));
-    [rsal, browser] = await Promise.all([
-      Rsal.serve(OWN, '--port', '0', '--sweeps', folder),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
+    rsal = await Rsal.serve(OWN, '--port', '0', '--sweeps', folder);
   });
 
   afterAll(async () => {
-    await browser?.close();
     await Rsal.endAll();
     rmSync(folder, { recursive: true, force: true });
   });
 
-  afterEach(() => context?.close());
-
-  async function open(url: string, colorScheme: 'light' | 'dark' = 'light'): Promise<Page> {
-    context = await browser!.newContext({ viewport: { width: 1280, height: 800 }, colorScheme });
-    const page = await context.newPage();
-    await page.goto(url);
-    return page;
-  }
+  const opened = (url: string, colorScheme: 'light' | 'dark' = 'light') => open(url, { colorScheme });
 
   const form = (page: Page) => page.getByRole('dialog', { name: 'Sweep: Robots that wander' });
   const progress = (page: Page) => page.getByTestId('sweep-progress');
@@ -59,19 +45,8 @@ describe.skipIf(!chromium)('a sweep', () => {
     return parseInt(await progress(page).innerText());
   }
 
-  async function picture(page: Page, name: string) {
-    if (PICTURES) {
-      await page.screenshot({ path: `${PICTURES}/${name}.png` });
-    }
-  }
-
-  async function expectAccessible(page: Page) {
-    const found = await new AxeBuilder({ page }).include('dialog[open]').analyze();
-    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
-  }
-
   it('is told how large it is before it begins, and what is wrong with it', async () => {
-    const page = await open(rsal.url);
+    const page = await opened(rsal.url);
     await choose(page);
     await form(page).getByText('10 runs: 1 combination × 10 seeds').waitFor();
     await form(page).getByLabel('guards').fill('1,9');
@@ -86,11 +61,11 @@ describe.skipIf(!chromium)('a sweep', () => {
     await form(page).getByLabel('Seeds').fill('101-105');
     await form(page).getByText('80 runs: 16 combinations × 5 seeds').waitFor();
     await picture(page, 'sweep-form-light');
-    await expectAccessible(page);
+    await expectAccessible(page, 'dialog[open]');
   });
 
   it('grows to its end, and is reported', async () => {
-    const page = await open(rsal.url, 'dark');
+    const page = await opened(rsal.url, 'dark');
     await choose(page);
     await form(page).getByLabel('guards').fill('1,2');
     await form(page).getByLabel('Seeds').fill('30');
@@ -108,12 +83,12 @@ describe.skipIf(!chromium)('a sweep', () => {
     expect(await row.innerText()).toMatch(/100 %[^]*±/);
     await row.getByRole('img', { name: /^way: quartiles/ }).waitFor();
     await picture(page, 'sweep-dark');
-    await expectAccessible(page);
+    await expectAccessible(page, 'dialog[open]');
 
     await page.getByRole('button', { name: 'Runs of guards=2', exact: true }).click();
     await page.locator('[data-run]').nth(29).waitFor();
     await picture(page, 'sweep-runs');
-    await expectAccessible(page);
+    await expectAccessible(page, 'dialog[open]');
     const fifth = page.locator('[data-run]').nth(4);
     const seed = /\d+/.exec(await fifth.locator('span').first().innerText())![0];
     await fifth.getByRole('button', { name: 'Watch' }).click();
@@ -123,7 +98,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     await status(page).waitFor();
 
     const [report] = await Promise.all([
-      context!.waitForEvent('page'),
+      page.context().waitForEvent('page'),
       page.getByRole('link', { name: 'Open the report' }).click(),
     ]);
     await report.getByRole('heading', { name: 'Robots that wander' }).waitFor();
@@ -133,7 +108,7 @@ describe.skipIf(!chromium)('a sweep', () => {
   });
 
   it('is stopped without half a row, and gone on with by the command that it shows', async () => {
-    const page = await open(rsal.url);
+    const page = await opened(rsal.url);
     await choose(page);
     await form(page).getByLabel('brief: Five seconds').uncheck();
     await form(page).getByLabel('lasting: A minute').check();
@@ -147,7 +122,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     await eventually(async () => (await status(page).innerText()) === 'Stopped', 'it stops');
     const stopped = await ended(page);
     expect(stopped).toBeLessThan(48);
-    await expectAccessible(page);
+    await expectAccessible(page, 'dialog[open]');
     const rows = () =>
       readFileSync(join(folder, 'wander-2', 'rows.jsonl'), 'utf8')
         .trimEnd()
@@ -165,7 +140,7 @@ describe.skipIf(!chromium)('a sweep', () => {
   });
 
   it('can be looked at by a key and without the token, and not be touched then', async () => {
-    const page = await open(rsal.url.split('#')[0]!, 'dark');
+    const page = await opened(rsal.url.split('#')[0]!, 'dark');
     await page.locator('tr[data-robot]').first().waitFor();
     await page.keyboard.press('x');
     await status(page).waitFor();
@@ -178,11 +153,11 @@ describe.skipIf(!chromium)('a sweep', () => {
     expect(await earlier.innerText()).toContain('60 of 60 runs');
     await earlier.getByText('The same in a terminal').click();
     expect(await earlier.locator('pre').innerText()).toMatch(/^rsal sweep .*wander-1$/);
-    await expectAccessible(page);
+    await expectAccessible(page, 'dialog[open]');
     await earlier.scrollIntoViewIfNeeded();
     await picture(page, 'sweeps-earlier-narrow-dark');
     const [report] = await Promise.all([
-      context!.waitForEvent('page'),
+      page.context().waitForEvent('page'),
       earlier.getByRole('link', { name: 'Open the report of wander-1' }).click(),
     ]);
     await report.getByText('60 runs of 2 combinations with 30 seeds').waitFor();

@@ -1,62 +1,29 @@
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectAccessible, visits } from './visits';
+import { colorAt, drag, onScreen, type Place } from './world';
 
 const YARD = fileURLToPath(new URL('yard.world', import.meta.url));
 
-interface Place {
-  x: number;
-  y: number;
-}
-
 describe.skipIf(!chromium)('a world of things', () => {
+  const { openRun } = visits();
   let rsal: Rsal;
-  let browser: Browser | undefined;
   let page: Page;
-  let faults: string[] = [];
 
   beforeAll(async () => {
-    [rsal, browser] = await Promise.all([
-      Rsal.run(YARD, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
-  });
-
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
+    rsal = await Rsal.run(YARD, '--port', '0');
   });
 
   beforeEach(async () => {
-    faults = [];
     await rsal.post('restart', {});
-    page = await open(rsal.url);
+    page = await openRun(rsal.url);
     await page.getByText('Things 4').click();
     await thing('puck').waitFor();
   });
-
-  afterEach(async () => {
-    await page.context().close();
-    expect(faults).toEqual([]);
-  });
-
-  async function open(url: string): Promise<Page> {
-    const context = await browser!.newContext({ viewport: { width: 1280, height: 800 } });
-    const opened = await context.newPage();
-    opened.on('pageerror', (error) => faults.push(error.message));
-    opened.on('console', (message) => {
-      if (message.type() === 'error' && !message.text().includes('status of 409')) {
-        faults.push(message.text());
-      }
-    });
-    await opened.goto(url);
-    await opened.locator('tr[data-robot][data-x]').first().waitFor();
-    return opened;
-  }
 
   const thing = (name: string) => page.locator(`li[data-thing="${name}"]`);
   const robot = (id: string) => page.locator(`tr[data-robot="${id}"]`);
@@ -73,78 +40,40 @@ describe.skipIf(!chromium)('a world of things', () => {
     return Math.hypot(now.x - x, now.y - y) < 0.15;
   }
 
-  async function onScreen({ x, y }: Place): Promise<Place> {
-    const map = page.locator('#map');
-    const box = (await map.boundingBox())!;
-    const [scale, originX, originY] = await Promise.all(
-      ['data-scale', 'data-origin-x', 'data-origin-y'].map(async (name) =>
-        Number(await map.getAttribute(name)),
-      ),
-    );
-    return { x: box.x + originX! + x * scale!, y: box.y + originY! - y * scale! };
-  }
-
-  async function drag(from: Place, to: Place) {
-    const [start, end] = [await onScreen(from), await onScreen(to)];
-    await page.mouse.move(start.x, start.y);
-    await page.mouse.down();
-    await page.mouse.move((start.x + end.x) / 2, (start.y + end.y) / 2);
-    await page.mouse.move(end.x, end.y);
-    await page.mouse.up();
-  }
-
-  /** What is drawn at a place of the world: red, green and blue. */
-  async function colorAt(at: Place): Promise<number[]> {
-    const { x, y } = await onScreen(at);
-    const picture = await page.screenshot({
-      clip: { x: Math.round(x) - 1, y: Math.round(y) - 1, width: 3, height: 3 },
-    });
-    return page.evaluate(
-      async (bytes) => {
-        const image = await createImageBitmap(new Blob([new Uint8Array(bytes)], { type: 'image/png' }));
-        const context = new OffscreenCanvas(3, 3).getContext('2d')!;
-        context.drawImage(image, 0, 0);
-        return [...context.getImageData(1, 1, 1, 1).data].slice(0, 3);
-      },
-      [...picture],
-    );
-  }
-
   const ORANGE = [255, 165, 0];
 
   it('is drawn in its colors, where all really is', async () => {
     await page.getByRole('button', { name: 'Scans' }).click();
     await page.getByRole('button', { name: 'Grid' }).click();
-    expect(await colorAt({ x: 2, y: 2 })).toEqual(ORANGE);
-    expect(await colorAt({ x: 3, y: -2 })).toEqual([0, 255, 0]);
-    expect(await colorAt({ x: 1, y: 2 })).toEqual([255, 255, 255]);
-    const [red, green, blue] = await colorAt({ x: -3, y: 2 }); // seen through
+    expect(await colorAt(page, { x: 2, y: 2 })).toEqual(ORANGE);
+    expect(await colorAt(page, { x: 3, y: -2 })).toEqual([0, 255, 0]);
+    expect(await colorAt(page, { x: 1, y: 2 })).toEqual([255, 255, 255]);
+    const [red, green, blue] = await colorAt(page, { x: -3, y: 2 }); // seen through
     expect(green! < red! && green! < blue! && green! > 100).toBe(true);
     await rsal.post('place', { robot: 'crate', x: -1, y: 3, heading: 0 });
     await eventually(
-      async () => (await colorAt({ x: -1, y: 3 })).toString() === ORANGE.toString(),
+      async () => (await colorAt(page, { x: -1, y: 3 })).toString() === ORANGE.toString(),
       'it is there',
     );
-    expect(await colorAt({ x: 2, y: 2 })).toEqual([255, 255, 255]);
-    const late = await open(rsal.origin);
+    expect(await colorAt(page, { x: 2, y: 2 })).toEqual([255, 255, 255]);
+    const late = await openRun(rsal.origin);
     await late.getByText('Things 4').click();
     await late.locator('li[data-thing="crate"][data-x="-1"]').waitFor();
-    await late.context().close();
   });
 
   it('has things that are dragged and turned like robots', async () => {
-    await drag({ x: 2, y: 2 }, { x: 0, y: 3 });
+    await drag(page, { x: 2, y: 2 }, { x: 0, y: 3 });
     await eventually(() => isNear(thing('crate'), { x: 0, y: 3 }), 'the crate is there');
     await page.getByRole('searchbox', { name: 'Filter events' }).fill('crate');
     await page.locator('li', { hasText: 'placed at' }).first().waitFor();
-    const { x, y } = await onScreen(await place(thing('crate')));
+    const { x, y } = await onScreen(page, await place(thing('crate')));
     await page.mouse.click(x, y);
     await thing('crate').getByRole('button', { name: 'Remove' }).waitFor();
     const before = Number(await thing('crate').getAttribute('data-heading'));
     const map = page.locator('#map');
     const scale = Number(await map.getAttribute('data-scale'));
     const ahead = Math.hypot(0.4, 0.4) + 18 / scale;
-    await drag({ x: ahead * Math.cos(before), y: 3 + ahead * Math.sin(before) }, { x: -2, y: 3 });
+    await drag(page, { x: ahead * Math.cos(before), y: 3 + ahead * Math.sin(before) }, { x: -2, y: 3 });
     await eventually(
       async () =>
         Math.abs(Math.abs(Number(await thing('crate').getAttribute('data-heading'))) - Math.PI) < 0.1,
@@ -153,7 +82,7 @@ describe.skipIf(!chromium)('a world of things', () => {
   });
 
   it('says why a thing has no room, and leaves it where it is', async () => {
-    await drag({ x: 2, y: 2 }, { x: 5.9, y: 2 });
+    await drag(page, { x: 2, y: 2 }, { x: 5.9, y: 2 });
     await page.getByRole('alert').getByText('(crate) does not fit').waitFor();
     expect(await isNear(thing('crate'), { x: 2, y: 2 })).toBe(true);
   });
@@ -171,7 +100,7 @@ describe.skipIf(!chromium)('a world of things', () => {
   });
 
   it('takes boxes and balls, by mouse and by keys', async () => {
-    const { x, y } = await onScreen({ x: 4, y: 1 });
+    const { x, y } = await onScreen(page, { x: 4, y: 1 });
     await page.mouse.click(x, y, { button: 'right' });
     await page.getByRole('menuitem', { name: 'Add a box here' }).click();
     await thing('box-1').getByRole('button', { name: 'Remove' }).waitFor(); // it is selected
@@ -197,14 +126,13 @@ describe.skipIf(!chromium)('a world of things', () => {
 
   it('takes more robots, and lets them go', async () => {
     await page.keyboard.press('1');
-    const { x, y } = await onScreen({ x: 4, y: 3 });
+    const { x, y } = await onScreen(page, { x: 4, y: 3 });
     await page.mouse.click(x, y, { button: 'right' });
     await page.getByRole('menuitem', { name: 'Add a copy of a here' }).click();
     await robot('cart-1').waitFor();
     await eventually(async () => !(await isNear(robot('cart-1'), { x: 4, y: 3 })), 'it wanders, too');
-    const late = await open(rsal.origin);
+    const late = await openRun(rsal.origin);
     await late.locator('tr[data-robot="cart-1"]').waitFor();
-    await late.context().close();
     await robot('a').getByRole('button').press('Enter');
     await page.getByRole('button', { name: 'Remove' }).click();
     await robot('a').waitFor({ state: 'detached' });
@@ -219,7 +147,7 @@ describe.skipIf(!chromium)('a world of things', () => {
   });
 
   it('may only be watched without the token', async () => {
-    const late = await open(rsal.origin);
+    const late = await openRun(rsal.origin);
     expect(await late.getByRole('button', { name: 'Add…' }).isDisabled()).toBe(true);
     await late.locator('#map').click({ button: 'right' });
     await late.keyboard.press('m');
@@ -227,18 +155,11 @@ describe.skipIf(!chromium)('a world of things', () => {
     await late.getByText('Things 4').click();
     await late.locator('li[data-thing="crate"]').getByRole('button').first().click();
     expect(await late.getByRole('button', { name: 'Remove' }).isDisabled()).toBe(true);
-    await late.context().close();
   });
 
   it('breaks no rule of accessibility', async () => {
     await thing('crate').getByRole('button').first().click();
-    const check = async (what: string) => {
-      const { violations } = await new AxeBuilder({ page }).analyze();
-      expect(
-        violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`),
-        what,
-      ).toEqual([]);
-    };
+    const check = (what: string) => expectAccessible(page, undefined, what);
     await check('with a thing selected');
     await page.locator('#map').focus();
     await page.keyboard.press('m');

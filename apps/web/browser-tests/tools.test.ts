@@ -1,48 +1,21 @@
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
-import { chromium as driver, type Browser, type Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { chromium, flags } from './chromium';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
+import { expectAccessible, picture, visits } from './visits';
 
 const TEAM = fileURLToPath(new URL('talk.yaml', import.meta.url));
-const PICTURES = process.env.PICTURES;
 
 describe.skipIf(!chromium)('what people work with', () => {
-  let browser: Browser | undefined;
+  const { openRun } = visits();
   let page: Page;
 
   beforeAll(async () => {
-    const [rsal, started] = await Promise.all([
-      Rsal.run(TEAM, '--port', '0'),
-      driver.launch({ executablePath: chromium!, args: flags }),
-    ]);
-    browser = started;
-    const context = await browser.newContext({
-      viewport: { width: 1400, height: 900 },
-      colorScheme: 'light',
-    });
-    page = await context.newPage();
-    await page.goto(rsal.url);
-    await page.locator('tr[data-robot][data-x]').first().waitFor();
+    const rsal = await Rsal.run(TEAM, '--port', '0');
+    page = await openRun(rsal.url, { viewport: { width: 1400, height: 900 } });
   });
-
-  afterAll(async () => {
-    await browser?.close();
-    await Rsal.endAll();
-  });
-
-  async function picture(name: string) {
-    if (PICTURES) {
-      await page.screenshot({ path: `${PICTURES}/${name}.png` });
-    }
-  }
-
-  async function isAccessible() {
-    const found = await new AxeBuilder({ page }).analyze();
-    expect(found.violations.map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`)).toEqual([]);
-  }
 
   const told = (text: string) =>
     eventually(
@@ -60,8 +33,8 @@ describe.skipIf(!chromium)('what people work with', () => {
     expect(box.width).toBeGreaterThan(1200);
     expect(await page.getByRole('button', { name: 'Emergency stop' }).isVisible()).toBe(true);
     expect(await arrows.first().innerText()).toMatch(/^(cfp|request|inform|agree|query)/);
-    await picture('chart');
-    await isAccessible();
+    await picture(page, 'chart');
+    await expectAccessible(page);
     const before = await arrows.count();
     await arrows.first().click();
     await eventually(async () => (await arrows.count()) < before, 'other conversations are left out');
@@ -99,8 +72,8 @@ describe.skipIf(!chromium)('what people work with', () => {
     await numbers.selectOption('base velocity.omega');
     expect(await page.locator('[data-plot]').count()).toBe(2);
     await plot.scrollIntoViewIfNeeded();
-    await picture('plots');
-    await isAccessible();
+    await picture(page, 'plots');
+    await expectAccessible(page);
     await plot.getByRole('button', { name: 'Plot base velocity.vx no more' }).click();
     expect(await plot.locator('.box path').count()).toBe(1);
     await plot.getByRole('button', { name: 'Plot laser ranges.least no more' }).click();
@@ -117,7 +90,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     await page.mouse.move(map.x + 500, map.y + 60, { steps: 3 });
     await page.mouse.up();
     await page.getByText('Drag from one place to another').waitFor({ state: 'detached' });
-    await picture('measure');
+    await picture(page, 'measure');
     await page.keyboard.press('t');
   });
 
@@ -133,7 +106,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     expect(await page.locator('#map').boundingBox(), 'nothing moves under the pointer').toEqual(map);
     await page.getByRole('button', { name: 'Motors on', exact: true }).click();
     await told('Motors of courier-2, prey are off.');
-    await picture('motors');
+    await picture(page, 'motors');
     await page.getByRole('button', { name: 'Arm all' }).click();
     await eventually(async () => !(await page.locator('.banner').innerText()).includes('off'), 'all are on');
   });
@@ -146,7 +119,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     const map = (await page.locator('#map').boundingBox())!;
     expect(map.width * map.height).toBeGreaterThan(1.3 * before.width * before.height);
     expect(await page.getByRole('slider', { name: 'Time' }).isVisible()).toBe(true);
-    await picture('alone');
+    await picture(page, 'alone');
     await page.keyboard.press('Escape');
     await eventually(() => panels.isVisible(), 'they are back');
     await page.keyboard.press('h');

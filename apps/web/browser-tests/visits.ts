@@ -1,0 +1,122 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import {
+  chromium as driver,
+  type Browser,
+  type BrowserContext,
+  type BrowserContextOptions,
+  type Page,
+} from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
+import { chromium, flags } from './chromium';
+import { Rsal } from './rsal';
+
+/** Where pictures go of what was tested, for people to look at; none when it is not set. */
+const PICTURES = process.env.PICTURES;
+
+/** What the server answers when people ask for what can't be: no mistake of the page. */
+const REFUSED = /status of 4(09|22)/;
+
+interface Visit extends BrowserContextOptions {
+  /** Of a server that may be gone at times: what goes wrong then is no mistake of the page. */
+  mayFail?: boolean;
+}
+
+/**
+ * The pages of a file's tests, in a browser that is there for all of them. To be called where they are described,
+ * before their own hooks. What is opened for one test is closed behind it; and no page may fail, break its security
+ * policy, or call somebody else.
+ */
+export function visits() {
+  let browser: Browser | undefined;
+  let opened: BrowserContext[] = [];
+  let faults: string[] = [];
+  let forOneTest = false;
+
+  beforeAll(async () => {
+    browser = await driver.launch({ executablePath: chromium!, args: flags });
+  });
+
+  beforeEach(() => {
+    forOneTest = true;
+  });
+
+  /** Closes what was opened for this test, as its end does. */
+  async function close() {
+    await Promise.all(opened.map((context) => context.close()));
+    opened = [];
+  }
+
+  afterEach(async () => {
+    await close();
+    const found = faults;
+    faults = [];
+    expect(found).toEqual([]);
+  });
+
+  afterAll(async () => {
+    await browser?.close();
+    await Rsal.endAll();
+  });
+
+  /** A page of somebody else each time. */
+  async function open(url: string, { mayFail = false, ...options }: Visit = {}): Promise<Page> {
+    const context = await browser!.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+    if (forOneTest) {
+      opened.push(context);
+    }
+    const page = await context.newPage();
+    if (!mayFail) {
+      watch(page, new URL(url).host);
+    }
+    await page.goto(url);
+    return page;
+  }
+
+  function watch(page: Page, host: string) {
+    page.on('pageerror', (error) => faults.push(error.message));
+    page.on('console', (message) => {
+      if (message.type() === 'error' && !REFUSED.test(message.text())) {
+        faults.push(message.text());
+      }
+    });
+    page.on('request', (request) => {
+      const asked = new URL(request.url());
+      if (asked.host !== '' && asked.host !== host) {
+        faults.push(`asks ${request.url()}`);
+      }
+    });
+  }
+
+  /** The same, once its robots are there. */
+  async function openRun(url: string, options?: Visit): Promise<Page> {
+    const page = await open(url, options);
+    await page.locator('tr[data-robot][data-x]').first().waitFor();
+    return page;
+  }
+
+  return { open, openRun, close };
+}
+
+export async function picture(page: Page, name: string) {
+  if (PICTURES) {
+    await page.screenshot({ path: `${PICTURES}/${name}.png` });
+  }
+}
+
+/**
+ * No rule of accessibility is broken.
+ *
+ * @param within a selector, when the rest is not to be looked at
+ */
+export async function expectAccessible(page: Page, within?: string, what?: string) {
+  const axe = new AxeBuilder({ page });
+  await expectNoViolation(within === undefined ? axe : axe.include(within), what);
+}
+
+export async function expectNoViolation(axe: AxeBuilder, what?: string) {
+  const { violations } = await axe.analyze();
+  expect(
+    violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`),
+    what,
+  ).toEqual([]);
+}
