@@ -168,6 +168,14 @@ describe.skipIf(!chromium)('runs side by side', () => {
     await bob.getByRole('button', { name: 'Ann has control' }).waitFor();
     expect(await bob.getByRole('button', { name: 'Pause all' }).isDisabled()).toBe(true);
     expect(await bob.getByRole('button', { name: 'Emergency stop', exact: true }).isEnabled()).toBe(true);
+
+    await page.getByRole('button', { name: /^Give control back/ }).click();
+    await eventually(
+      () => bob.getByRole('button', { name: 'Pause all' }).isEnabled(),
+      'others may act again',
+    );
+    await bob.waitForTimeout(5000); // in which each frame asks who has control
+    expect(await bob.getByRole('button', { name: 'Pause all' }).isEnabled()).toBe(true);
   });
 
   it('are told together, and begin again with one seed', async () => {

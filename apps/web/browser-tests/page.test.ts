@@ -269,6 +269,10 @@ describe.skipIf(!chromium)('the page', () => {
     await short.click();
     await short.selectOption('agent');
     await stops('after a choice from a list');
+    await short.click();
+    expect(await short.evaluate((list) => list === document.activeElement)).toBe(true); // or browsers close it
+    await page.keyboard.press('Escape');
+    await stops('after a list was looked at');
     await page.keyboard.press(',');
     await page.locator('.timeline[data-past="true"]').waitFor();
     await stops('while one looks back');
@@ -548,6 +552,44 @@ describe.skipIf(!chromium)('the page', () => {
       await page.getByTestId('outcome').waitFor();
       await check('at the end');
     });
+  });
+
+  it('keeps what was selected when it loses its connection for a moment', async () => {
+    let lose = () => {};
+    await page.routeWebSocket(/\/api\/live/, (socket) => {
+      const server = socket.connectToServer();
+      lose = () => {
+        void socket.close({ code: 1011 });
+        void server.close();
+      };
+    });
+    await page.reload();
+    await page.locator('tr[data-robot="hunter-1"]').click();
+    await page.getByLabel('x [m]').waitFor();
+    lose();
+    await page.getByText('The server is gone.').waitFor();
+    await page.getByText('The server is gone.').waitFor({ state: 'hidden' });
+    const before = await time();
+    await eventually(async () => (await time()) > before, 'it goes on');
+    expect(await page.getByLabel('x [m]').isVisible()).toBe(true);
+    await rsal.post('restart', { configuration: 'virtual', arguments: {}, seed: SEED });
+    await page.getByLabel('x [m]').waitFor({ state: 'detached' }); // of another run
+  });
+
+  it('has notices that are put away over a dialog, too', async () => {
+    const before = await pose('prey-1');
+    await drag(page, before, { x: 0, y: 7.75 }); // a wall
+    const notice = page.locator('.notices p').first();
+    await notice.waitFor();
+    await page.keyboard.press('r');
+    await page.getByRole('dialog', { name: 'Restart' }).waitFor();
+    await notice.getByRole('button').click();
+    await notice.waitFor({ state: 'detached' });
+    await rsal.post('pause');
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Resume' }).waitFor();
+    await drag(page, await pose('prey-1'), { x: 0, y: 7.75 });
+    await notice.waitFor();
   });
 
   it('says when the server is gone, and comes back with it', async () => {

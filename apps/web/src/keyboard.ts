@@ -149,6 +149,7 @@ interface Focused {
   tagName: string;
   type: string;
   shadowRoot: object | null;
+  dataset: { pointed?: string };
   closest: (selector: string) => object | null;
 }
 
@@ -161,8 +162,9 @@ function takesKeys(target: EventTarget | null, key: string): boolean {
   }
   switch (element?.tagName) {
     case 'TEXTAREA':
-    case 'SELECT':
       return true;
+    case 'SELECT':
+      return !(key === ' ' && element.dataset?.pointed); // see controls/focus
     case 'BUTTON':
     case 'SUMMARY':
       return key === ' ';

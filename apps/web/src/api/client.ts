@@ -47,6 +47,8 @@ export class RefusedError extends Error {
   constructor(
     message: string,
     readonly problems: Mistake[],
+    /** Of HTTP; 0 when there was no answer. */
+    readonly status = 0,
   ) {
     super(message);
   }
@@ -98,9 +100,9 @@ export const api = {
   behavior: (wish: Order) => post('behavior', wish),
   /** For the robots of all runs, whichever this page shows, and also when that one is over, or was closed. */
   emergencyStop: () => {
-    patience.abort(); // a run that hangs keeps connections, of which a browser has six
-    patience = new AbortController();
-    return send('POST', 'run/estop', {}, false, '/');
+    giveWay();
+    others.postMessage('emergency stop');
+    return send('POST', STOP, {}, false, '/');
   },
   rearm: () => post('rearm'),
   motors: (wish: Motors) => post('motors', wish),
@@ -150,8 +152,18 @@ export const seats = {
 /** How long a look at the run may take, and all else [ms]: one that hangs never answers. */
 const LONGEST_LOOK_MILLIS = 5000;
 const LONGEST_MILLIS = 30_000;
-/** Of looks, which are given up when connections are needed for something else. */
+const STOP = 'run/estop';
+
+/** Of all that an emergency stop need not wait for: a run that hangs keeps connections, of which a browser has six. */
 let patience = new AbortController();
+/** Other pages of this server, frames among them: they have the same six. */
+const others = new BroadcastChannel('rsal');
+others.onmessage = giveWay;
+
+function giveWay() {
+  patience.abort();
+  patience = new AbortController();
+}
 
 const home = (number: number) => (number === 1 ? '' : `beside/${String(number)}/`);
 
@@ -170,6 +182,9 @@ async function send(
   home = '',
 ): Promise<unknown> {
   let response: Response;
+  const tooLong = AbortSignal.timeout(LONGEST_MILLIS);
+  const mayWait = what !== STOP && what.startsWith('run/');
+  const stop = patience.signal;
   try {
     response = await fetch(`${home}api/${what}`, {
       method,
@@ -180,9 +195,12 @@ async function send(
       },
       body: JSON.stringify(body),
       keepalive: evenAtTheEnd,
-      signal: AbortSignal.timeout(LONGEST_MILLIS),
+      signal: mayWait ? AbortSignal.any([stop, tooLong]) : tooLong,
     });
   } catch {
+    if (mayWait && stop.aborted) {
+      throw new RefusedError('Given up, as the emergency stop came first.', []);
+    }
     throw new RefusedError('The server does not answer.', []);
   }
   if (response.status === 401) {
@@ -191,7 +209,7 @@ async function send(
   const answer: unknown = await response.json();
   if (!response.ok) {
     const refused = answer as Refused;
-    throw new RefusedError(refused.message, refused.problems);
+    throw new RefusedError(refused.message, refused.problems, response.status);
   }
   return answer;
 }

@@ -478,6 +478,7 @@ export interface RobotStatus {
 
 export interface RunInfo {
   number: number;
+  process: string;
   scenario: string;
   title: string;
   description: string;

@@ -10,6 +10,7 @@ const PERIOD_MILLIS = 500;
 class Seats {
   private told = $state.raw<SideBySide | null>(null);
   connection = $state<'connecting' | 'open' | 'gone'>('connecting');
+  private missed = false;
 
   get runs(): readonly SeatInfo[] {
     return this.told?.runs ?? [];
@@ -47,8 +48,13 @@ class Seats {
 
   private async look(): Promise<void> {
     const told = await ask.all();
-    this.connection = told ? 'open' : 'gone';
-    this.told = told ?? this.told;
+    if (told) {
+      this.connection = 'open';
+      this.told = told;
+    } else if (this.missed) {
+      this.connection = 'gone';
+    }
+    this.missed = told === null; // one alone may have been given up for an emergency stop
   }
 
   /** Tells some of them, all at once; what one refuses is shown. */

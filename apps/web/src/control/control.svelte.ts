@@ -1,6 +1,7 @@
 import { access } from '../api/access.svelte';
 import { api } from '../api/client';
 import type { Control as Told } from '../api/messages';
+import { framed } from '../framed';
 import { notices } from '../notices.svelte';
 import { texts } from '../texts';
 
@@ -34,7 +35,7 @@ class Control {
   start(possible: () => boolean | null) {
     void this.ask(possible);
     addEventListener('pagehide', () => {
-      if (this.mine && top === window) {
+      if (this.mine && !framed) {
         void api.giveControlBack().catch(() => {});
       }
     });
@@ -49,7 +50,7 @@ class Control {
 
   private async keepOrLook() {
     try {
-      const mine = this.mine || (this.had && this.holder === null);
+      const mine = !framed && (this.mine || (this.had && this.holder === null)); // else the page around keeps it
       const kept = mine ? await api.takeControl({ name: this.name, over: false }) : await api.control();
       if (kept !== null) {
         this.learn(kept);

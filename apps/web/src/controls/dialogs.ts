@@ -17,3 +17,35 @@ export function onEscape(action: () => void): (event: KeyboardEvent) => void {
     }
   };
 }
+
+/**
+ * Keeps a popover over all else, or hides it. A dialog keeps from fingers and readers what is outside of it: so the
+ * popover is in the newest that is open, and leaves it before it closes.
+ *
+ * @returns ends it
+ */
+export function keepOver(popover: HTMLElement, shown: boolean): () => void {
+  const show = () => {
+    if (popover.matches(':popover-open')) {
+      popover.hidePopover();
+    }
+    const place = [...document.querySelectorAll('dialog[open]')].at(-1) ?? document.body;
+    if (popover.parentNode !== place) {
+      place.append(popover);
+    }
+    if (shown) {
+      popover.showPopover();
+    }
+  };
+  const follow = ({ target }: Event) => {
+    if (target instanceof HTMLDialogElement) {
+      show();
+    }
+  };
+  show();
+  const ended = new AbortController();
+  for (const kind of ['toggle', 'close']) {
+    document.addEventListener(kind, follow, { capture: true, signal: ended.signal });
+  }
+  return () => ended.abort();
+}

@@ -28,7 +28,7 @@ const PANEL_MILLIS = 200;
 class Live implements Listener {
   connection = $state<'connecting' | 'open' | 'gone' | 'closed'>('connecting');
   info = $state.raw<RunInfo | null>(null);
-  /** Counts runs that this page was told of: another server counts its runs from 1 again. */
+  /** Counts runs that this page was told of. One that it comes back to, as its connection was lost, is the same. */
   told = $state(0);
   details = $state.raw<Details | null>(null);
   /** What of the simulated world is no robot. */
@@ -82,7 +82,9 @@ class Live implements Listener {
 
   onMessage(message: ServerMessage) {
     if (message.run) {
-      this.told++;
+      if (!isSame(message.run, this.info)) {
+        this.told++;
+      }
       access.past = false; // until a frame says otherwise
       this.robots = message.run.robots;
       this.info = { ...message.run, robots: withShades(this.robots) };
@@ -213,6 +215,11 @@ function switched(a: Frame, b: Frame | undefined): boolean {
     a.ended !== b.ended ||
     a.speed !== b.speed
   );
+}
+
+/** Another server counts its runs from 1 again. */
+function isSame(a: RunInfo, b: RunInfo | null): boolean {
+  return a.number === b?.number && a.process === b.process;
 }
 
 /** How many events were by a time. */

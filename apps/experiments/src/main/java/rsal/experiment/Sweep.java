@@ -63,12 +63,13 @@ public final class Sweep {
         this.notes = List.copyOf(found);
     }
 
-    /// Plans a run of every combination, with the first seed.
+    /// Plans a run of every combination, with the first seed. Files that the scenario names are read for that, and
+    /// never again: all runs are of what they were then.
     ///
     /// @throws InvalidSettings with every mistake of the scenario and the design
     public static Sweep of(Scenario scenario, Design design) {
         checkSize(scenario, design);
-        return new Sweep(scenario, design);
+        return new Sweep(scenario.kept(), design);
     }
 
     private static void checkSize(Scenario scenario, Design design) {

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
 import rsal.agent.bdi.Mind;
 import rsal.recording.Recording.Hashed;
 import rsal.scenario.run.LiveRun;
@@ -14,21 +15,23 @@ import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Said;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Witness;
+import rsal.settings.InvalidSettings;
 
 /// Runs a recorded run again and compares: event by event, and between them hash by hash, which are over all that
 /// happened, poses and messages too.
 public final class Verification {
     private static final Duration PERIOD = Duration.ofMillis(100);
 
-    private final Recording recording;
     private final List<Hashed> recorded;
     private final Map<Duration, String> hashes;
     private final boolean isWhole;
-    private final Duration last; // that was recorded
+    private final Duration last;
+    private final Function<Snapshot, List<String>> differences;
     private final CompletableFuture<Finding> finding = new CompletableFuture<>();
 
     // of the run's thread
     private int next;
+    private int equal; // events, with all that lies before them
     private Optional<RunEvent> unequal = Optional.empty(); // the first that is the same after what is not
     private Duration equalUntil = Duration.ZERO;
 
@@ -60,12 +63,29 @@ public final class Verification {
                 implements Finding {}
     }
 
-    private Verification(Recording recording) throws IOException {
-        this.recording = recording;
-        this.recorded = recording.events();
-        this.hashes = recording.hashes();
-        this.isWhole = recording.result().containsKey("outcome");
-        this.last = Duration.ofNanos(recording.file().end().orElse(0));
+    /// @param hashes of looks, by their time
+    /// @param last time that was recorded
+    /// @param differences of what is now from what was recorded of that time
+    Verification(
+            List<Hashed> recorded,
+            Map<Duration, String> hashes,
+            boolean isWhole,
+            Duration last,
+            Function<Snapshot, List<String>> differences) {
+        this.recorded = recorded;
+        this.hashes = hashes;
+        this.isWhole = isWhole;
+        this.last = last;
+        this.differences = differences;
+    }
+
+    private static Verification of(Recording recording) throws IOException {
+        return new Verification(
+                recording.events(),
+                recording.hashes(),
+                recording.result().containsKey("outcome"),
+                Duration.ofNanos(recording.file().end().orElse(0)),
+                now -> differences(recording, now));
     }
 
     /// Runs it again, as fast as it can.
@@ -76,7 +96,7 @@ public final class Verification {
         if (!recording.isRepeatable()) {
             throw new IllegalArgumentException("A run in real time can't be run again.");
         }
-        var verification = new Verification(recording);
+        Verification verification = of(recording);
         LiveRun run = LiveRun.start(recording.plan(), verification.new Comparison());
         run.result().whenComplete((_, broken) -> {
             if (broken != null) {
@@ -88,25 +108,33 @@ public final class Verification {
         return verification.finding.whenComplete((_, _) -> run.stop());
     }
 
-    private void compare(RunEvent event, String hash) {
+    CompletionStage<Finding> finding() {
+        return finding;
+    }
+
+    /// With what happens next. For the run's thread.
+    void compare(RunEvent event, String hash) {
         if (finding.isDone() || isBeyond(event.time())) {
             return;
         }
         if (next >= recorded.size()) {
-            differ(event.time(), Optional.empty(), Optional.of(event), List.of());
+            conclude(different(event.time(), Optional.empty(), Optional.of(event), List.of()));
             return;
         }
         Hashed before = recorded.get(next);
         if (before.event().equals(event) && before.hash().equals(hash)) {
             next++;
-            equalUntil = event.time();
+            if (unequal.isEmpty()) {
+                equal++;
+                equalUntil = event.time();
+            }
         } else if (before.event().equals(event)) {
             next++; // what lies before it is not the same: the next look at all robots tells what
             unequal = unequal.or(() -> Optional.of(event));
         } else if (isByHand(before.event())) {
-            finding.complete(new Finding.Steered(before.event(), next));
+            conclude(new Finding.Steered(before.event(), equal));
         } else {
-            differ(event.time(), Optional.of(before.event()), Optional.of(event), List.of());
+            conclude(different(event.time(), Optional.of(before.event()), Optional.of(event), List.of()));
         }
     }
 
@@ -121,9 +149,9 @@ public final class Verification {
         if (isLate || (before != null && !before.equals(hash)) || unequal.isPresent()) {
             Optional<RunEvent> missing = isLate ? Optional.of(recorded.get(next).event()) : Optional.empty();
             if (missing.filter(Verification::isByHand).isPresent()) {
-                finding.complete(new Finding.Steered(missing.get(), next));
+                conclude(new Finding.Steered(missing.get(), equal));
             } else {
-                differ(time, missing, Optional.empty(), differences(now));
+                finding.complete(different(time, missing, Optional.empty(), differences.apply(now)));
             }
         } else {
             equalUntil = time;
@@ -134,41 +162,45 @@ public final class Verification {
     private boolean isBeyond(Duration time) {
         boolean beyond = !isWhole && time.compareTo(last) >= 0;
         if (beyond) {
-            finding.complete(new Finding.Same(next, equalUntil, false));
+            conclude(new Finding.Same(equal, equalUntil, false));
         }
         return beyond;
     }
 
-    private void ended() {
+    /// No more happens.
+    void ended() {
         if (next < recorded.size()) {
             RunEvent missing = recorded.get(next).event();
-            finding.complete(
+            conclude(
                     isByHand(missing)
-                            ? new Finding.Steered(missing, next)
-                            : new Finding.Different(
-                                    missing.time(),
-                                    equalUntil,
-                                    Optional.of(missing),
-                                    Optional.empty(),
-                                    next,
-                                    List.of()));
+                            ? new Finding.Steered(missing, equal)
+                            : different(missing.time(), Optional.of(missing), Optional.empty(), List.of()));
         }
-        unequal.ifPresent(event -> differ(event.time(), Optional.of(event), Optional.of(event), List.of()));
-        finding.complete(new Finding.Same(next, equalUntil, isWhole)); // unless something else was found
+        conclude(new Finding.Same(equal, equalUntil, isWhole)); // unless something else was found
     }
 
-    private void differ(Duration time, Optional<RunEvent> before, Optional<RunEvent> now, List<String> differences) {
-        finding.complete(new Finding.Different(time, equalUntil, before, now, next, differences));
+    /// With what was found, unless something was not the same before.
+    private void conclude(Finding found) {
+        finding.complete(
+                unequal.map(event -> different(event.time(), Optional.of(event), Optional.of(event), List.of()))
+                        .orElse(found));
+    }
+
+    private Finding different(
+            Duration time, Optional<RunEvent> before, Optional<RunEvent> now, List<String> differences) {
+        return new Finding.Different(time, equalUntil, before, now, equal, differences);
     }
 
     /// From what was recorded of the same time.
-    private List<String> differences(Snapshot now) {
+    private static List<String> differences(Recording recording, Snapshot now) {
         try {
             var before = Playback.of(recording); // whoever has the recording closes that
-            return before.until().compareTo(now.time()) < 0
-                    ? List.of()
-                    : Differences.between(before.at(now.time()), now);
-        } catch (IOException e) {
+            if (before.until().compareTo(now.time()) < 0) {
+                return List.of();
+            }
+            Snapshot then = before.at(now.time());
+            return then.time().equals(now.time()) ? Differences.between(then, now) : List.of(); // it may be missing
+        } catch (IOException | InvalidSettings e) {
             return List.of("What was recorded then can't be read: " + e.getMessage());
         }
     }

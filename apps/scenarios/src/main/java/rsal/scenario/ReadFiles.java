@@ -14,6 +14,7 @@ import rsal.settings.Location;
 final class ReadFiles implements FileSource {
     private final FileSource files;
     private final Optional<Edited> edited;
+    private final boolean keeps;
     private final Map<String, byte[]> read = Collections.synchronizedMap(new LinkedHashMap<>());
 
     /// A file's text that counts instead of what is in the file.
@@ -28,12 +29,14 @@ final class ReadFiles implements FileSource {
     }
 
     ReadFiles(FileSource files) {
-        this(files, Optional.empty());
+        this(files, Optional.empty(), false);
     }
 
-    private ReadFiles(FileSource files, Optional<Edited> edited) {
+    /// @param keeps whether each is read once, whatever is written to it from then on
+    private ReadFiles(FileSource files, Optional<Edited> edited, boolean keeps) {
         this.files = files;
         this.edited = edited;
+        this.keeps = keeps;
     }
 
     /// Those that were read before, and no others.
@@ -60,7 +63,14 @@ final class ReadFiles implements FileSource {
 
     /// The same files, one of them with another text. Nothing else is: another that had one is again as it was found.
     ReadFiles with(String path, String text) {
-        return new ReadFiles(files, Optional.of(new Edited(path, text.getBytes(StandardCharsets.UTF_8))));
+        return new ReadFiles(files, Optional.of(new Edited(path, text.getBytes(StandardCharsets.UTF_8))), keeps);
+    }
+
+    /// The same, of which each is read once: as it was read already, or as it is then.
+    ReadFiles kept() {
+        var kept = new ReadFiles(files, edited, true);
+        kept.read.putAll(all());
+        return kept;
     }
 
     /// Whether one of them has another text than it is found with now.
@@ -70,6 +80,10 @@ final class ReadFiles implements FileSource {
 
     @Override
     public byte[] read(String path, int most, Location askedAt) {
+        byte[] known = keeps ? read.get(path) : null;
+        if (known != null && known.length <= most) {
+            return known.clone();
+        }
         byte[] bytes = edited.isPresent() && edited.get().path().equals(path)
                 ? editedText(edited.get(), most, askedAt)
                 : files.read(path, most, askedAt);

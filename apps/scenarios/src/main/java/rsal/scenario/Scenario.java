@@ -167,6 +167,17 @@ public final class Scenario {
         return new Origin(file, nameOf(file), location(), read.with(nameOf(file), text)).read();
     }
 
+    /// The same, for runs that are to be alike: each of its files is read once, whatever is written to it from then on.
+    ///
+    /// @throws InvalidSettings with all of its mistakes
+    public Scenario kept() {
+        if (!(files instanceof ReadFiles read)) {
+            return this;
+        }
+        String file = location().file();
+        return isWorld() ? ofWorld(file, read.kept()) : new Origin(file, nameOf(file), location(), read.kept()).read();
+    }
+
     /// Whether it has another text than its file has now.
     public boolean isEdited() {
         return files instanceof ReadFiles read && read.isEdited();

@@ -89,6 +89,14 @@ final class Descriptions {
     private static final int MOST_OF_A_GOAL = 20; // plans, and steps
     private static final int MOST_WORDS = 200; // characters
 
+    /// Of no other server at the same address, before or after.
+    private static final String PROCESS = ProcessHandle.current().pid()
+            + ProcessHandle.current()
+                    .info()
+                    .startInstant()
+                    .map(start -> "-" + start.toEpochMilli())
+                    .orElse("");
+
     private Descriptions() {}
 
     /// @param team all robots that are or were there
@@ -100,6 +108,7 @@ final class Descriptions {
         Scenario scenario = plan.scenario();
         return new RunInfo(
                 number,
+                PROCESS,
                 scenario.name(),
                 scenario.title(),
                 scenario.description(),

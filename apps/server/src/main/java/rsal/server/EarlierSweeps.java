@@ -9,6 +9,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.Semaphore;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.experiment.Findings;
@@ -21,12 +23,14 @@ import rsal.server.Messages.EarlierSweep;
 import rsal.settings.InvalidSettings;
 
 /// Sweeps that are in a folder from before, by this server or by `rsal sweep`, each in a folder of its own. Reads only.
-/// Whoever can reach the port may ask, without a token: so what was worked out is kept until files change, and it is
-/// done for one at a time. All methods may be called from any thread.
+/// Whoever can reach the port may ask, without a token: so what was worked out is kept until files change, it is done
+/// for one at a time, and few may wait for that. All methods may be called from any thread.
 final class EarlierSweeps {
     private static final int MOST = 50;
+    private static final int MOST_ASKING = 4; // of all threads that answer, also an emergency stop
 
     private final Path folder;
+    private final Semaphore asking = new Semaphore(MOST_ASKING);
     private Map<Path, Known> known = Map.of(); // of the last list
     private @Nullable Written report; // the last one that was asked for
 
@@ -58,8 +62,23 @@ final class EarlierSweeps {
 
     /// The newest, without one that is shown elsewhere, and without those that can't be read.
     ///
-    /// @throws Refusal when the folder can't be read
-    synchronized List<EarlierSweep> list(Optional<Path> but) {
+    /// @throws Refusal when the folder can't be read, or others are asking
+    List<EarlierSweep> list(Optional<Path> but) {
+        return unlessOthersAsk(() -> newest(but));
+    }
+
+    private <T> T unlessOthersAsk(Supplier<T> work) {
+        if (!asking.tryAcquire()) {
+            throw new Refusal(409, "Others are asking for earlier sweeps. Try again in a moment.");
+        }
+        try {
+            return work.get();
+        } finally {
+            asking.release();
+        }
+    }
+
+    private synchronized List<EarlierSweep> newest(Optional<Path> but) {
         var newest = new LinkedHashMap<Path, Known>();
         folders().stream()
                 .filter(sweep -> but.isEmpty() || !sweep.equals(but.get()))
@@ -100,8 +119,12 @@ final class EarlierSweeps {
     /// The page that `rsal report` writes.
     ///
     /// @param name of a sweep's folder
-    /// @throws Refusal when there is none, or nothing to report yet
-    synchronized String report(String name) {
+    /// @throws Refusal when there is none, or nothing to report yet, or others are asking
+    String report(String name) {
+        return unlessOthersAsk(() -> written(name));
+    }
+
+    private synchronized String written(String name) {
         Path sweep = folders().stream()
                 .filter(one -> name(one).equals(name)) // compared, not resolved: a name leads to no other folder
                 .findFirst()

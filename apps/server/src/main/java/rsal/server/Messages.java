@@ -98,6 +98,7 @@ final class Messages {
     /// @param recording when it is none that goes on, but one that was recorded
     record RunInfo(
             int number,
+            String process,
             String scenario,
             String title,
             String description,

@@ -171,7 +171,10 @@ final class Seats implements Viewing {
             return new Answer.Refused("Run %d was told to stop and has not confirmed it within %d s. Maybe one of its"
                             .formatted(number, PATIENCE.toSeconds())
                     + " agents never returns: see to its robots yourself.");
-        } catch (InterruptedException | ExecutionException e) { // nobody does either
+        } catch (ExecutionException e) {
+            return new Answer.Refused(
+                    "Run %d could not be stopped: %s. See to its robots yourself.".formatted(number, e.getCause()));
+        } catch (InterruptedException e) { // nobody does
             throw new IllegalStateException(e);
         }
     }

@@ -54,7 +54,7 @@ class SweepApiTest {
               guards: {type: integer, default: 1, min: 1, max: 4, description: How many robots wander.}
             world: {map: office}
             robots:
-              guard: {count: $guards, model: pioneer2dx, pose: {free: true}, devices: {laser: urg04lx, pilot: {}}}
+              guard: {count: $guards, model: pioneer2dx, pose: {free: true}, devices: {laser: scanner.yaml, pilot: {}}}
             agents: {wander: {type: wander, robot: guard}}
             run: {stop: [{when: time > 2, outcome: success}]}
             measure:
@@ -66,10 +66,20 @@ class SweepApiTest {
               real: {run: {clock: {mode: wall}}}
             """;
 
+    private static final String SCANNER = """
+            type: laser
+            fieldOfView: 240
+            samples: 60
+            range: [0.02, 5.6]
+            noise: 0.01
+            period: 0.1
+            """;
+
     @TempDir
     private Path directory;
 
     private Path scenario;
+    private Path scanner;
     private RunServer server;
     private int port;
     private String host;
@@ -77,6 +87,7 @@ class SweepApiTest {
     @BeforeEach
     void start() throws IOException, PortInUse {
         scenario = Files.writeString(directory.resolve("guard.yaml"), GUARD);
+        scanner = Files.writeString(directory.resolve("scanner.yaml"), SCANNER);
         serve(Errand.plan());
     }
 
@@ -181,6 +192,7 @@ class SweepApiTest {
         assertThat(last.outcome()).isEqualTo("limit");
 
         Files.writeString(scenario, "no longer what it was");
+        Files.writeString(scanner, SCANNER.replace("noise: 0.01", "noise: 0.02"));
         assertThat(watch(ended.number(), last.run())).isEqualTo(200);
         List<Row> rows =
                 Findings.read(Errand.sweeps(directory).resolve("guard-1")).rows();
