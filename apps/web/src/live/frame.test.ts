@@ -67,6 +67,13 @@ describe('a frame', () => {
     expect(bare).toMatchObject({ gripper: null, lit: false });
   });
 
+  it('has the frame of odometry where the localizer has it', () => {
+    expect(full?.odom?.x).toBeCloseTo(-10.302, 3);
+    expect(full?.odom?.y).toBeCloseTo(7.804, 3);
+    expect(full?.odom?.heading).toBeCloseTo(2.5, 3);
+    expect(bare?.odom).toBeNull();
+  });
+
   it('has things that were moved, and how high they are', () => {
     expect(frame.things.map(({ number }) => number)).toEqual([4, 70000]);
     expect(frame.things[0]?.pose.x).toBeCloseTo(-1.5, 3);

@@ -25,6 +25,7 @@ const RANGES = 1 << 7;
 const PARTICLES = 1 << 8;
 const GRIPPER = 1 << 9;
 const LIT = 1 << 10;
+const ODOM = 1 << 11;
 
 const HOLDING = 1;
 
@@ -101,6 +102,8 @@ export interface RobotState {
   gripper: Gripper | null;
   /** Whether its light shines. */
   lit: boolean;
+  /** Where its localizer, or the truth where nothing localizes it, has the frame of its odometry on the map (REP 105). */
+  odom: Pose | null;
 }
 
 /** A thing that is elsewhere than the server told when it came. */
@@ -178,13 +181,14 @@ function robotAt(view: DataView, offset: number, blocks: Reader): RobotState {
     turnRate,
     // in the order in which the frame has them
     estimate: has(ESTIMATE) ? estimate(blocks) : null,
-    goal: has(GOAL) ? goal(blocks) : null,
+    goal: has(GOAL) ? aligned(blocks) : null,
     path: has(PATH) ? path(blocks) : null,
     scan: has(SCAN) ? scan(blocks) : null,
     cones: has(RANGES) ? cones(blocks) : null,
     particles: has(PARTICLES) ? particles(blocks) : null,
     gripper: has(GRIPPER) ? gripper(blocks) : null,
     lit: has(LIT),
+    odom: has(ODOM) ? aligned(blocks) : null,
   };
 }
 
@@ -198,7 +202,7 @@ function estimate(reader: Reader): Estimate {
   };
 }
 
-function goal(reader: Reader): Pose {
+function aligned(reader: Reader): Pose {
   const pose = reader.pose();
   reader.align();
   return pose;
@@ -209,8 +213,7 @@ function path(reader: Reader): Int32Array {
 }
 
 function scan(reader: Reader): Scan {
-  const baseFromLaser = reader.pose();
-  reader.align();
+  const baseFromLaser = aligned(reader);
   return {
     baseFromLaser,
     angleMin: reader.float32(),

@@ -8,7 +8,7 @@ const pose = { x: 1, y: 2, heading: Math.PI / 2 };
 const believed = { x: 1.1, y: 2, heading: 1.5 };
 
 function frameOf(state: Partial<RobotState>): Frame {
-  return { robots: [{}, { estimate: null, scan: null, ...state }] } as Frame;
+  return { robots: [{}, { estimate: null, scan: null, odom: null, ...state }] } as Frame;
 }
 
 describe('frames', () => {
@@ -23,11 +23,13 @@ describe('frames', () => {
   it('of a robot are those whose poses are told, the laser where it is on the base', () => {
     const scan = { baseFromLaser: { x: 0.2, y: 0, heading: 0.1 } } as RobotState['scan'];
     const estimate = { pose: believed } as RobotState['estimate'];
-    const all = axesOf({ info, frame: frameOf({ scan, estimate }), poses: [null, pose], selected: 1 });
-    expect(all.map(({ name }) => name)).toEqual(['map', 'bob/base_link', 'laser', 'estimate']);
+    const odom = { x: -3, y: 0, heading: 0.5 };
+    const all = axesOf({ info, frame: frameOf({ scan, estimate, odom }), poses: [null, pose], selected: 1 });
+    expect(all.map(({ name }) => name)).toEqual(['map', 'bob/base_link', 'laser', 'bob/odom', 'estimate']);
     expect(all[2]!.pose.x).toBeCloseTo(1);
     expect(all[2]!.pose.y).toBeCloseTo(2.2);
     expect(all[2]!.pose.heading).toBeCloseTo(Math.PI / 2 + 0.1);
-    expect(all[3]!.pose).toEqual(believed);
+    expect(all[3]!.pose).toEqual(odom);
+    expect(all[4]!.pose).toEqual(believed);
   });
 });

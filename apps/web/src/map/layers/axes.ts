@@ -21,8 +21,8 @@ export interface Axes {
 }
 
 /**
- * The frames that are known of a robot: the map's, its base's and its laser's as they are, and its base's as it is
- * believed to be. Nobody tells the page where its odometry began.
+ * The frames that are known of a robot: the map's, its base's and its laser's as they are, its odometry's, and its base's
+ * as it is believed to be.
  */
 export function axesOf({
   info,
@@ -36,10 +36,13 @@ export function axesOf({
     return all;
   }
   const { id } = info.robots[selected]!;
-  const { estimate, scan } = frame.robots[selected]!;
+  const { estimate, scan, odom } = frame.robots[selected]!;
   all.push({ name: `${id}/base_link`, pose });
   if (scan) {
     all.push({ name: 'laser', pose: compose(pose, scan.baseFromLaser) });
+  }
+  if (odom) {
+    all.push({ name: `${id}/odom`, pose: odom });
   }
   if (estimate) {
     all.push({ name: 'estimate', pose: estimate.pose });

@@ -11,6 +11,7 @@ import rsal.data.Angles;
 import rsal.data.Covariance2d;
 import rsal.data.GripperState;
 import rsal.data.LaserScan;
+import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
@@ -54,6 +55,7 @@ final class FrameEncoder {
     static final int PARTICLES = 1 << 8;
     static final int GRIPPER = 1 << 9;
     static final int LIT = 1 << 10;
+    static final int ODOM = 1 << 11;
 
     static final int HOLDING = 1;
 
@@ -142,7 +144,8 @@ final class FrameEncoder {
                 | (robot.ranges().isPresent() ? RANGES : 0)
                 | (robot.particles().isPresent() ? PARTICLES : 0)
                 | (robot.gripper().isPresent() ? GRIPPER : 0)
-                | (robot.lit() ? LIT : 0);
+                | (robot.lit() ? LIT : 0)
+                | (robot.odometry().isPresent() ? ODOM : 0);
     }
 
     /// The truth where there is one, else what its localizer believes, or where its stand-in is.
@@ -168,6 +171,18 @@ final class FrameEncoder {
         robot.ranges().map(Stamped::value).ifPresent(this::ranges);
         robot.particles().map(Stamped::value).ifPresent(this::particles);
         robot.gripper().map(Stamped::value).ifPresent(this::gripper);
+        robot.odometry().map(Stamped::value).ifPresent(odometry -> odom(robot, odometry));
+    }
+
+    /// Where its localizer has the frame of odometry on the map (REP 105), or the truth where nothing localizes it.
+    private void odom(RobotView robot, Odometry odometry) {
+        Pose2d mapFromBase = estimate(robot)
+                .map(PoseEstimate::mapFromBase)
+                .or(() -> bestPose(robot))
+                .orElseThrow();
+        reserve(12);
+        pose(mapFromBase.compose(odometry.odomFromBase().inverse()));
+        out.putShort((short) 0);
     }
 
     /// In the world; one on a map of the robot's own, which lies nobody knows how, is none. Where there is no world but

@@ -156,7 +156,7 @@ class FrameEncoderTest {
                 "pioneer3at",
                 false,
                 Optional.of(new Pose2d(-12.345, 6.789, -2.5)),
-                Optional.of(stamped(new Odometry(Pose2d.ORIGIN, new Twist2d(0.4, 0, -0.25), true))),
+                Optional.of(stamped(new Odometry(new Pose2d(1, 2, 0.5), new Twist2d(0.4, 0, -0.25), true))),
                 Optional.of(stamped(
                         PoseEstimate.of(new Pose2d(-12.3, 6.8, 3), new Covariance2d(0.25, 0.125, 0, 0.5, 0, 0.04)))),
                 Optional.of(stamped(particles)),
