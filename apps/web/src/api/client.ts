@@ -153,6 +153,8 @@ export const seats = {
 const LONGEST_LOOK_MILLIS = 5000;
 const LONGEST_MILLIS = 30_000;
 const STOP = 'run/estop';
+/** What is never given up for a stop: of driving there is one at a time, and whoever drives goes on once it is armed. */
+const KEPT = new Set([STOP, 'run/drive', 'run/release']);
 
 /** Of all that an emergency stop need not wait for: a run that hangs keeps connections, of which a browser has six. */
 let patience = new AbortController();
@@ -183,7 +185,7 @@ async function send(
 ): Promise<unknown> {
   let response: Response;
   const tooLong = AbortSignal.timeout(LONGEST_MILLIS);
-  const mayWait = what !== STOP && what.startsWith('run/');
+  const mayWait = what.startsWith('run/') && !KEPT.has(what);
   const stop = patience.signal;
   try {
     response = await fetch(`${home}api/${what}`, {

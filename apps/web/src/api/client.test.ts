@@ -1,0 +1,42 @@
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { api, RefusedError } from './client';
+
+/** What was asked, and never answered unless it is given up. */
+const asked = new Map<string, AbortSignal>();
+
+beforeEach(() => {
+  asked.clear();
+  vi.stubGlobal('sessionStorage', { getItem: () => 'me', setItem: () => {}, removeItem: () => {} });
+  vi.stubGlobal('fetch', (address: string, { signal }: { signal: AbortSignal }) => {
+    asked.set(address, signal);
+    return new Promise((_, reject) => {
+      signal.addEventListener('abort', () => reject(signal.reason as Error));
+    });
+  });
+});
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+const velocity = { vx: 1, vy: 0, omega: 0 };
+
+it('gives up what hangs for an emergency stop, but for driving, which goes on when robots are armed', async () => {
+  const place = api.place({ robot: 'ann', x: 0, y: 0, heading: 0 });
+  const look = api.readings('ann');
+  void api.drive({ robot: 'ann', driver: 'me', ...velocity });
+  void api.emergencyStop();
+  await expect(place).rejects.toThrow(RefusedError);
+  await expect(place).rejects.toThrow('the emergency stop came first');
+  await expect(look).resolves.toBeNull();
+  expect(asked.get('api/run/drive')!.aborted).toBe(false);
+  expect(asked.get('/api/run/estop')!.aborted).toBe(false);
+});
+
+it('looks and acts again after it', () => {
+  void api.emergencyStop();
+  void api.readings('bob');
+  void api.remove('bob').catch(() => {});
+  expect(asked.get('api/readings?robot=bob')!.aborted).toBe(false);
+  expect(asked.get('api/run/remove')!.aborted).toBe(false);
+});
