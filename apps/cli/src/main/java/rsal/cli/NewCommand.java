@@ -28,8 +28,8 @@ import rsal.settings.Suggestion;
 @Command(
         name = "new",
         description =
-                "Make a folder with a scenario of your own to begin with: NAME.yaml, the files that it names, a test"
-                        + " and a README. It runs as it is. Overwrites nothing.")
+                "Make a folder with a scenario of your own to begin with: NAME.yaml, an agent in AgentSpeak, other files"
+                        + " that it names, a test and a README. It runs as it is. Overwrites nothing.")
 final class NewCommand extends Subcommand {
     private static final String JAVA = "plain";
     private static final String TEST = "test.sh";
@@ -169,6 +169,10 @@ final class NewCommand extends Subcommand {
     private static String about(String file, String name) {
         if (file.equals(name + ".yaml")) {
             return "the scenario";
+        }
+        if (file.equals(Template.WATCHER)) {
+            return "an agent in AgentSpeak, which listens to the others: `rsal run %s.yaml:%s`"
+                    .formatted(name, Template.WATCHED);
         }
         return file.endsWith(".asl")
                 ? "an agent in AgentSpeak: `rsal show %s`".formatted(file)

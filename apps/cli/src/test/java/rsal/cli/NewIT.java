@@ -116,6 +116,13 @@ class NewIT {
         Ended run = rsal.run("run", "mine/mine.yaml", "--headless", "--speed", "max", "--for", "3");
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
         assertThat(run.out()).startsWith("mine:");
+
+        assertThat(made("mine")).as("an agent of one's own").anyMatch(file -> file.endsWith(".asl"));
+        if (made("mine").contains("watcher.asl")) {
+            Ended watched = rsal.run("run", "mine/mine.yaml:own", "--headless", "--speed", "max", "--for", "3");
+            assertThat(watched.code()).as(watched.err()).isEqualTo(Exit.SUCCESS);
+            assertThat(watched.out()).startsWith("mine:own");
+        }
     }
 
     @Test

@@ -13,10 +13,23 @@ import rsal.settings.Location;
 import rsal.settings.Suggestion;
 import rsal.settings.Yaml;
 
-/// What somebody's own scenario begins with: one that comes with the program, and the files that it names. Immutable.
+/// What somebody's own scenario begins with: one that comes with the program, and the files that it names. There is an
+/// agent among them: where all of its agents are in Java, one configuration more has one that is a file. Immutable.
 public final class Template {
+    /// The agent that is there where all others are in Java.
+    public static final String WATCHER = "watcher.asl";
+    /// The configuration that it is in.
+    public static final String WATCHED = "own";
+
     private static final String FILE = "scenario.yaml";
     private static final Pattern NAME = Pattern.compile("(?m)^scenario: .*$");
+    private static final String TEMPLATES = "/rsal/templates/";
+    private static final String WITH_WATCHER = """
+              %s:
+                title: With an agent of yours, which listens to the others
+                mas: {use: jason}
+                agents: {watcher: {type: %s}}
+            """.formatted(WATCHED, WATCHER);
 
     private final Scenario scenario;
     private final Map<String, String> texts;
@@ -35,14 +48,31 @@ public final class Template {
                     "There is no scenario (%s) to begin with.".formatted(scenario),
                     Suggestion.among(scenario, Scenario.builtInNames()));
         }
-        return read("/rsal/scenarios/" + scenario + "/");
+        Template found = read("/rsal/scenarios/" + scenario + "/");
+        boolean hasAgent = found.texts.keySet().stream().anyMatch(path -> path.endsWith(".asl"));
+        return hasAgent ? found : found.watched();
+    }
+
+    /// The text ends with the scenario's configurations.
+    private Template watched() {
+        var all = new LinkedHashMap<>(texts);
+        all.put(FILE, texts.get(FILE) + WITH_WATCHER);
+        all.put(
+                WATCHER,
+                FileSource.resources(Template.class, TEMPLATES)
+                        .text(WATCHER, Yaml.MAX_CHARACTERS, Location.of(WATCHER)));
+        var files = new LinkedHashMap<String, byte[]>();
+        all.forEach((path, text) -> files.put(path, text.getBytes(StandardCharsets.UTF_8)));
+        Scenario watched = Scenario.again(FILE, files);
+        watched.check();
+        return new Template(watched, all);
     }
 
     /// One with agents in the language of a host; empty where there is none.
     ///
     /// @param mas key of the host
     public static Optional<Template> inLanguageOf(String mas) {
-        String folder = "/rsal/templates/" + mas + "/";
+        String folder = TEMPLATES + mas + "/";
         return mas.matches("\\w+") && Template.class.getResource(folder + FILE) != null
                 ? Optional.of(read(folder))
                 : Optional.empty();
