@@ -556,6 +556,7 @@ describe.skipIf(!chromium)('the page', () => {
 
   it('keeps what was selected when it loses its connection for a moment', async () => {
     let lose = () => {};
+    page = await open('about:blank', { mayFail: true, viewport: { width: 1280, height: 720 } });
     await page.routeWebSocket(/\/api\/live/, (socket) => {
       const server = socket.connectToServer();
       lose = () => {
@@ -563,15 +564,15 @@ describe.skipIf(!chromium)('the page', () => {
         void server.close();
       };
     });
-    await page.reload();
-    await page.locator('tr[data-robot="hunter-1"]').click();
+    await page.goto(rsal.url);
+    await page.locator('tr[data-robot="hunter-1"][data-x]').click();
     await page.getByLabel('x [m]').waitFor();
     lose();
     await page.getByText('The server is gone.').waitFor();
     await page.getByText('The server is gone.').waitFor({ state: 'hidden' });
     const before = await time();
     await eventually(async () => (await time()) > before, 'it goes on');
-    expect(await page.getByLabel('x [m]').isVisible()).toBe(true);
+    await page.getByLabel('x [m]').waitFor();
     await rsal.post('restart', { configuration: 'virtual', arguments: {}, seed: SEED });
     await page.getByLabel('x [m]').waitFor({ state: 'detached' }); // of another run
   });

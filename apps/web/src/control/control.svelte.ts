@@ -16,6 +16,9 @@ class Control {
   /** Whoever has it; null when all who have the token may act. */
   holder = $state<string | null>(null);
   mine = $state(false);
+  /** How often it was taken or given back here: answers to what was asked before that come late. */
+  private changes = 0;
+  private asking: Promise<void> = Promise.resolve();
 
   /** Whether this tab had it on the page before, which gave it back as it was left. */
   private get had(): boolean {
@@ -43,16 +46,18 @@ class Control {
 
   private async ask(possible: () => boolean | null) {
     if (possible()) {
-      await this.keepOrLook();
+      this.asking = this.keepOrLook();
+      await this.asking;
     }
     setTimeout(() => void this.ask(possible), possible() === null ? FIRST_PAUSE_MILLIS : PAUSE_MILLIS);
   }
 
   private async keepOrLook() {
+    const asked = this.changes;
     try {
       const mine = !framed && (this.mine || (this.had && this.holder === null)); // else the page around keeps it
       const kept = mine ? await api.takeControl({ name: this.name, over: false }) : await api.control();
-      if (kept !== null) {
+      if (kept !== null && asked === this.changes) {
         this.learn(kept);
       }
     } catch {
@@ -61,8 +66,9 @@ class Control {
   }
 
   private async look() {
+    const asked = this.changes;
     const told = await api.control();
-    if (told !== null) {
+    if (told !== null && asked === this.changes) {
       this.learn(told);
     }
   }
@@ -87,13 +93,18 @@ class Control {
    */
   async take(name: string) {
     localStorage.setItem(NAME, name);
-    this.learn(await api.takeControl({ name, over: true }));
+    const taken = await api.takeControl({ name, over: true });
+    this.changes++;
+    this.learn(taken);
   }
 
   async giveBack() {
     sessionStorage.removeItem(HAD);
-    this.mine = false; // or it would be taken again meanwhile
+    this.mine = false;
+    this.changes++;
+    await this.asking; // which may have taken it once more
     await api.giveControlBack();
+    this.changes++;
     await this.look();
   }
 }
