@@ -218,7 +218,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
         Number(await map.getAttribute(name)),
       ),
     );
-    await page.getByRole('button', { name: 'Send on the map' }).click();
+    await page.getByRole('button', { name: 'Send…' }).click();
     await page.mouse.click(box.x + originX!, box.y + originY! - 2 * scale!); // (0, 2)
     await happened('sent to (');
     await row(robot).getByText('navigator').waitFor();
@@ -231,7 +231,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await select('blind');
     await page.getByText("It can't be sent anywhere. It has no sensor that measures ranges").waitFor();
     await page.getByText("It can't be given a behavior that moves it.").waitFor();
-    expect(await page.getByRole('button', { name: 'Send on the map' }).isDisabled()).toBe(true);
+    expect(await page.getByRole('button', { name: 'Send…' }).isDisabled()).toBe(true);
     expect(await page.getByLabel('Behavior').locator('option').allInnerTexts()).toEqual([
       'none',
       'stand still',

@@ -164,6 +164,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     const form = page.getByRole('dialog', { name: 'A new agent' });
     await form.getByLabel('Type').selectOption('wander');
     await form.getByLabel('For robot').selectOption('prey');
+    await form.getByText(/^prey has evade.* already: each may want something else of it/).waitFor();
     await form.getByRole('textbox', { name: 'period' }).fill('often');
     await form.getByRole('button', { name: 'Start' }).click();
     await form.getByText('(period) must be').waitFor();

@@ -169,6 +169,7 @@ describe.skipIf(!chromium)('the page', () => {
   ])('shows all digits of a place at %i × %i', async (width, height) => {
     page = await opened(rsal.url, { viewport: { width, height } });
     await page.keyboard.press('1');
+    await page.getByText('Place, copy, remove').click();
     for (const name of ['x [m]', 'y [m]', 'heading [°]']) {
       const field = page.getByLabel(name);
       await field.fill('-123.45');
@@ -179,6 +180,7 @@ describe.skipIf(!chromium)('the page', () => {
   it('places a robot by typed numbers', async () => {
     await pause();
     await page.keyboard.press('1');
+    await page.getByText('Place, copy, remove').click();
     await page.getByLabel('x [m]').fill('5');
     await page.getByLabel('y [m]').fill('-1.6');
     await page.getByLabel('heading [°]').fill('90');
@@ -466,11 +468,19 @@ describe.skipIf(!chromium)('the page', () => {
     await page.close();
   });
 
+  it('begins the chart with what there is: in this hunt nobody has conversations', async () => {
+    await page.getByText('hunter-1 goes for prey-1').first().waitFor();
+    await page.getByRole('button', { name: 'Chart', exact: true }).click();
+    await page.locator('.arrow.all', { hasText: 'hunter-1 goes for prey-1' }).first().waitFor();
+  });
+
   it('says how a run ended', async () => {
     await page.getByRole('button', { name: 'Stop', exact: true }).click();
     expect(await page.getByTestId('outcome').innerText()).toBe('Stopped');
     expect(await page.getByTestId('rate').innerText()).toBe('over');
     expect(await page.getByRole('button', { name: 'Pause' }).isDisabled()).toBe(true);
+    await page.keyboard.press('Space'); // nothing moves: there is nothing to refuse
+    await page.getByText('This run is over: its robots stand.').waitFor();
     await page.getByRole('region', { name: 'Stopped' }).getByRole('button', { name: 'Restart' }).click();
     await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
     await page.getByTestId('outcome').waitFor({ state: 'hidden' });
@@ -566,15 +576,15 @@ describe.skipIf(!chromium)('the page', () => {
     });
     await page.goto(rsal.url);
     await page.locator('tr[data-robot="hunter-1"][data-x]').click();
-    await page.getByLabel('x [m]').waitFor();
+    await page.getByText('Place, copy, remove').waitFor();
     lose();
     await page.getByText('The server is gone.').waitFor();
     await page.getByText('The server is gone.').waitFor({ state: 'hidden' });
     const before = await time();
     await eventually(async () => (await time()) > before, 'it goes on');
-    await page.getByLabel('x [m]').waitFor();
+    await page.getByText('Place, copy, remove').waitFor();
     await rsal.post('restart', { configuration: 'virtual', arguments: {}, seed: SEED });
-    await page.getByLabel('x [m]').waitFor({ state: 'detached' }); // of another run
+    await page.getByText('Place, copy, remove').waitFor({ state: 'detached' }); // of another run
   });
 
   it('has notices that are put away over a dialog, too', async () => {

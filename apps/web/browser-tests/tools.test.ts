@@ -26,11 +26,14 @@ describe.skipIf(!chromium)('what people work with', () => {
   it('a chart shows who said what to whom, one after the other, and one conversation alone', async () => {
     const panel = page.locator('.panel', { hasText: 'Events' });
     await panel.getByRole('button', { name: 'Chart' }).click();
+    await panel.getByLabel('Of one topic or protocol').selectOption({ label: 'conversations' });
     const arrows = panel.locator('.arrow');
     await arrows.nth(3).waitFor();
     await panel.getByRole('button', { name: 'Enlarge' }).click();
     const box = (await panel.boundingBox())!;
     expect(box.width).toBeGreaterThan(1200);
+    const timeline = (await page.getByRole('region', { name: 'Timeline' }).boundingBox())!;
+    expect(box.y + box.height).toBeLessThan(timeline.y);
     expect(await page.getByRole('button', { name: 'Emergency stop' }).isVisible()).toBe(true);
     expect(await arrows.first().innerText()).toMatch(/^(cfp|request|inform|agree|query)/);
     await picture(page, 'chart');

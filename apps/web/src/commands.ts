@@ -22,7 +22,12 @@ export const commands = {
       notices.add(texts.access.why); // or who watches might think that robots stand still
       return;
     }
-    void attempt(api.emergencyStop(), true);
+    const over = live.over;
+    void attempt(api.emergencyStop(), true).then((done) => {
+      if (done && over) {
+        notices.add(texts.run.stoppedOver);
+      }
+    });
     commands.toPresent(); // where what became of it is seen, and armed again
   },
   rearm: () => act(api.rearm),

@@ -7,7 +7,7 @@ export const texts = {
   clock: {
     label: 'Clock',
     time: 'Simulated time',
-    rate: (rate: string) => `runs at ${rate} real time`,
+    rate: (rate: string) => `at ${rate} real time`,
     paused: 'paused',
     over: 'over',
     back: 'looking back',
@@ -35,6 +35,7 @@ export const texts = {
         ? `Motors of ${robots.join(', ')} are off.`
         : `Motors of ${robots.length} robots are off.`,
     rearmAll: 'Arm all',
+    stoppedOver: 'This run is over: its robots stand. Motors of runs that go on beside it were switched off.',
     help: 'Keys',
   },
   recording: {
@@ -103,6 +104,7 @@ export const texts = {
     upright: 'Turn back, y up',
     costsHint: 'Select a robot to see what places cost it.',
     noCosts: (robot: string) => `${robot} plans its ways by no costs.`,
+    costs: ['free', 'dear', 'too near'],
     costsUntold: 'What places cost is told of a run that goes on, as it is now.',
     blobsHint: 'Select a robot to see what its cameras make out.',
     noBlobs: (robot: string) => `${robot} has no camera that finds blobs.`,
@@ -111,6 +113,7 @@ export const texts = {
     loading: 'Loading the map…',
     goalHint: (robot: string) => `Click where ${robot} shall go; drag to set its heading. Esc cancels.`,
     place: (x: string, y: string, heading: string) => `${x}, ${y} m, ${heading}`,
+    noGoal: (robot: string, why: string) => `${robot} can’t be sent: ${why}`,
   },
   control: {
     title: 'Take control',
@@ -213,7 +216,9 @@ export const texts = {
     stopHint: 'Switch off its motors until somebody arms it',
     arm: 'Motors on',
     armHint: 'Switch on its motors, and no other robot’s',
-    send: 'Send on the map',
+    send: 'Send…',
+    sendByMapHint: 'Click on the map where it shall go (G); or drag there with the right button',
+    numbers: 'Place, copy, remove',
     saveMap: 'Save its map',
     saveMapHint:
       'Download the map that it drew, as an image with the YAML of ROS; scenarios can take place on it',
@@ -264,6 +269,7 @@ export const texts = {
     title: 'Its devices, and what they tell',
     age: 'How old it is',
     nothing: 'nothing',
+    untold: 'has told nothing',
     more: (count: number) => `and ${count} more`,
   },
   plots: {
@@ -296,6 +302,8 @@ export const texts = {
     type: 'Type',
     noRobot: 'none',
     forRobot: 'For robot',
+    hasOne: (robot: string, agents: readonly string[]) =>
+      `${robot} has ${agents.join(', ')} already: each may want something else of it. Stop what shall not.`,
     start: 'Start',
     message: 'Say…',
     to: 'To',

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import type { EventInfo, SaidInfo } from '../api/messages';
-import { ANY, choiceOf, CONVERSATIONS, sequenceOf } from './sequence';
+import { ANY, choiceOf, CONVERSATIONS, hasConversations, sequenceOf } from './sequence';
 
 let sequence = 0;
 
@@ -40,6 +40,11 @@ it('each that was said is an arrow, oldest first', () =>
     'follow-2 → hunt: refuse!',
     'follow-1 → hunt: inform',
   ]));
+
+it('messages to all make no conversation', () => {
+  expect(hasConversations(events)).toBe(true);
+  expect(hasConversations(events.slice(0, 2))).toBe(false);
+});
 
 it('columns are those who speak or are spoken to in it, in the order of the run', () => {
   expect(sequenceOf(events, ANY, 100).agents).toEqual(['escape-1', 'hunt', 'follow-1', 'follow-2']);

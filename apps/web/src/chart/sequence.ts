@@ -68,6 +68,9 @@ export function choiceOf(events: readonly EventInfo[]): Choice {
   return { agents: [...new Set(events.flatMap(partners))].sort(), about: [...new Set(about)].sort() };
 }
 
+export const hasConversations = (events: readonly EventInfo[]): boolean =>
+  events.some(({ said }) => said !== null && said.conversation !== '');
+
 function isWanted({ subject, said }: EventInfo, { agent, about, conversation }: Wanted): boolean {
   return (
     said !== null &&

@@ -1,7 +1,8 @@
 import type { Pose } from '../../live/frame';
 import { compose } from './frames';
+import { overlap, type Box } from '../labels';
 import type { Layer, Scene } from '../scene';
-import type { Pixel } from '../view';
+import { boxesOf } from './names';
 
 /** An axis is at least this long [px], and as long as this on a large scale [m]. */
 const LEAST_PIXELS = 26;
@@ -9,8 +10,8 @@ const LENGTH = 0.3;
 /** x red, y green, as usual. */
 const X = '#d62828';
 const Y = '#12883f';
-/** Names that would lie over each other stand one below the other, this far apart [px]. */
-const ROW = 13;
+/** How high a name is, and what is left free beside it [px]. */
+const HEIGHT = 13;
 const GAP = 6;
 const FONT = '600 11px system-ui, sans-serif';
 
@@ -19,6 +20,8 @@ export interface Axes {
   name: string;
   pose: Pose;
 }
+
+const hiding = (box: Box, others: readonly Box[]) => others.find((other) => overlap(box, other) > 0);
 
 /**
  * The frames that are known of a robot: the map's, its base's and its laser's as they are, its odometry's, and its base's
@@ -50,16 +53,16 @@ export function axesOf({
   return all;
 }
 
-/** Axes of frames, on the floor: x and y, with the frame's name at its origin. */
+/** Axes of frames, on the floor: x and y, with the frame's name at its origin, or below what is written there. */
 export const drawAxes: Layer = (context, scene) => {
   const { view, palette } = scene;
   const length = Math.max(LENGTH, LEAST_PIXELS / view.scale);
   context.save();
   view.leave(context);
   context.lineCap = 'round';
-  context.font = FONT;
   context.textBaseline = 'top';
-  const written: (Pixel & { end: number })[] = [];
+  const written: Box[] = boxesOf(context, scene);
+  context.font = FONT;
   for (const { name, pose } of axesOf(scene)) {
     const origin = view.toPixel(pose);
     for (const [color, angle] of [
@@ -80,17 +83,17 @@ export const drawAxes: Layer = (context, scene) => {
         context.stroke();
       }
     }
-    const at = { px: origin.px + 5, py: origin.py + 4 };
-    const end = at.px + context.measureText(name).width + GAP;
-    while (written.some((other) => other.px < end && at.px < other.end && Math.abs(other.py - at.py) < ROW)) {
-      at.py += ROW;
+    const width = context.measureText(name).width + GAP;
+    const box = { x: origin.px + 5, y: origin.py + 4, width, height: HEIGHT };
+    for (let under = hiding(box, written); under; under = hiding(box, written)) {
+      box.y = under.y + under.height;
     }
-    written.push({ ...at, end });
+    written.push(box);
     context.lineWidth = 3;
     context.strokeStyle = palette.halo;
-    context.strokeText(name, at.px, at.py);
+    context.strokeText(name, box.x, box.y);
     context.fillStyle = palette.text;
-    context.fillText(name, at.px, at.py);
+    context.fillText(name, box.x, box.y);
   }
   context.restore();
 };

@@ -78,11 +78,11 @@ export function paintCosts(map: MapInfo, cells: Uint8Array, pool: number, palett
   const [dear, blocked] = [rgb(palette.dear), rgb(palette.blocked)];
   const colors = new Map<number, Rgba>([
     [FREE, NOTHING],
-    [OCCUPIED, [...blocked, 120]],
+    [OCCUPIED, [...blocked, 72]],
     [UNKNOWN, NOTHING],
   ]);
   for (let cost = FREE + 1; cost < OCCUPIED; cost++) {
-    colors.set(cost, [...dear, 20 + 1.8 * cost]);
+    colors.set(cost, [...dear, 10 + 1.3 * cost]);
   }
   return paint(map, cells, pool, colors);
 }

@@ -79,6 +79,19 @@ function place(context: CanvasRenderingContext2D, { info, poses, real, view, sel
   });
 }
 
+/** Where names of robots are written [px]. */
+export function boxesOf(context: CanvasRenderingContext2D, scene: Scene): Box[] {
+  const { info, poses, view } = scene;
+  return labelsOf(context, scene).flatMap(({ robot, box }) => {
+    const pose = poses[robot];
+    if (!pose) {
+      return [];
+    }
+    const { px, py } = view.toPixel(pose, heightOf(info.robots[robot]!, view.scale));
+    return [{ ...box, x: px + box.x, y: py + box.y }];
+  });
+}
+
 /** Names of robots, each in a frame of its robot's color; in a crowd those for which there is room. */
 export const drawNames: Layer = (context, scene) => {
   const { info, poses, view, palette } = scene;

@@ -42,6 +42,7 @@ final class Numbers {
             case Boolean flag -> found.add(new NumberInfo(name, Optional.of(flag ? 1.0 : 0.0)));
             case Number number -> found.add(number(name, number.doubleValue()));
             case float[] all when all.length > 0 -> found.addAll(summary(name, all));
+            case Optional<?> some -> some.ifPresent(inner -> look(name, inner, depth, found));
             case List<?> all -> found.add(number(name + ".count", all.size()));
             case Record record
             when depth < DEEPEST -> {

@@ -30,6 +30,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Twist2d;
+import rsal.scenario.run.NavigatorState;
 import rsal.scenario.run.Reading;
 import rsal.server.Messages.Fact;
 import rsal.server.Messages.NumberInfo;
@@ -76,6 +77,7 @@ final class ReadingWords {
             case LightState light -> light(light);
             case OccupancyGrid map -> map(map);
             case Decision decision -> decision(decision);
+            case NavigatorState navigator -> navigator(navigator);
             default -> Numbers.of(value).stream().map(ReadingWords::number).toList();
         };
     }
@@ -110,8 +112,7 @@ final class ReadingWords {
     private static List<Fact> odometry(Odometry odometry) {
         Pose2d pose = odometry.odomFromBase();
         var facts = new ArrayList<Fact>(velocity(odometry.velocity()));
-        facts.add(fact(
-                "odometry", String.format(Locale.ROOT, "%.2f, %.2f m, ", pose.x(), pose.y()) + degrees(pose.theta())));
+        facts.add(fact("odometry", position(pose)));
         if (odometry.stalled()) {
             facts.add(fact("motors", "stalled"));
         }
@@ -147,6 +148,16 @@ final class ReadingWords {
         facts.add(fact("in charge", decision.inCharge().isEmpty() ? "nobody" : decision.inCharge()));
         facts.addAll(velocity(decision.twist()));
         return facts;
+    }
+
+    private static List<Fact> navigator(NavigatorState navigator) {
+        return navigator
+                .mapFromGoal()
+                .map(goal -> List.of(
+                        fact("goal", position(goal)),
+                        fact("way left", String.format(Locale.ROOT, "%.1f m", navigator.remaining())),
+                        fact("state", navigator.paused() ? "paused" : "on its way")))
+                .orElse(List.of(fact("goal", "none")));
     }
 
     /// One of a device that nobody thought of here.
@@ -264,6 +275,10 @@ final class ReadingWords {
                     "places it may be at", String.valueOf(estimate.hypotheses().size())));
         }
         return facts;
+    }
+
+    private static String position(Pose2d pose) {
+        return String.format(Locale.ROOT, "%.2f, %.2f m, ", pose.x(), pose.y()) + degrees(pose.theta());
     }
 
     /// Where something is as seen from the robot: `1.20 m, 15° left`.

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import rsal.behavior.Decision;
@@ -29,6 +30,7 @@ import rsal.data.RangeArray;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
+import rsal.scenario.run.NavigatorState;
 import rsal.scenario.run.Reading;
 import rsal.server.Messages.ReadingInfo;
 
@@ -60,6 +62,14 @@ class ReadingWordsTest {
                         0.584,
                         PoseEstimate.Quality.AMBIGUOUS)))
                 .containsExactly("state: ambiguous, 58 % sure", "deviation: 0.20 m, 3.0°", "places it may be at: 2");
+    }
+
+    @Test
+    void aNavigatorSaysWhereItGoes() {
+        assertThat(words(new NavigatorState(Optional.of(new Pose2d(1, -2, Math.PI / 2)), 3.46, false)))
+                .containsExactly("goal: 1.00, -2.00 m, 90°", "way left: 3.5 m", "state: on its way");
+        assertThat(words(new NavigatorState(Optional.of(AHEAD), 0, true))).contains("state: paused");
+        assertThat(words(new NavigatorState(Optional.empty(), 0, false))).containsExactly("goal: none");
     }
 
     @Test

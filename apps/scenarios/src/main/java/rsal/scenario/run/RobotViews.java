@@ -70,9 +70,18 @@ final class RobotViews {
     }
 
     private Optional<Reading> reading(Device device) {
-        return device instanceof Sensor<?> sensor
-                ? sensor.latest().map(value -> new Reading(device.info().name(), value, age(value)))
-                : Optional.empty();
+        return (switch (device) {
+                    case Sensor<?> sensor -> sensor.latest();
+                    case Navigator navigator -> Optional.of(state(navigator));
+                    default -> Optional.<Stamped<?>>empty();
+                })
+                .map(value -> new Reading(device.info().name(), value, age(value)));
+    }
+
+    /// As it is now: it tells of nothing by itself.
+    private Stamped<NavigatorState> state(Navigator navigator) {
+        var state = new NavigatorState(navigator.goal(), navigator.path().length(), navigator.paused());
+        return new Stamped<>(clock.instant(), "map", state);
     }
 
     private RobotView view(RobotSpec spec, Robot robot) {
