@@ -33,6 +33,23 @@ it('gives up what hangs for an emergency stop, but for driving, which goes on wh
   expect(asked.get('/api/run/estop')!.aborted).toBe(false);
 });
 
+it('gives up an answer that has begun, too', async () => {
+  vi.stubGlobal('fetch', (_: string, { signal }: { signal: AbortSignal }) =>
+    Promise.resolve({
+      ok: true,
+      status: 200,
+      json: () =>
+        new Promise((_, reject) => {
+          signal.addEventListener('abort', () => reject(signal.reason as Error));
+        }),
+    }),
+  );
+  const place = api.place({ robot: 'ann', x: 0, y: 0, heading: 0 });
+  await Promise.resolve(); // its head is there
+  void api.emergencyStop();
+  await expect(place).rejects.toThrow('the emergency stop came first');
+});
+
 it('looks and acts again after it', () => {
   void api.emergencyStop();
   void api.readings('bob');

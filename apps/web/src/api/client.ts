@@ -184,6 +184,7 @@ async function send(
   home = '',
 ): Promise<unknown> {
   let response: Response;
+  let answer: unknown;
   const tooLong = AbortSignal.timeout(LONGEST_MILLIS);
   const mayWait = what.startsWith('run/') && !KEPT.has(what);
   const stop = patience.signal;
@@ -199,6 +200,7 @@ async function send(
       keepalive: evenAtTheEnd,
       signal: mayWait ? AbortSignal.any([stop, tooLong]) : tooLong,
     });
+    answer = await response.json(); // which may be given up, too
   } catch {
     if (mayWait && stop.aborted) {
       throw new RefusedError('Given up, as the emergency stop came first.', []);
@@ -208,7 +210,6 @@ async function send(
   if (response.status === 401) {
     access.drop();
   }
-  const answer: unknown = await response.json();
   if (!response.ok) {
     const refused = answer as Refused;
     throw new RefusedError(refused.message, refused.problems, response.status);
