@@ -38,7 +38,7 @@ describe.skipIf(!chromium)('a robot that is gone', () => {
     await row('stays').click();
     await page.locator('.card .gone').waitFor();
     expect(await page.getByRole('button', { name: 'Drive by keys' }).isDisabled()).toBe(true);
-    expect(await page.getByRole('button', { name: 'Send', exact: true }).isDisabled()).toBe(true);
+    expect(await page.getByRole('button', { name: 'Send…', exact: true }).isDisabled()).toBe(true);
     expect(await page.locator('[data-agent] .gone').innerText()).toBe('its robot is gone');
     await page.waitForTimeout(1500); // while the details go on changing
     expect(asked).toBe(0);
@@ -49,7 +49,7 @@ describe.skipIf(!chromium)('a robot that is gone', () => {
     await row('vanishes').click();
     await page.locator('.card .gone').waitFor();
     await page.locator('.card .gone').waitFor({ state: 'detached' });
-    const send = page.getByRole('button', { name: 'Send', exact: true });
+    const send = page.getByRole('button', { name: 'Send…', exact: true });
     await eventually(async () => !(await send.isDisabled()), 'it can be sent');
     await page.waitForTimeout(1500);
     expect(asked).toBe(1);

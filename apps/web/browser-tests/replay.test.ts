@@ -64,7 +64,7 @@ describe.skipIf(!chromium)('looking back', () => {
     await page.locator('tr[data-robot="hunter-1"]').click();
     await page.locator('div.card').waitFor();
     expect(await button('Drive by keys').isDisabled()).toBe(true);
-    expect(await button('Send').isDisabled()).toBe(true);
+    expect(await button('Send…').isDisabled()).toBe(true);
     expect(await button('Motors off').isDisabled()).toBe(true);
     await expect(recorded.post('estop')).rejects.toThrow('This is a recording');
     await button('Pause').click();
