@@ -35,7 +35,7 @@ export const texts = {
         ? `Motors of ${robots.join(', ')} are off.`
         : `Motors of ${robots.length} robots are off.`,
     rearmAll: 'Arm all',
-    stoppedOver: 'This run is over: its robots stand. Motors of runs that go on beside it were switched off.',
+    stoppedOver: 'This run is over: its robots stand. Motors of any that go on beside it were switched off.',
     help: 'Keys',
   },
   recording: {

@@ -200,15 +200,15 @@ async function send(
       keepalive: evenAtTheEnd,
       signal: mayWait ? AbortSignal.any([stop, tooLong]) : tooLong,
     });
+    if (response.status === 401) {
+      access.drop();
+    }
     answer = await response.json(); // which may be given up, too
   } catch {
     if (mayWait && stop.aborted) {
       throw new RefusedError('Given up, as the emergency stop came first.', []);
     }
     throw new RefusedError('The server does not answer.', []);
-  }
-  if (response.status === 401) {
-    access.drop();
   }
   if (!response.ok) {
     const refused = answer as Refused;

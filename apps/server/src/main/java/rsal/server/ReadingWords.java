@@ -155,7 +155,11 @@ final class ReadingWords {
                 .mapFromGoal()
                 .map(goal -> List.of(
                         fact("goal", position(goal)),
-                        fact("way left", String.format(Locale.ROOT, "%.1f m", navigator.remaining())),
+                        fact(
+                                "way left",
+                                navigator.remaining() == 0
+                                        ? "none yet"
+                                        : String.format(Locale.ROOT, "%.1f m", navigator.remaining())),
                         fact("state", navigator.paused() ? "paused" : "on its way")))
                 .orElse(List.of(fact("goal", "none")));
     }

@@ -68,7 +68,8 @@ class ReadingWordsTest {
     void aNavigatorSaysWhereItGoes() {
         assertThat(words(new NavigatorState(Optional.of(new Pose2d(1, -2, Math.PI / 2)), 3.46, false)))
                 .containsExactly("goal: 1.00, -2.00 m, 90°", "way left: 3.5 m", "state: on its way");
-        assertThat(words(new NavigatorState(Optional.of(AHEAD), 0, true))).contains("state: paused");
+        assertThat(words(new NavigatorState(Optional.of(AHEAD), 0, true)))
+                .contains("way left: none yet", "state: paused");
         assertThat(words(new NavigatorState(Optional.empty(), 0, false))).containsExactly("goal: none");
     }
 

@@ -3,7 +3,9 @@ package rsal.sim.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,6 +38,49 @@ class WallsTest {
                         .isCloseTo(slow.range(pose), within(1e-9));
             }
         }
+    }
+
+    /// All rays of a sensor go in step, in bunches, and leave the others at different times. Each is to come out as if
+    /// it
+    /// were alone, to the last bit.
+    @ParameterizedTest
+    @ValueSource(ints = {2, 7, 8, 9, 64, 65, 181})
+    void raysEndAsIfTheyWereAlone(int count) {
+        for (long seed = 0; seed < 40; seed++) {
+            var random = new SplittableRandom(seed);
+            var world = new RandomWorld(seed, 0.05, seed % 2 == 0 ? 0.01 : 0.1);
+            List<Walls> both = List.of(Walls.of(world.map), Walls.of(new RandomWorld(seed + 1000, 0.1, 0.02).map));
+            double reach = random.nextDouble(0.5, 6);
+            double[][] wanted = new double[count][];
+            Pose2d from = world.anywhere();
+            for (int i = 0; i < count; i++) {
+                if (random.nextInt(12) == 0) { // else one of a fan
+                    from = random.nextInt(4) == 0 ? new Pose2d(random.nextDouble(-3, 12), -1, 0) : world.anywhere();
+                }
+                double angle = from.theta() + i * 0.02;
+                double met = random.nextInt(5) == 0 ? random.nextDouble(3) : Double.POSITIVE_INFINITY;
+                wanted[i] = new double[] {from.x(), from.y(), Math.cos(angle), Math.sin(angle), met};
+            }
+            double[] alone = new double[count];
+            for (int i = 0; i < count; i++) {
+                alone[i] = ranges(both, reach, wanted[i])[0];
+            }
+            assertThat(ranges(both, reach, wanted)).as("seed %d", seed).containsExactly(alone);
+        }
+    }
+
+    /// @param wanted of each ray its place, its direction, and the range at which it has met something already
+    private static double[] ranges(List<Walls> both, double reach, double[]... wanted) {
+        var rays = rsal.sim.world.Rays.ofThisThread(wanted.length);
+        for (int i = 0; i < wanted.length; i++) {
+            rays.x[i] = wanted[i][0];
+            rays.y[i] = wanted[i][1];
+            rays.dx[i] = wanted[i][2];
+            rays.dy[i] = wanted[i][3];
+            rays.range[i] = wanted[i][4];
+        }
+        both.forEach(walls -> walls.end(rays, reach));
+        return Arrays.copyOf(rays.range, wanted.length);
     }
 
     @Test
