@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.entry;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -68,14 +69,26 @@ class CommunicationTest {
     }
 
     /// A run that stands still after ten seconds.
-    private LiveRun stopped(String more) {
+    private LiveRun stopped(String more) throws Exception {
         LiveRun run = LiveRun.start(plan(more, RunOptions.NONE.withSpeed(1))); // at full speed it might end first
         run.pause();
-        for (int i = 0; i < 100; i++) {
-            run.step();
-        }
+        step(run, 100);
         run.speed(Double.POSITIVE_INFINITY);
         return run;
+    }
+
+    /// Goes on by so many steps, and returns when they are done.
+    private static void step(LiveRun run, int steps) throws Exception {
+        Duration before = run.freshSnapshot()
+                .toCompletableFuture()
+                .get(10, TimeUnit.SECONDS)
+                .time();
+        for (int i = 0; i < steps; i++) {
+            run.step();
+        }
+        while (run.snapshot().time().compareTo(before.plusMillis(100L * steps)) < 0) {
+            Thread.onSpinWait();
+        }
     }
 
     private static Hearing find(List<Hearing> all, String sender, String listener) {
@@ -113,7 +126,7 @@ class CommunicationTest {
     @Test
     void robotsBehindAWallHearEachOtherWhenTheyMeet() throws Exception {
         try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
-            List<Hearing> apart = recorded(run, 9);
+            List<Hearing> apart = recorded(run);
             assertThat(find(apart, "amy", "bob").heard()).isZero();
             assertThat(find(apart, "bob", "amy").heard()).isZero();
             assertThat(find(apart, "amy", "bob").lost()).isGreaterThan(80);
@@ -121,7 +134,7 @@ class CommunicationTest {
             assertThat(find(apart, "amy", "base").lost()).isZero();
             run.place("west", new Pose2d(4, 6, 0));
             run.place("east", new Pose2d(8, 6, 0)).toCompletableFuture().get(10, TimeUnit.SECONDS);
-            long lost = find(recorded(run, 9), "amy", "bob").lost();
+            long lost = find(recorded(run), "amy", "bob").lost();
             run.resume();
             List<Hearing> together = Runs.result(run).communication();
             assertThat(find(together, "amy", "bob").heard()).isGreaterThan(150);
@@ -130,11 +143,8 @@ class CommunicationTest {
         }
     }
 
-    /// Who heard what once a run has come so far.
-    private static List<Hearing> recorded(LiveRun run, double seconds) throws Exception {
-        while (run.snapshot().time().toMillis() < 1000 * seconds) {
-            Thread.onSpinWait();
-        }
+    /// Who has heard what.
+    private static List<Hearing> recorded(LiveRun run) throws Exception {
         Answer answer = run.communication().toCompletableFuture().get(10, TimeUnit.SECONDS);
         assertThat(answer).isInstanceOf(Answer.Heard.class);
         return ((Answer.Heard) answer).communication();
@@ -143,15 +153,12 @@ class CommunicationTest {
     @Test
     void robotsThatHearEachOtherAreLinked() throws Exception {
         try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
-            recorded(run, 10); // whoever is asked for links while it steps has heard somebody
             assertThat(links(run)).isEmpty();
             run.place("west", new Pose2d(4, 6, 0));
             run.place("east", new Pose2d(8, 6, 0)).toCompletableFuture().get(10, TimeUnit.SECONDS);
             assertThat(links(run))
                     .containsExactly(new Link("west", "east", new Way(true, false), new Way(true, false)));
-            run.step();
-            run.step();
-            recorded(run, 10.1);
+            step(run, 2);
             assertThat(links(run)).containsExactly(new Link("west", "east", new Way(true, true), new Way(true, true)));
         }
     }
@@ -162,7 +169,6 @@ class CommunicationTest {
                 communication: {range: 100}
                 faults: [{kind: lost, from: amy}]
                 """)) {
-            recorded(run, 9);
             assertThat(links(run))
                     .containsExactly(new Link("west", "east", new Way(false, false), new Way(true, false)));
         }
@@ -171,7 +177,6 @@ class CommunicationTest {
     @Test
     void whoHasMoreToSayThanTheBandwidthAllowsIsNotHeard() throws Exception {
         try (var run = stopped("communication: {bandwidth: 0.1}\n")) {
-            recorded(run, 9);
             assertThat(links(run)).isEmpty();
         }
     }
@@ -179,10 +184,8 @@ class CommunicationTest {
     @Test
     void whereNothingIsLimitedOnlyWhatIsUsedIsALink() throws Exception {
         try (var run = stopped("")) {
-            recorded(run, 9);
             assertThat(links(run)).isEmpty();
-            run.step();
-            recorded(run, 10);
+            step(run, 2);
             assertThat(links(run))
                     .containsExactly(new Link("west", "east", new Way(false, true), new Way(false, true)));
         }
@@ -250,7 +253,6 @@ class CommunicationTest {
     }
 
     private static List<TopicTraffic> topics(LiveRun run) throws Exception {
-        recorded(run, 9);
         Answer answer = run.topics().toCompletableFuture().get(10, TimeUnit.SECONDS);
         assertThat(answer).isInstanceOf(Answer.Counted.class);
         return ((Answer.Counted) answer).topics();
@@ -259,7 +261,7 @@ class CommunicationTest {
     @Test
     void withoutLimitsTopicsAreCountedAllTheSame() throws Exception {
         try (var run = stopped("")) {
-            assertThat(recorded(run, 9)).isEmpty();
+            assertThat(recorded(run)).isEmpty();
             TopicTraffic text = topics(run).getFirst();
             assertThat(text.heard()).isEqualTo(2 * text.said());
             assertThat(text.lost()).isEmpty();
@@ -269,7 +271,7 @@ class CommunicationTest {
     @Test
     void anAgentTellsWhatItHeardOfWhom() throws Exception {
         try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
-            assertThat(recorded(run, 9)).hasSize(6);
+            assertThat(recorded(run)).hasSize(6);
             Answer answer = run.inside("amy").toCompletableFuture().get(10, TimeUnit.SECONDS);
             assertThat(answer).isInstanceOf(Answer.Seen.class);
             Inside amy = ((Answer.Seen) answer).agent();
