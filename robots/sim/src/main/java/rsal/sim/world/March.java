@@ -94,9 +94,9 @@ final class March {
                 int bunch = striding[k];
                 int middle = middle(bunch, rays.count);
                 double from = bunchWay[bunch];
-                int here = walls.roomIn((int) (column[middle] + from * columnsPerMeter[middle]), (int)
-                        (row[middle] + from * rowsPerMeter[middle]));
-                double stride = walls.strides[here] - from * bunchSpread[bunch];
+                int toColumn = (int) (column[middle] + from * columnsPerMeter[middle]);
+                int toRow = (int) (row[middle] + from * rowsPerMeter[middle]);
+                double stride = walls.strides[walls.roomIn(toColumn, toRow)] - from * bunchSpread[bunch];
                 bunchWay[bunch] = from + Math.max(0, stride);
                 striding[still] = bunch;
                 still += 1 - (negative(stride - worth) | negative(reach - from));

@@ -2,6 +2,7 @@ package rsal.sim.world;
 
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import rsal.data.Footprint;
@@ -95,13 +96,22 @@ final class RandomWorld {
     }
 
     static double ray(Walls walls, double x, double y, double dx, double dy, double reach) {
-        var ray = Rays.ofThisThread(1);
-        ray.x[0] = x;
-        ray.y[0] = y;
-        ray.dx[0] = dx;
-        ray.dy[0] = dy;
-        ray.range[0] = Double.POSITIVE_INFINITY;
-        walls.end(ray, reach);
-        return ray.range[0];
+        return ranges(List.of(walls), reach, new double[] {x, y, dx, dy, Double.POSITIVE_INFINITY})[0];
+    }
+
+    /// Casts rays that are on their way together.
+    ///
+    /// @param wanted of each its place, its direction, and the range at which it has met something already
+    static double[] ranges(List<Walls> all, double reach, double[]... wanted) {
+        var rays = Rays.ofThisThread(wanted.length);
+        for (int i = 0; i < wanted.length; i++) {
+            rays.x[i] = wanted[i][0];
+            rays.y[i] = wanted[i][1];
+            rays.dx[i] = wanted[i][2];
+            rays.dy[i] = wanted[i][3];
+            rays.range[i] = wanted[i][4];
+        }
+        all.forEach(walls -> walls.end(rays, reach));
+        return Arrays.copyOf(rays.range, wanted.length);
     }
 }

@@ -3,7 +3,6 @@ package rsal.sim.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -40,9 +39,8 @@ class WallsTest {
         }
     }
 
-    /// All rays of a sensor go in step, in bunches, and leave the others at different times. Each is to come out as if
-    /// it
-    /// were alone, to the last bit.
+    /// All rays of a sensor go in step, in bunches, and leave the others at different times. Each is to come out, to
+    /// the last bit, as if it were alone.
     @ParameterizedTest
     @ValueSource(ints = {2, 7, 8, 9, 64, 65, 181})
     void raysEndAsIfTheyWereAlone(int count) {
@@ -63,24 +61,12 @@ class WallsTest {
             }
             double[] alone = new double[count];
             for (int i = 0; i < count; i++) {
-                alone[i] = ranges(both, reach, wanted[i])[0];
+                alone[i] = RandomWorld.ranges(both, reach, wanted[i])[0];
             }
-            assertThat(ranges(both, reach, wanted)).as("seed %d", seed).containsExactly(alone);
+            assertThat(RandomWorld.ranges(both, reach, wanted))
+                    .as("seed %d", seed)
+                    .containsExactly(alone);
         }
-    }
-
-    /// @param wanted of each ray its place, its direction, and the range at which it has met something already
-    private static double[] ranges(List<Walls> both, double reach, double[]... wanted) {
-        var rays = rsal.sim.world.Rays.ofThisThread(wanted.length);
-        for (int i = 0; i < wanted.length; i++) {
-            rays.x[i] = wanted[i][0];
-            rays.y[i] = wanted[i][1];
-            rays.dx[i] = wanted[i][2];
-            rays.dy[i] = wanted[i][3];
-            rays.range[i] = wanted[i][4];
-        }
-        both.forEach(walls -> walls.end(rays, reach));
-        return Arrays.copyOf(rays.range, wanted.length);
     }
 
     @Test
