@@ -134,7 +134,7 @@ public final class Amcl {
         this.map = map;
         this.random = random;
         this.search = new GlobalSearch(map);
-        this.refinement = new Refinement(map.toOccupied, map.deviation, settings.independentBeams());
+        this.refinement = new Refinement(map.toFace, map.deviation, settings.independentBeams());
         this.rivals = new Rivals(search, refinement, settings.independentBeams());
         this.particles = new Particles(settings.maxParticles());
         this.spare = new Particles(settings.maxParticles());

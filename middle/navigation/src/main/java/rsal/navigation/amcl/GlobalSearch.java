@@ -42,8 +42,8 @@ final class GlobalSearch {
 
     GlobalSearch(LocalizationMap map) {
         this.map = map;
-        this.blurred = new Refinement(map.toOccupied, Math.max(map.deviation, COARSE_DEVIATION), ALL_BEAMS);
-        this.sharp = new Refinement(map.toOccupied, map.deviation, ALL_BEAMS);
+        this.blurred = new Refinement(map.toFace, Math.max(map.deviation, COARSE_DEVIATION), ALL_BEAMS);
+        this.sharp = new Refinement(map.toFace, map.deviation, ALL_BEAMS);
     }
 
     /// The best places, best first, none of them near a better one.

@@ -21,9 +21,10 @@ public final class LikelihoodField implements SensorModel {
     private final float unlikely;
     private final float[] logs;
 
+    /// @param toWall how far the nearest place is where a beam may end
     /// @param deviation how far hits are from the walls of the map, σ_hit in the book [m]
     /// @param randomShare of readings that have nothing to do with the map, z_rand in the book
-    public LikelihoodField(OccupancyGrid map, DistanceField toOccupied, double deviation, double randomShare) {
+    public LikelihoodField(OccupancyGrid map, DistanceField toWall, double deviation, double randomShare) {
         this.width = map.width();
         this.height = map.height();
         this.originX = map.originX();
@@ -32,7 +33,7 @@ public final class LikelihoodField implements SensorModel {
         this.unlikely = (float) Math.log(randomShare);
         this.logs = new float[width * height];
         for (int i = 0; i < logs.length; i++) {
-            double deviations = toOccupied.at(i) / deviation;
+            double deviations = toWall.at(i) / deviation;
             if (deviations > FARTHEST) { // nearly everywhere on a map, and costly to compute
                 logs[i] = unlikely;
                 continue;

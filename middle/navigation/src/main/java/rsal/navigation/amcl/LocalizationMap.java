@@ -12,6 +12,7 @@ public final class LocalizationMap {
 
     final OccupancyGrid grid;
     final DistanceField toOccupied;
+    final DistanceField toFace;
     final LikelihoodField walls;
     final BeamModel reaches;
 
@@ -26,8 +27,9 @@ public final class LocalizationMap {
     public LocalizationMap(OccupancyGrid grid, double deviation, double randomShare) {
         this.grid = grid;
         this.toOccupied = DistanceField.toOccupied(grid);
+        this.toFace = DistanceField.toFace(grid, deviation);
         this.deviation = deviation;
-        this.walls = new LikelihoodField(grid, toOccupied, deviation, randomShare);
+        this.walls = new LikelihoodField(grid, toFace, deviation, randomShare);
         this.reaches = new BeamModel(toOccupied, deviation, randomShare);
         OccupancyGrid coarse = pooled(grid, Math.max(1, (int) Math.round(COARSE_CELL / grid.resolution())));
         this.coarseResolution = coarse.resolution();

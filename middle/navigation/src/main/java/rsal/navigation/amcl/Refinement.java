@@ -23,16 +23,17 @@ final class Refinement {
     private static final double FARTHEST = 0.5; // m, from the start
     private static final double MOST_TURN = 0.3; // rad, likewise
 
-    private final DistanceField toOccupied;
+    private final DistanceField toWall;
     private final double deviation;
     private final double independentBeams;
     private final double[] slope = new double[3]; // distance, and how it grows along x and y
     private final double[] sums = new double[9]; // upper triangle of the information, row by row, and its right side
 
+    /// @param toWall how far the nearest place is where a beam may end
     /// @param deviation how far hits are from the walls of the map [m]
     /// @param independentBeams how many beams a scan counts for
-    Refinement(DistanceField toOccupied, double deviation, double independentBeams) {
-        this.toOccupied = toOccupied;
+    Refinement(DistanceField toWall, double deviation, double independentBeams) {
+        this.toWall = toWall;
         this.deviation = deviation;
         this.independentBeams = independentBeams;
     }
@@ -99,7 +100,7 @@ final class Refinement {
         for (int i = 0; i < beamX.length; i++) {
             double turnedX = cos * beamX[i] - sin * beamY[i];
             double turnedY = sin * beamX[i] + cos * beamY[i];
-            if (!toOccupied.slope(x + turnedX, y + turnedY, slope)) {
+            if (!toWall.slope(x + turnedX, y + turnedY, slope)) {
                 continue;
             }
             double distance = slope[0];

@@ -56,6 +56,29 @@ class RefinementTest {
         assertThat(found.x()).isCloseTo(start.x(), within(0.03));
     }
 
+    /// Nothing else is seen that would draw the robot back.
+    @Test
+    void keepsOutOfAThickWall() {
+        DrawnMap wall = Seen.fine("""
+                ..............
+                ##............
+                ##............
+                ##............
+                ##...a........
+                ##............
+                ##............
+                ##............
+                ..............
+                """);
+        var refinement = new Refinement(DistanceField.toFace(wall.grid(), 0.1), 0.1, 15);
+        Pose2d truth = wall.pose('a', 180);
+        Pose2d start = new Pose2d(truth.x() - 0.08, truth.y(), truth.theta());
+
+        Pose2d found = refinement.refine(new Seen(wall).beams(truth, 1.2, 60), start, VAGUE);
+
+        assertThat(found.x()).isCloseTo(truth.x(), within(0.03));
+    }
+
     @Test
     void keepsThePoseWhenNothingIsNear() {
         var refinement = new Refinement(DistanceField.toOccupied(Seen.ROOM.grid()), 0.1, 15);

@@ -33,6 +33,7 @@ final class Seen {
 
     static final Beams NOTHING = new Beams(new float[0], new float[0], new float[0], new float[0]);
 
+    private final OccupancyGrid map;
     private final Rays rays;
 
     /// A map drawn with signs of 0.25 m, in cells of 0.05 m.
@@ -50,7 +51,12 @@ final class Seen {
     }
 
     Seen(DrawnMap map) {
+        this.map = map.grid();
         rays = new Rays(map.grid());
+    }
+
+    boolean isFree(Pose2d mapFromBase) {
+        return map.isFree(mapFromBase.x(), mapFromBase.y());
     }
 
     /// All around, up to 8 m.

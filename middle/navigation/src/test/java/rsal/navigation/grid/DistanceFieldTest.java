@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,16 +21,22 @@ class DistanceFieldTest {
         var random = new SplittableRandom(seed);
         int width = random.nextInt(1, 50);
         int height = random.nextInt(1, 50);
-        OccupancyGrid map = RandomMaps.of(random, width, height, random.nextDouble() * random.nextDouble());
+        OccupancyGrid map = RandomMaps.of(random, width, height, random.nextDouble());
+        double deepest = random.nextDouble(0.2);
         var toOccupied = DistanceField.toOccupied(map);
         var toNotFree = DistanceField.toNotFree(map);
+        var toFace = DistanceField.toFace(map, deepest);
         for (int cell = 0; cell < width * height; cell++) {
             assertThat((double) toOccupied.at(cell))
                     .as("seed %d, cell %d", seed, cell)
-                    .isCloseTo(nearest(map, cell, false), within(1e-5));
+                    .isCloseTo(nearest(map, cell, other -> isOccupied(map, other)), within(1e-5));
             assertThat((double) toNotFree.at(cell))
                     .as("seed %d, cell %d", seed, cell)
-                    .isCloseTo(nearest(map, cell, true), within(1e-5));
+                    .isCloseTo(nearest(map, cell, other -> map.cells()[other] != OccupancyGrid.FREE), within(1e-5));
+            double face = nearest(map, cell, other -> isOccupied(map, other) && !isAmidOccupied(map, other));
+            assertThat((double) toFace.at(cell))
+                    .as("seed %d, cell %d", seed, cell)
+                    .isCloseTo(isOccupied(map, cell) ? Math.min(deepest, face) : face, within(1e-5));
         }
     }
 
@@ -85,11 +93,21 @@ class DistanceFieldTest {
         assertThat(field.firstHit(-1, 5, 0, 20)).isZero();
     }
 
-    private static double nearest(OccupancyGrid map, int cell, boolean unknownToo) {
+    private static boolean isOccupied(OccupancyGrid map, int cell) {
+        return map.cells()[cell] == OccupancyGrid.OCCUPIED;
+    }
+
+    private static boolean isAmidOccupied(OccupancyGrid map, int cell) {
+        return IntStream.range(0, map.cells().length)
+                .filter(other -> Math.abs(other % map.width() - cell % map.width()) <= 1
+                        && Math.abs(other / map.width() - cell / map.width()) <= 1)
+                .allMatch(other -> isOccupied(map, other));
+    }
+
+    private static double nearest(OccupancyGrid map, int cell, IntPredicate target) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int other = 0; other < map.cells().length; other++) {
-            byte value = map.cells()[other];
-            if (value == OccupancyGrid.OCCUPIED || (unknownToo && value == OccupancyGrid.UNKNOWN)) {
+            if (target.test(other)) {
                 int dx = other % map.width() - cell % map.width();
                 int dy = other / map.width() - cell / map.width();
                 nearest = Math.min(nearest, map.resolution() * Math.hypot(dx, dy));
