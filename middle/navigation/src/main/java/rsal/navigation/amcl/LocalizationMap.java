@@ -10,6 +10,13 @@ public final class LocalizationMap {
     private static final double COARSE_DEVIATION = 0.35; // half of what the coarse search's steps miss
     private static final double COARSE_CELL = 0.15; // m
 
+    /// Distances are those of the middles of cells. Where cells are larger than this [m], beams would seem to end
+    /// beside
+    /// walls by half of one, so they are split.
+    private static final double FINE_CELL = 0.05;
+
+    private static final long MOST_CELLS = 16_000_000; // that cells are split into
+
     final OccupancyGrid grid;
     final DistanceField toOccupied;
     final DistanceField toFace;
@@ -24,8 +31,8 @@ public final class LocalizationMap {
 
     /// @param deviation how far hits are from the walls of the map [m]
     /// @param randomShare of readings that have nothing to do with the map
-    public LocalizationMap(OccupancyGrid grid, double deviation, double randomShare) {
-        this.grid = grid;
+    public LocalizationMap(OccupancyGrid map, double deviation, double randomShare) {
+        this.grid = split(map, parts(map));
         this.toOccupied = DistanceField.toOccupied(grid);
         this.toFace = DistanceField.toFace(grid, deviation);
         this.deviation = deviation;
@@ -35,6 +42,27 @@ public final class LocalizationMap {
         this.coarseResolution = coarse.resolution();
         this.nearWalls = new LikelihoodField(
                 coarse, DistanceField.toOccupied(coarse), Math.max(deviation, COARSE_DEVIATION), randomShare);
+    }
+
+    /// In how many parts along each side cells are split.
+    private static int parts(OccupancyGrid map) {
+        double fine = Math.ceil(map.resolution() / FINE_CELL - 0.01); // as 0.0500001 is 0.05
+        double most = Math.floor(Math.sqrt((double) MOST_CELLS / map.cells().length));
+        return (int) Math.max(1, Math.min(fine, most));
+    }
+
+    /// The same map of smaller cells.
+    private static OccupancyGrid split(OccupancyGrid map, int parts) {
+        if (parts == 1) {
+            return map;
+        }
+        int width = map.width() * parts;
+        int height = map.height() * parts;
+        var cells = new byte[width * height];
+        for (int i = 0; i < cells.length; i++) {
+            cells[i] = map.cells()[i / width / parts * map.width() + i % width / parts];
+        }
+        return new OccupancyGrid(width, height, map.resolution() / parts, map.originX(), map.originY(), cells);
     }
 
     /// A map of larger cells, occupied where any of theirs is.

@@ -254,6 +254,39 @@ class AmclTest {
         assertThat(drive(one, SEEN, truth, Pose2d.ORIGIN, 6)).isEqualTo(drive(other, SEEN, truth, Pose2d.ORIGIN, 6));
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0.25, 0.5})
+    void isRightOnMapsOfLargeCells(double resolution) {
+        DrawnMap hall = DrawnMap.grid(resolution, """
+                ##########################
+                #........................#
+                #..a.....................#
+                #........................#
+                #.......####.............#
+                #.......####.............#
+                #........................#
+                #........................#
+                #........................#
+                #...............###......#
+                #...............###......#
+                #........................#
+                #........................#
+                ##########################
+                """);
+        var amcl = new Amcl(
+                new LocalizationMap(hall.grid(), 0.1, 0.05), Amcl.Settings.of(150, 3000), new SplittableRandom(1));
+        Pose2d truth = hall.pose('a', -60);
+        amcl.start(PoseEstimate.of(truth, Covariance2d.ofDeviations(0.2, 0.2, 0.1)));
+
+        List<PoseEstimate> told = drive(amcl, new Seen(hall), truth, Pose2d.ORIGIN, 8);
+
+        for (int i = 3; i < told.size(); i++) {
+            assertThat(told.get(i).mapFromBase().distanceTo(after(truth, i)))
+                    .as("after %d steps", i)
+                    .isLessThan(0.06);
+        }
+    }
+
     @Test
     void aMapWithoutWallsOrFreeCellsTellsNothing() {
         for (String drawing : List.of("...\n...\n", "???\n")) {
