@@ -112,8 +112,10 @@ public final class Verification {
         return finding;
     }
 
-    /// With what happens next. For the run's thread.
-    void compare(RunEvent event, String hash) {
+    /// With what happens next, in words: of messages, to whom and what about is in those. For the run's thread.
+    void compare(RunEvent happened, String hash) {
+        var event = new RunEvent(
+                happened.sequence(), happened.time(), happened.kind(), happened.subject(), happened.text());
         if (finding.isDone() || isBeyond(event.time())) {
             return;
         }

@@ -38,6 +38,10 @@ class PlaybackTest {
             try (Playback playback = open(file)) {
                 assertThat(playback.until()).isEqualTo(seen.snapshots.getLast().time());
                 assertThat(playback.events()).usingRecursiveComparison().isEqualTo(seen.events);
+                assertThat(playback.events())
+                        .filteredOn(event -> event.kind().equals("message"))
+                        .isNotEmpty()
+                        .allMatch(event -> event.said().isPresent());
                 assertThat(playback.result()).hasValueSatisfying(result -> {
                     assertThat(result.eventHash()).isEqualTo(seen.result.eventHash());
                     assertThat(result.measures()).isEqualTo(seen.result.measures());

@@ -77,7 +77,8 @@ final class Journal {
             keep(kind, subject, text, said);
         }
         happened++;
-        witness.ifPresent(seen -> seen.happened(new RunEvent(happened, time.get(), kind, subject, text), hashSoFar()));
+        witness.ifPresent(
+                seen -> seen.happened(new RunEvent(happened, time.get(), kind, subject, text, said), hashSoFar()));
     }
 
     /// Something was said, in words for people.
