@@ -235,10 +235,12 @@ final class Api {
             answer(request, new Plan(Long.toString(plan.seed()), Descriptions.arguments(plan)));
         });
         command(routes, "restart", request -> {
-            restart(request, plan(request, read(request, Restart.class, RunServer.MAX_TEXT)));
+            int stops = seats.stops();
+            restart(request, plan(request, read(request, Restart.class, RunServer.MAX_TEXT)), stops);
         });
         command(routes, "watch", request -> {
-            restart(request, sweeps.plan(read(request, SweepRunAgain.class)));
+            int stops = seats.stops();
+            restart(request, sweeps.plan(read(request, SweepRunAgain.class)), stops);
         });
 
         texts.configure(routes);
@@ -282,10 +284,10 @@ final class Api {
     private void configureSeats(Routes routes) {
         routes.get("/api/beside", request -> answer(request, Descriptions.sideBySide(seats.all())));
         routes.post("/api/beside", request -> {
+            int stops = seats.stops();
             authorize(request, gate);
-            answer(
-                    request,
-                    Descriptions.seat(seats.open(plan(request, read(request, Restart.class, RunServer.MAX_TEXT)))));
+            RunPlan plan = plan(request, read(request, Restart.class, RunServer.MAX_TEXT));
+            answer(request, Descriptions.seat(seats.open(plan, stops)));
         });
         routes.delete("/api/beside/{number}", request -> {
             authorize(request, gate);
@@ -371,9 +373,10 @@ final class Api {
                 now.number(), now.run().plan(), now.team(now.run().snapshot()));
     }
 
-    private void restart(Context request, RunPlan plan) {
+    /// @param stops how many emergency stops there had been when it was asked for
+    private void restart(Context request, RunPlan plan, int stops) {
         sweeps.checkBeside(plan);
-        seats.restart(seats.find(request), plan);
+        seats.restart(seats.find(request), plan, stops);
         answer(request, info(request));
     }
 

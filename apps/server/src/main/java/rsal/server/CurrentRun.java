@@ -60,11 +60,14 @@ final class CurrentRun implements AutoCloseable {
     }
 
     /// Ends the run and begins another one.
-    synchronized void restart(RunPlan next) {
+    ///
+    /// @param mayBegin throws a refusal when, once the run has ended, none is to begin any more
+    synchronized void restart(RunPlan next, Runnable mayBegin) {
         if (closed) {
             throw new Refusal(503, "The server is ending.");
         }
         now.run().close();
+        mayBegin.run();
         now = begin(now.number() + 1, next, now.metrics());
     }
 

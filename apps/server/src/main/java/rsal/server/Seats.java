@@ -8,6 +8,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -42,6 +43,7 @@ final class Seats implements Viewing {
     private final Gate gate;
     private final Seat first;
     private volatile List<Seat> all; // in the order in which they came
+    private final AtomicInteger stops = new AtomicInteger();
     private int newest;
     private boolean closed;
 
@@ -87,8 +89,9 @@ final class Seats implements Viewing {
     /// Begins a run beside those that are there. Nobody but its viewers sees it: who is told of runs, records them or
     /// reads metrics knows the first seat alone.
     ///
-    /// @throws Refusal when there are [#MOST] already, or it or another one is in real time
-    synchronized Seat open(RunPlan plan) {
+    /// @param asked how many emergency stops there had been when this was asked for
+    /// @throws Refusal when there are [#MOST] already, it or another one is in real time, or all were stopped since
+    synchronized Seat open(RunPlan plan, int asked) {
         if (closed) {
             throw new Refusal(503, "The server is ending.");
         }
@@ -105,17 +108,21 @@ final class Seats implements Viewing {
             throw new Refusal(
                     409, "The run goes in real time, and another beside it would make it late. Stop it first.");
         }
+        checkNoStopSince(asked);
         var seat =
                 new Seat(newest + 1, new CurrentRun(plan, _ -> {}, next -> LiveRun.start(next, HELPERS_BESIDE)), gate);
         newest = seat.number();
         all = Stream.concat(all.stream(), Stream.of(seat)).toList();
+        stopIfToldSince(asked, seat);
         return seat;
     }
 
     /// Ends a seat's run and begins another one there.
     ///
-    /// @throws Refusal when that is in real time, and not alone, or the seat was closed
-    synchronized void restart(Seat seat, RunPlan plan) {
+    /// @param asked how many emergency stops there had been when this was asked for
+    /// @throws Refusal when that is in real time, and not alone, or the seat was closed, or all were stopped since;
+    ///     then the run has ended, and none has begun
+    synchronized void restart(Seat seat, RunPlan plan, int asked) {
         if (!all.contains(seat)) {
             throw gone(Integer.toString(seat.number()));
         }
@@ -123,7 +130,21 @@ final class Seats implements Viewing {
             throw new Refusal(
                     409, "This goes in real time, and the runs beside it would make it late. Close those first.");
         }
-        seat.current().restart(plan);
+        seat.current().restart(plan, () -> checkNoStopSince(asked));
+        stopIfToldSince(asked, seat);
+    }
+
+    private void checkNoStopSince(int asked) {
+        if (stops.get() != asked) {
+            throw new Refusal(409, "An emergency stop came after this was asked for, so no run was begun. Ask again.");
+        }
+    }
+
+    /// The stop may have come while the run began, and have been told to those before it only.
+    private void stopIfToldSince(int asked, Seat seat) {
+        if (stops.get() != asked) {
+            var _ = seat.estop();
+        }
     }
 
     private static boolean isInRealTime(RunPlan plan) {
@@ -142,10 +163,16 @@ final class Seats implements Viewing {
         seat.close();
     }
 
+    /// How many emergency stops there have been. What was asked for before one begins no run after it.
+    int stops() {
+        return stops.get();
+    }
+
     /// Switches off all motors of all runs. Those that are over move nothing any more.
     ///
     /// @return when all are off, or after [#PATIENCE]; a refusal names each run that has not confirmed it by then
     CompletionStage<Answer> estop() {
+        stops.incrementAndGet(); // before all are told: who comes to them later sees it
         List<CompletionStage<Answer>> answers = all.stream()
                 .filter(seat -> !seat.now().isOver())
                 .map(Seats::confirmedStop)

@@ -8,10 +8,14 @@ import java.net.http.HttpClient;
 import java.net.http.WebSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -213,6 +217,45 @@ class SeatsTest {
         run(1).result().toCompletableFuture().get();
         run(3).result().toCompletableFuture().get();
         assertThat(post("/api/run/estop", "").status()).isEqualTo(200); // nothing moves: that is what was asked for
+    }
+
+    /// The old run holds the restart up, as its end waits for whoever looks at it.
+    @Test
+    void beginsNoRunThatWasAskedForBeforeAnEmergencyStop() throws Exception {
+        var blocked = new CountDownLatch(1);
+        var released = new CountDownLatch(1);
+        try (ExecutorService people = Executors.newVirtualThreadPerTaskExecutor();
+                var _ = run(1).onSnapshot(() -> {
+                    blocked.countDown();
+                    awaitQuietly(released);
+                })) {
+            blocked.await();
+            Future<Response> restarted = people.submit(() -> post("/api/run/restart", "{}"));
+            LiveRun old = run(1);
+            while (!isEnding()) {
+                Thread.onSpinWait();
+            }
+            Future<Response> stopped = people.submit(() -> post("/api/run/estop", ""));
+            while (server.seats().stops() == 0) {
+                Thread.onSpinWait();
+            }
+            released.countDown();
+            stopped.get();
+            assertThat(restarted.get().status()).isEqualTo(409);
+            assertThat(restarted.get().body()).contains("An emergency stop came after this was asked for");
+            assertThat(run(1)).isSameAs(old);
+            assertThat(old.result().toCompletableFuture()).isCompleted();
+        }
+        assertThat(post("/api/run/restart", "{}").status()).isEqualTo(200);
+        assertThat(isStopped(1)).isFalse();
+    }
+
+    /// Whether somebody has begun to end a run.
+    private static boolean isEnding() {
+        return Thread.getAllStackTraces().values().stream()
+                .flatMap(Arrays::stream)
+                .anyMatch(frame -> frame.getClassName().equals(LiveRun.class.getName())
+                        && frame.getMethodName().equals("close"));
     }
 
     @Test
