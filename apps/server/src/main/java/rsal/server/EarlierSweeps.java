@@ -9,8 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Semaphore;
-import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.experiment.Findings;
@@ -27,10 +25,9 @@ import rsal.settings.InvalidSettings;
 /// for one at a time, and few may wait for that. All methods may be called from any thread.
 final class EarlierSweeps {
     private static final int MOST = 50;
-    private static final int MOST_ASKING = 4; // of all threads that answer, also an emergency stop
 
     private final Path folder;
-    private final Semaphore asking = new Semaphore(MOST_ASKING);
+    private final FewAtOnce few = new FewAtOnce("earlier sweeps");
     private Map<Path, Known> known = Map.of(); // of the last list
     private @Nullable Written report; // the last one that was asked for
 
@@ -64,18 +61,7 @@ final class EarlierSweeps {
     ///
     /// @throws Refusal when the folder can't be read, or others are asking
     List<EarlierSweep> list(Optional<Path> but) {
-        return unlessOthersAsk(() -> newest(but));
-    }
-
-    private <T> T unlessOthersAsk(Supplier<T> work) {
-        if (!asking.tryAcquire()) {
-            throw new Refusal(409, "Others are asking for earlier sweeps. Try again in a moment.");
-        }
-        try {
-            return work.get();
-        } finally {
-            asking.release();
-        }
+        return few.ask(() -> newest(but));
     }
 
     private synchronized List<EarlierSweep> newest(Optional<Path> but) {
@@ -121,7 +107,7 @@ final class EarlierSweeps {
     /// @param name of a sweep's folder
     /// @throws Refusal when there is none, or nothing to report yet, or others are asking
     String report(String name) {
-        return unlessOthersAsk(() -> written(name));
+        return few.ask(() -> written(name));
     }
 
     private synchronized String written(String name) {

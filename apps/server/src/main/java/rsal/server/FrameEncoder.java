@@ -3,6 +3,7 @@ package rsal.server;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,7 +12,6 @@ import rsal.data.Angles;
 import rsal.data.Covariance2d;
 import rsal.data.GripperState;
 import rsal.data.LaserScan;
-import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
@@ -66,6 +66,9 @@ final class FrameEncoder {
 
     /// More would not be seen on a screen; of larger clouds every n-th particle is sent.
     static final int MAX_PARTICLES = 1500;
+
+    /// An estimate and odometry that are at most so far apart are of one place.
+    private static final Duration SAME_TIME = Duration.ofMillis(200);
 
     private static final double TURN = 2 * Math.PI;
 
@@ -145,7 +148,7 @@ final class FrameEncoder {
                 | (robot.particles().isPresent() ? PARTICLES : 0)
                 | (robot.gripper().isPresent() ? GRIPPER : 0)
                 | (robot.lit() ? LIT : 0)
-                | (robot.odometry().isPresent() ? ODOM : 0);
+                | (mapFromOdom(robot).isPresent() ? ODOM : 0);
     }
 
     /// The truth where there is one, else what its localizer believes, or where its stand-in is.
@@ -171,18 +174,30 @@ final class FrameEncoder {
         robot.ranges().map(Stamped::value).ifPresent(this::ranges);
         robot.particles().map(Stamped::value).ifPresent(this::particles);
         robot.gripper().map(Stamped::value).ifPresent(this::gripper);
-        robot.odometry().map(Stamped::value).ifPresent(odometry -> odom(robot, odometry));
+        mapFromOdom(robot).ifPresent(odom -> {
+            reserve(12);
+            pose(odom);
+            out.putShort((short) 0);
+        });
     }
 
-    /// Where its localizer has the frame of odometry on the map (REP 105), or the truth where nothing localizes it.
-    private void odom(RobotView robot, Odometry odometry) {
-        Pose2d mapFromBase = estimate(robot)
-                .map(PoseEstimate::mapFromBase)
-                .or(() -> bestPose(robot))
-                .orElseThrow();
-        reserve(12);
-        pose(mapFromBase.compose(odometry.odomFromBase().inverse()));
-        out.putShort((short) 0);
+    /// Where its localizer has the frame of odometry on the map (REP 105), or its best pose where nothing localizes it.
+    /// Nothing when the localizer has fallen silent: the frame would seem to drive along.
+    private static Optional<Pose2d> mapFromOdom(RobotView robot) {
+        return robot.odometry()
+                .flatMap(odometry -> baseThen(robot, odometry.time())
+                        .map(mapFromBase -> mapFromBase.compose(
+                                odometry.value().odomFromBase().inverse())))
+                .filter(Pose2d::isFinite);
+    }
+
+    private static Optional<Pose2d> baseThen(RobotView robot, Instant time) {
+        return estimate(robot).isEmpty()
+                ? bestPose(robot)
+                : robot.estimate()
+                        .filter(estimate ->
+                                Duration.between(estimate.time(), time).abs().compareTo(SAME_TIME) <= 0)
+                        .map(estimate -> estimate.value().mapFromBase());
     }
 
     /// In the world; one on a map of the robot's own, which lies nobody knows how, is none. Where there is no world but

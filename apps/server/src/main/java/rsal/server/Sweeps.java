@@ -36,6 +36,7 @@ final class Sweeps implements AutoCloseable {
     private final Optional<RunServer.Sweeping> sweeping;
     private final Optional<EarlierSweeps> earlier;
     private final Shelf shelf;
+    private final FewAtOnce fewReports = new FewAtOnce("the sweep's report");
     private final int cores;
     private @Nullable BackgroundSweep newest;
     private boolean closed;
@@ -139,9 +140,9 @@ final class Sweeps implements AutoCloseable {
 
     /// The page that `rsal report` writes.
     ///
-    /// @throws Refusal while there is nothing to report
+    /// @throws Refusal while there is nothing to report, or others are asking
     String report() {
-        return newest().orElseThrow(Sweeps::none).report();
+        return fewReports.ask(newest().orElseThrow(Sweeps::none)::report);
     }
 
     /// Runs of a combination that have ended.

@@ -106,6 +106,52 @@ class FrameEncoderTest {
     }
 
     @Test
+    void tellsWhereOdometryBeganUnlessTheLocalizerIsSilent() {
+        var odometry = new Odometry(new Pose2d(1, 0, 0), Twist2d.STOP, false);
+        var estimate = Optional.of(PoseEstimate.of(new Pose2d(5, 2, 0), Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
+        assertThat(odom(odometry, 100, estimate)).contains(new Pose2d(4, 2, 0));
+        assertThat(odom(odometry, 5000, estimate)).isEmpty();
+        assertThat(odom(odometry, 5000, Optional.empty())).contains(new Pose2d(0, 0, 0)); // the truth
+        var broken = new Odometry(new Pose2d(Double.NaN, 0, 0), Twist2d.STOP, false);
+        assertThat(odom(broken, 0, estimate)).isEmpty();
+    }
+
+    /// Of a robot at (1, 0), whose frame of odometry is the last of its blocks.
+    private Optional<Pose2d> odom(Odometry odometry, long millis, Optional<PoseEstimate> estimate) {
+        var told = new Stamped<>(Instant.EPOCH.plusMillis(millis), "r/odom", odometry);
+        var robot = new RobotView(
+                "r",
+                "hunter",
+                "#0072b2",
+                "pioneer3at",
+                false,
+                Optional.of(new Pose2d(1, 0, 0)),
+                Optional.of(told),
+                estimate.map(FrameEncoderTest::stamped),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                Path2d.EMPTY,
+                Optional.empty(),
+                "",
+                "",
+                "",
+                Optional.empty(),
+                false,
+                false,
+                Optional.empty(),
+                List.of());
+        byte[] frame = encode(List.of(robot));
+        ByteBuffer bytes = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
+        boolean isTold = (bytes.getShort(FrameEncoder.HEADER_BYTES + 14) & FrameEncoder.ODOM) != 0;
+        int at = frame.length - 12;
+        return isTold
+                ? Optional.of(new Pose2d(bytes.getInt(at) / 1e3, bytes.getInt(at + 4) / 1e3, 0))
+                : Optional.empty();
+    }
+
+    @Test
     void saturatesWhatIsOutOfReach() {
         var far = robot(
                 "far", Optional.of(new Pose2d(1e9, -1e9, 0)), Optional.empty(), Optional.empty(), Optional.empty());
