@@ -36,7 +36,7 @@ import rsal.time.Scheduler;
 
 /// Drives along planned ways: looks ten times a second at where the robot is and what is around it, and asks the
 /// [Trip] under way what to command. Without a goal, and while paused, it commands nothing, so others may drive.
-/// A new goal does not end a pause.
+/// A new goal does not end a pause. While motors are off it waits as if paused: that is nobody's failure.
 final class PathNavigator extends DeviceCore implements Navigator {
     static final double BEAT_SECONDS = 0.1;
     private static final Duration BEAT = Duration.ofMillis(100);
@@ -94,6 +94,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private final BlindSpot blindSpot;
     private @Nullable Trip trip;
     private boolean paused;
+    private boolean held; // as motors were off
 
     PathNavigator(DeviceInfo info, Parts parts, Settings settings, Scheduler scheduler, RandomGenerator random) {
         super(info);
@@ -177,11 +178,17 @@ final class PathNavigator extends DeviceCore implements Navigator {
 
     private void beat() {
         Trip now = trip;
-        if (now == null || paused) {
+        boolean off = !parts.base().enabled();
+        if (now == null || paused || off) {
+            held |= off;
             if (!health().isOk()) {
                 look(); // it may be well again
             }
             return;
+        }
+        if (held) {
+            now.resume();
+            held = false;
         }
         Optional<Situation> situation = look();
         Twist2d command = situation.map(now::beat).orElseGet(now::blindBeat);

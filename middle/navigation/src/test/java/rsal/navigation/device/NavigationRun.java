@@ -12,6 +12,7 @@ import java.util.concurrent.Executor;
 import java.util.random.RandomGenerator;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.device.DriveBase;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
 import rsal.device.SimulationControl;
@@ -93,6 +94,10 @@ final class NavigationRun {
 
     Localizer localizer(String id) {
         return robot(id).require(Localizer.class);
+    }
+
+    DriveBase base(String id) {
+        return robot(id).require(DriveBase.class);
     }
 
     Navigator navigator(String id) {

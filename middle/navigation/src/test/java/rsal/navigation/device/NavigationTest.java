@@ -122,6 +122,27 @@ class NavigationTest {
     }
 
     @Test
+    void itGoesOnWhenMotorsAreOnAgainHoweverLongTheyWereOff() {
+        NavigationRun run = officeRun(8, Runnable::run, new SplittableRandom(8));
+        run.advance(1);
+        var ended = new ArrayList<Result>();
+        run.navigator("r0")
+                .goTo(farFrom(run.truth("r0")), Tolerance.position(0.4))
+                .result()
+                .thenAccept(ended::add);
+        run.advance(3);
+        run.base("r0").enable(false);
+        run.advance(1);
+        Pose2d stopped = run.truth("r0");
+        run.advance(120);
+        assertThat(run.truth("r0")).isEqualTo(stopped);
+        assertThat(ended).isEmpty();
+        run.base("r0").enable(true);
+        run.advance(200);
+        assertThat(ended).singleElement().isInstanceOf(Result.Reached.class);
+    }
+
+    @Test
     void aPauseLastsAsLongAsItLikes() {
         NavigationRun run = officeRun(8, Runnable::run, new SplittableRandom(8));
         run.advance(1);
