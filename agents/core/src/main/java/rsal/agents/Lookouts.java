@@ -13,14 +13,9 @@ import rsal.agent.AgentContext;
 import rsal.agent.message.Lookout;
 import rsal.behavior.LimitTurnRate;
 import rsal.behavior.Pilot;
-import rsal.behavior.SetSpeed;
 import rsal.behavior.Subsumption;
-import rsal.data.Angles;
-import rsal.data.Odometry;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
-import rsal.data.Twist2d;
-import rsal.device.DriveBase;
 import rsal.device.Navigator;
 import rsal.device.Navigator.Tolerance;
 import rsal.device.PlaceFinder;
@@ -40,8 +35,9 @@ final class Lookouts {
     private static final Duration AGAIN = Duration.ofSeconds(1);
     private static final Tolerance THERE = Tolerance.position(0.4);
     private static final double SAME = 1.5; // m; places nearer to each other are seen from each other
-    private static final Twist2d TURN = Twist2d.drive(0, Math.toRadians(45));
+    private static final double TURN = Math.toRadians(45); // per s
     private static final double MOST_TURN = 1.0; // rad/s
+    private static final Duration HELD = Duration.ofSeconds(1); // after which it turns the other way
     private static final double ALL_AROUND = Math.toRadians(330); // the camera sees the rest
     private static final double NONE = 1e-3; // rad; not worth a turn
 
@@ -216,20 +212,12 @@ final class Lookouts {
 
     private void lookAround(Point2d place) {
         self.state("looking around");
+        var looking = new LookAround(TURN, turn(), HELD);
         pilot.engage(new Subsumption()
-                .layer("turn", new SetSpeed(TURN))
+                .layer("turn", looking)
                 .layer("limit-turn-rate", new LimitTurnRate(robot.model().footprint(), MOST_TURN)));
-        double enough = turn();
-        var turned = new Object() {
-            private double made;
-            private double last = Double.NaN;
-        };
-        turning = self.subscribe(robot.require(DriveBase.class), reading -> {
-            Odometry odometry = reading.value();
-            double heading = odometry.odomFromBase().theta();
-            turned.made += Double.isNaN(turned.last) ? 0 : Angles.difference(turned.last, heading);
-            turned.last = heading;
-            if (turned.made >= enough) {
+        turning = self.subscribe(pilot, _ -> {
+            if (looking.isDone()) {
                 letGo();
                 done(place);
             }

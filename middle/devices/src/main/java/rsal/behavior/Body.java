@@ -63,7 +63,7 @@ final class Body {
 
     private double timeToTouch(double x, double y, Twist2d twist, double margin, double horizon) {
         double before = gap(x, y);
-        double allowed = Math.min(margin, before - 1e-3);
+        double allowed = Math.min(margin, before - 1e-4);
         double cos = Math.cos(twist.omega() * STEP);
         double sin = Math.sin(twist.omega() * STEP);
         double px = x;

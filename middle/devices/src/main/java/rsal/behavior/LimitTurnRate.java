@@ -5,7 +5,7 @@ import rsal.data.Twist2d;
 
 /// Never turns faster than is safe, nor into something.
 public final class LimitTurnRate implements Behavior {
-    private static final double MARGIN = 0.02; // m
+    private static final double MARGIN = 0.04; // m; lasers err by centimeters
     private static final double HORIZON = 0.3; // s
 
     private final double most;

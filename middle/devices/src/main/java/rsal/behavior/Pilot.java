@@ -22,6 +22,7 @@ import rsal.robot.Robot;
 /// Lets a subsumption stack drive a robot, and tells what the stack decides. Frame of its readings:
 /// `<robot>/base_link`.
 ///
+/// While motors are off it does not ask the stack, which would take itself for stuck.
 /// When odometry or a range sensor falls silent it stands still and is stale until they are back. When a behavior
 /// throws, or wants what is not finite, it stands still, lets go of the stack and is lost until it is given another.
 public final class Pilot extends SensorCore<Decision> {
@@ -87,15 +88,18 @@ public final class Pilot extends SensorCore<Decision> {
     }
 
     void update() {
-        Subsumption driving = paused ? null : stack;
+        Subsumption driving = paused || !base.enabled() ? null : stack;
         Instant now = clock.instant();
+        Optional<String> silent = silent(now);
         if (driving == null) {
-            if (health() instanceof Health.Stale && silent(now).isEmpty()) {
-                health(Health.ok());
+            if (silent.isEmpty()) {
+                if (health() instanceof Health.Stale) {
+                    health(Health.ok());
+                }
+                percept(now); // whoever is engaged next must know what is beside the tail
             }
             return;
         }
-        Optional<String> silent = silent(now);
         if (silent.isPresent()) {
             base.command(Twist2d.STOP);
             health(new Health.Stale("No reading of (%s).".formatted(silent.get())));

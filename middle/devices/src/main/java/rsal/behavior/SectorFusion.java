@@ -13,11 +13,12 @@ import rsal.data.RangeArray;
 /// things defeat sonars. A sonar counts for the inner half of its cone, but only where it sees something that the
 /// laser does not see in that cone at all; else it would blur each gap that the laser sees sharply.
 ///
-/// Where no sensor looks now, what the laser saw there in the last seconds counts, moved by odometry: a robot
-/// that turns must know what is beside its tail. What sonars hear is too wide to be remembered. Belongs to one
-/// robot.
+/// Where the laser doesn't look now, what it saw there in the last minute counts, moved by odometry: a robot that
+/// turns must know what is beside its tail, also when it stood for a while. A sonar that looks there and hears nothing
+/// so near has it forgotten; one that hears something does not know how near that is, or where in its cone. What sonars
+/// hear is too wide to be remembered. Belongs to one robot.
 public final class SectorFusion {
-    private static final Duration REMEMBERED = Duration.ofSeconds(10);
+    private static final Duration REMEMBERED = Duration.ofSeconds(60);
 
     /// What the two may differ by when they see the same thing.
     private static final double SAME = 0.1;
@@ -99,13 +100,14 @@ public final class SectorFusion {
                 listen(round, ranges);
             }
         });
-        recall(now, odomFromBase, ranges);
+        recall(now, odomFromBase, seen, ranges);
         remember(now, odomFromBase, seen);
         return new Surroundings(ranges);
     }
 
-    /// Adds what is remembered of sectors that no sensor looks into. The rest is forgotten.
-    private void recall(Instant now, Pose2d odomFromBase, float[] ranges) {
+    /// Adds what is remembered of sectors that the laser doesn't look into, unless a sonar hears nothing so near. The
+    /// rest is forgotten.
+    private void recall(Instant now, Pose2d odomFromBase, float[] seen, float[] ranges) {
         float[] sensed = ranges.clone();
         double cos = Math.cos(odomFromBase.theta());
         double sin = Math.sin(odomFromBase.theta());
@@ -113,6 +115,7 @@ public final class SectorFusion {
         memory = spare;
         spare = before;
         Arrays.fill(memory.seen, null);
+        float[] nearest = nothing(); // of what is remembered
         for (int i = 0; i < Surroundings.SECTORS; i++) {
             Instant then = before.seen[i];
             if (then == null || then.plus(REMEMBERED).isBefore(now)) {
@@ -124,9 +127,11 @@ public final class SectorFusion {
             double y = cos * dy - sin * dx;
             int sector = Surroundings.sector(Math.atan2(y, x));
             float range = (float) Math.hypot(x, y);
-            if (Float.isNaN(sensed[sector]) && !(ranges[sector] <= range)) {
-                ranges[sector] = range;
+            boolean isStillThere = Float.isNaN(seen[sector]) && !(sensed[sector] > range + SAME);
+            if (isStillThere && !(nearest[sector] <= range)) {
+                nearest[sector] = range;
                 memory.put(sector, before.x[i], before.y[i], then);
+                ranges[sector] = ranges[sector] <= range ? ranges[sector] : range; // also where nothing was
             }
         }
     }

@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -67,20 +68,47 @@ class SectorFusionTest {
     }
 
     @Test
-    void remembersWhatTheLaserSawUntilItIsTenSecondsOld() {
+    void remembersWhatTheLaserSawUntilItIsAMinuteOld() {
         float[] ranges = ranges(Float.POSITIVE_INFINITY);
         ranges[0] = 1; // straight to the right
         var scan = new LaserScan(Pose2d.ORIGIN, Math.toRadians(-90), Math.toRadians(0.5), 0.05, 30, ranges);
         var fusion = new SectorFusion(5);
         fusion.fuse(Instant.EPOCH, Pose2d.ORIGIN, Optional.of(scan), Optional.empty());
         Pose2d ahead = new Pose2d(0.5, 0, 0);
-        Surroundings later = fusion.fuse(Instant.ofEpochSecond(9), ahead, Optional.empty(), Optional.empty());
+        Surroundings later = fusion.fuse(Instant.ofEpochSecond(59), ahead, Optional.empty(), Optional.empty());
         assertThat(later.things()).isEqualTo(1);
         assertThat(later.nearest(Math.toRadians(-125), Math.toRadians(-105)))
                 .isCloseTo(Math.hypot(0.5, 1), within(0.05));
-        assertThat(fusion.fuse(Instant.ofEpochSecond(11), ahead, Optional.empty(), Optional.empty())
+        assertThat(fusion.fuse(Instant.ofEpochSecond(61), ahead, Optional.empty(), Optional.empty())
                         .things())
                 .isZero();
+    }
+
+    /// A wall beside the tail, which the laser saw before and a sonar on that side is too near to measure.
+    @Test
+    void remembersWhatASonarHearsButCanNotMeasureUntilItHearsNothingSoNear() {
+        float[] ranges = ranges(Float.POSITIVE_INFINITY);
+        ranges[2] = 0.15f; // 89° to the right
+        var right = new LaserScan(Pose2d.ORIGIN, Math.toRadians(-90), Math.toRadians(0.5), 0.05, 30, ranges);
+        var ahead = new LaserScan(Pose2d.ORIGIN, 0, Math.toRadians(0.5), 0.05, 30, ranges(5));
+        var fusion = new SectorFusion(5);
+        fusion.fuse(Instant.EPOCH, Pose2d.ORIGIN, Optional.of(right), Optional.empty());
+
+        Surroundings near = fuse(fusion, 100, ahead, toTheRight(Float.NEGATIVE_INFINITY));
+        assertThat(near.range(Surroundings.sector(Math.toRadians(-89)))).isCloseTo(0.15f, within(0.01f));
+        Surroundings far = fuse(fusion, 200, ahead, toTheRight(2));
+        assertThat(far.range(Surroundings.sector(Math.toRadians(-89)))).isCloseTo(2f, within(0.01f));
+        Surroundings later = fuse(fusion, 300, ahead, null);
+        assertThat(later.range(Surroundings.sector(Math.toRadians(-89)))).isNaN();
+    }
+
+    private static RangeArray toTheRight(float range) {
+        return new RangeArray(List.of(Pose2d.ofDegrees(0, 0, -90)), Math.toRadians(30), 0.2, 5, new float[] {range});
+    }
+
+    private static Surroundings fuse(SectorFusion fusion, long millis, LaserScan scan, @Nullable RangeArray sonars) {
+        return fusion.fuse(
+                Instant.EPOCH.plusMillis(millis), Pose2d.ORIGIN, Optional.of(scan), Optional.ofNullable(sonars));
     }
 
     /// Turns that are no whole sectors, to the left by 40° in all.

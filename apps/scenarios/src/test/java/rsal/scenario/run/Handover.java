@@ -1,7 +1,9 @@
 package rsal.scenario.run;
 
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /// What becomes of the job of one that is gone, as agents tell by their states.
@@ -15,19 +17,30 @@ record Handover(String job, Optional<Duration> taken) {
     /// How long a team may take in which others can leave what they are at, or are free.
     static final Duration MOST = SILENCE.plus(TO_ALLOT);
 
-    /// How long a team may take in which whoever has a job finishes that.
+    /// How long a team may take in which whoever has a job finishes that. Who was free before the silence was noticed
+    /// may have another job by then.
     ///
     /// @param agent of the robot that is gone
-    /// @param idle what agents without a job say that they do; another does so after the fault
+    /// @param idle what agents without a job say that they do
     static Duration most(List<RunEvent> events, RunEvent fault, String agent, String idle) {
-        Duration free = events.stream()
-                .filter(event -> event.kind().equals("agent") && event.text().equals(idle))
-                .filter(event -> !event.subject().equals(agent))
-                .map(event -> event.time().minus(fault.time()))
-                .filter(Duration::isPositive)
-                .findFirst()
-                .orElseThrow();
-        return (free.compareTo(SILENCE) > 0 ? free : SILENCE).plus(TO_ALLOT);
+        Duration noticed = fault.time().plus(SILENCE);
+        List<RunEvent> others = events.stream()
+                .filter(event ->
+                        event.kind().equals("agent") && !event.subject().equals(agent))
+                .toList();
+        Map<String, String> then = new HashMap<>();
+        others.stream()
+                .filter(event -> event.time().compareTo(noticed) <= 0)
+                .forEach(event -> then.put(event.subject(), event.text()));
+        Duration free = then.containsValue(idle)
+                ? noticed
+                : others.stream()
+                        .filter(event ->
+                                event.text().equals(idle) && event.time().compareTo(noticed) > 0)
+                        .map(RunEvent::time)
+                        .findFirst()
+                        .orElseThrow();
+        return free.minus(fault.time()).plus(TO_ALLOT);
     }
 
     /// @param agent of the robot that is gone
