@@ -34,12 +34,18 @@ const words = (wanted = ANY, most = 100) => {
 
 it('each that was said is an arrow, oldest first', () =>
   expect(words()).toEqual([
-    'escape-1 → all: prey',
+    'escape-1 → all: prey-1 is at (1, 2)',
     'hunt → follow-1: cfp',
     'hunt → follow-2: cfp',
     'follow-2 → hunt: refuse!',
     'follow-1 → hunt: inform',
   ]));
+
+it('what is no act of a conversation is told in its words, with as many digits as people read', () => {
+  const speech: SaidInfo = { ...toAll, to: 'collect-1', topic: 'speech' };
+  const told = event('fetch', speech, 'achieve: call(3, -4.718629821801143, 2)');
+  expect(sequenceOf([told], ANY, 100).arrows[0]!.label).toBe('achieve: call(3, -4.71, 2)');
+});
 
 it('messages to all make no conversation', () => {
   expect(hasConversations(events)).toBe(true);
@@ -54,7 +60,7 @@ it('columns are those who speak or are spoken to in it, in the order of the run'
 
 it('an agent, a protocol or topic, and a conversation leave the others out', () => {
   expect(words({ ...ANY, agent: 'follow-1' })).toEqual(['hunt → follow-1: cfp', 'follow-1 → hunt: inform']);
-  expect(words({ ...ANY, about: 'prey' })).toEqual(['escape-1 → all: prey']);
+  expect(words({ ...ANY, about: 'prey' })).toEqual(['escape-1 → all: prey-1 is at (1, 2)']);
   expect(words({ ...ANY, about: CONVERSATIONS })).toHaveLength(4);
   expect(words({ ...ANY, about: 'fipa-contract-net', conversation: 'other#1' })).toEqual([
     'follow-1 → hunt: inform',

@@ -22,7 +22,7 @@ export interface Arrow {
   from: number;
   /** Null when it is for whoever listens. */
   to: number | null;
-  /** The act of a conversation, else the topic. */
+  /** The act of a conversation, else what it says. */
   label: string;
   /** What it says. */
   words: string;
@@ -85,6 +85,9 @@ function partners({ subject, said }: EventInfo): string[] {
   return said === null ? [] : said.to === '' ? [subject] : [subject, said.to];
 }
 
+/** With as many digits as people read. */
+const plain = (words: string): string => words.replace(/(\d\.\d{2})\d+/g, '$1');
+
 function arrowOf(event: EventInfo, column: ReadonlyMap<string, number>): Arrow {
   const said = event.said!;
   return {
@@ -92,8 +95,8 @@ function arrowOf(event: EventInfo, column: ReadonlyMap<string, number>): Arrow {
     time: event.time,
     from: column.get(event.subject)!,
     to: said.to === '' ? null : column.get(said.to)!,
-    label: said.act || said.topic,
-    words: event.text,
+    label: said.act || plain(event.text),
+    words: plain(event.text),
     conversation: said.conversation,
     refuses: REFUSALS.has(said.act),
   };
