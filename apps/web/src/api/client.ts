@@ -153,6 +153,8 @@ export const seats = {
 const LONGEST_LOOK_MILLIS = 5000;
 const LONGEST_MILLIS = 30_000;
 const STOP = 'run/estop';
+/** What need not be waited for once a stop is wanted: all that runs may hold up. */
+const GIVES_WAY = /^(run|beside)(\/|$)/;
 /** What is never given up for a stop: of driving there is one at a time, and whoever drives goes on once it is armed. */
 const KEPT = new Set([STOP, 'run/drive', 'run/release']);
 
@@ -186,7 +188,7 @@ async function send(
   let response: Response;
   let answer: unknown;
   const tooLong = AbortSignal.timeout(LONGEST_MILLIS);
-  const mayWait = what.startsWith('run/') && !KEPT.has(what);
+  const mayWait = GIVES_WAY.test(what) && !KEPT.has(what);
   const stop = patience.signal;
   try {
     response = await fetch(`${home}api/${what}`, {
@@ -206,7 +208,7 @@ async function send(
     answer = await response.json(); // which may be given up, too
   } catch {
     if (mayWait && stop.aborted) {
-      throw new RefusedError('Given up, as the emergency stop came first.', []);
+      throw new RefusedError('Not waited for, as the emergency stop came first: it may still be done.', []);
     }
     throw new RefusedError('The server does not answer.', []);
   }
@@ -216,6 +218,8 @@ async function send(
   }
   return answer;
 }
+
+const patient = () => AbortSignal.any([patience.signal, AbortSignal.timeout(LONGEST_MILLIS)]);
 
 const looking = () => AbortSignal.any([patience.signal, AbortSignal.timeout(LONGEST_LOOK_MILLIS)]);
 
@@ -258,7 +262,7 @@ async function grid(what: string, name: string): Promise<Grid | null> {
 /** A byte a cell, row by row from the lower left one; null when it isn't there. */
 async function map(run: number): Promise<Uint8Array | null> {
   try {
-    const response = await fetch(`api/map/${String(run)}`);
+    const response = await fetch(`api/map/${String(run)}`, { signal: patient() });
     return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
   } catch {
     return null;
