@@ -249,10 +249,17 @@ public final class Scenario {
         return name.endsWith(".yaml") || name.endsWith(".yml") || name.contains("/") || new File(name).isDirectory();
     }
 
+    /// Of a folder: `scenario.yaml`, else the file that is called like the folder, as those that are made from
+    /// templates.
+    private static Path within(Path folder) {
+        Path called = folder.resolve(folder.toAbsolutePath().normalize().getFileName() + ".yaml");
+        return Files.exists(called) && !Files.exists(folder.resolve(FILE)) ? called : folder.resolve(FILE);
+    }
+
     private static Origin onDisk(String path) {
         try {
             Path given = Path.of(path);
-            Path file = Files.isDirectory(given) ? given.resolve(FILE) : given;
+            Path file = Files.isDirectory(given) ? within(given) : given;
             Path fileName = file.getFileName();
             Path folder = file.toAbsolutePath().getParent();
             if (fileName == null || folder == null) {

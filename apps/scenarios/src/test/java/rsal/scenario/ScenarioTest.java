@@ -759,6 +759,9 @@ class ScenarioTest {
     void readsTheScenarioOfAFolder() throws IOException {
         Files.writeString(folder.resolve("scenario.yaml"), GOOD);
         assertThat(Scenario.load(folder + "/").name()).isEqualTo("good");
+        Path own = Files.createDirectory(folder.resolve("chase"));
+        Files.writeString(own.resolve("chase.yaml"), GOOD);
+        assertThat(Scenario.load(own.toString()).name()).isEqualTo("good");
     }
 
     @Test
