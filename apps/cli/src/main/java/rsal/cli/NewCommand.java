@@ -19,6 +19,7 @@ import rsal.agent.AgentHostProvider;
 import rsal.experiment.report.ShellWords;
 import rsal.scenario.Providers;
 import rsal.scenario.RunOptions;
+import rsal.scenario.Scenario;
 import rsal.scenario.Template;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -167,7 +168,7 @@ final class NewCommand extends Subcommand {
     }
 
     private static String about(String file, String name) {
-        if (file.equals(name + ".yaml")) {
+        if (file.equals(Scenario.fileIn(name))) {
             return "the scenario";
         }
         if (file.equals(Template.WATCHER)) {
@@ -203,7 +204,7 @@ final class NewCommand extends Subcommand {
     }
 
     private void tell(String own, Path folder, List<String> files) {
-        Path run = folder.resolve(own + ".yaml");
+        Path run = folder.resolve(Scenario.fileIn(own));
         List<String> all =
                 files.stream().map(file -> folder.resolve(file).toString()).toList();
         if (json) {

@@ -34,8 +34,8 @@ final class RunCommand extends Subcommand {
             paramLabel = "SCENARIO[:CONFIGURATION]",
             arity = "0..1",
             defaultValue = ScenarioReference.DEFAULT,
-            description = "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, Stage's FILE.world,"
-                    + " or Player's FILE.cfg);"
+            description = ScenarioReference.WHAT
+                    + "; or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg);"
                     + " ${DEFAULT-VALUE} when left out.")
     private String scenario = "";
 

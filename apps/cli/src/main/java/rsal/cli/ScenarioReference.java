@@ -10,6 +10,10 @@ import rsal.scenario.Scenario;
 /// @param nameOrFile for [Scenario#load]
 record ScenarioReference(String nameOrFile, Optional<String> configuration) {
     static final String DEFAULT = "hunt-and-prey";
+    /// What people are told that they may type.
+    static final String WHAT =
+            "A built-in scenario ('rsal list'), a file, or its folder (scenario.yaml, or named like the"
+                    + " folder, as 'rsal new' makes them)";
 
     static ScenarioReference parse(String typed) {
         int colon = typed.lastIndexOf(':');

@@ -28,7 +28,7 @@ final class ServeCommand extends Subcommand {
             paramLabel = "SCENARIO",
             arity = "0..*",
             description =
-                    "Scenarios of your own (a file, its folder, or a world) to be offered, too, read anew for each run:"
+                    "Scenarios of your own (a file, its folder as for 'rsal run', or a world) to be offered, too, read anew for each run:"
                             + " whoever has the address with its token can run these, and no other files.")
     private List<String> own = List.of();
 

@@ -36,7 +36,8 @@ final class ShowCommand extends Subcommand {
     @Parameters(
             paramLabel = "SCENARIO[:CONFIGURATION]|WORLD|AGENT|NAME",
             description =
-                    "A built-in scenario ('rsal list'), a file, or a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in AgentSpeak (FILE.asl); or what 'rsal list WHAT' names.")
+                    ScenarioReference.WHAT
+                            + "; a world (FILE.world.yaml, Stage's FILE.world, or Player's FILE.cfg); a map (ROS's YAML); a recording (FILE.mcap); an agent in AgentSpeak (FILE.asl); or what 'rsal list WHAT' names.")
     private String name = "";
 
     @Option(

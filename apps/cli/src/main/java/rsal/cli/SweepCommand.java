@@ -43,7 +43,7 @@ import rsal.time.AllowedToReadWallClock;
 final class SweepCommand extends Subcommand {
     private static final int SEEDS = 10; // when nothing is said
 
-    @Parameters(paramLabel = "SCENARIO[:CONFIGURATION]", description = "A built-in scenario ('rsal list') or a file.")
+    @Parameters(paramLabel = "SCENARIO[:CONFIGURATION]", description = ScenarioReference.WHAT + ".")
     private String scenario = "";
 
     @Option(

@@ -19,7 +19,8 @@ final class ValidateCommand extends Subcommand {
     @Parameters(
             paramLabel = "FILE",
             arity = "1..*",
-            description = "A file of a scenario or a world, or the name of a built-in scenario.")
+            description =
+                    "A file of a scenario, its folder as for 'rsal run', a world, or the name of a built-in scenario.")
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private List<String> files;
 

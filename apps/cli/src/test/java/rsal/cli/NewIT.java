@@ -144,6 +144,7 @@ class NewIT {
             new chase --mas jade              | 2 | (jade) runs the same agents as (plain)
             new chase --mas jason --from swarm | 2 | Leave --from swarm out.
             new 2nd                           | 3 | A scenario can't be called (2nd).
+            new patrol                        | 3 | A scenario that comes with RSAL is called (patrol).
             new none/chase                    | 5 | There is no folder
             """)
     void refusesWhatItCannotMake(String line, int code, String expected) throws Exception {

@@ -78,8 +78,8 @@ public final class Scenario {
 
     /// Reads a scenario that comes with the program, or a person's own.
     ///
-    /// @param nameOrFile `hunt-and-prey`, the path of a YAML file, of the folder of a `scenario.yaml`, or of a
-    /// world
+    /// @param nameOrFile `hunt-and-prey`, or the path of a YAML file, of its folder, or of a world. A folder's scenario
+    /// is its `scenario.yaml`, else the file that [#fileIn] names
     /// @throws InvalidSettings when there is none, or with all of its mistakes
     public static Scenario load(String nameOrFile) {
         return isAWorld(nameOrFile)
@@ -129,7 +129,8 @@ public final class Scenario {
             throw new InvalidSettings(
                     Location.of(nameOrFile),
                     "There is no scenario (%s).".formatted(nameOrFile),
-                    Suggestion.among(nameOrFile, BUILT_IN) + " A scenario of your own goes by its file's name.");
+                    Suggestion.among(nameOrFile, BUILT_IN)
+                            + " A scenario of your own goes by its file, or the folder of that.");
         }
         return onDisk(nameOrFile);
     }
@@ -249,11 +250,24 @@ public final class Scenario {
         return name.endsWith(".yaml") || name.endsWith(".yml") || name.contains("/") || new File(name).isDirectory();
     }
 
-    /// Of a folder: `scenario.yaml`, else the file that is called like the folder, as those that are made from
-    /// templates.
+    /// What a scenario's file is called in a folder of its own.
+    ///
+    /// @param folder the name of that, which is the scenario's
+    public static String fileIn(String folder) {
+        return folder + ".yaml";
+    }
+
     private static Path within(Path folder) {
-        Path called = folder.resolve(folder.toAbsolutePath().normalize().getFileName() + ".yaml");
-        return Files.exists(called) && !Files.exists(folder.resolve(FILE)) ? called : folder.resolve(FILE);
+        Path name = folder.toAbsolutePath().normalize().getFileName();
+        List<String> names = name == null ? List.of(FILE) : List.of(FILE, fileIn(name.toString()));
+        return names.stream()
+                .map(folder::resolve)
+                .filter(Files::exists)
+                .findFirst()
+                .orElseThrow(() -> new InvalidSettings(
+                        Location.of(folder.toString()),
+                        "There is no scenario in this folder: no (%s).".formatted(String.join(") and no (", names)),
+                        "Maybe name its file, FOLDER/FILE.yaml."));
     }
 
     private static Origin onDisk(String path) {

@@ -99,7 +99,7 @@ public final class Template {
 
     /// The same by another name.
     ///
-    /// @return texts by path; the scenario's own, the first, is `NAME.yaml`
+    /// @return texts by path; the scenario's own, the first, is that of [Scenario#fileIn]
     /// @throws InvalidSettings when no scenario can be called so
     public Map<String, String> named(String name) {
         if (!Format.NAME.matcher(name).matches()) {
@@ -108,9 +108,15 @@ public final class Template {
                     "A scenario can't be called (%s).".formatted(name),
                     "A name begins with a letter and has up to 40 letters, digits, - and _.");
         }
+        if (Scenario.isBuiltIn(name)) { // whose name would not lead to its folder
+            throw new InvalidSettings(
+                    Location.of(name),
+                    "A scenario that comes with RSAL is called (%s).".formatted(name),
+                    "Choose another name.");
+        }
         var own = new LinkedHashMap<String, String>();
         texts.forEach((path, text) -> own.put(
-                path.equals(FILE) ? name + ".yaml" : path,
+                path.equals(FILE) ? Scenario.fileIn(name) : path,
                 path.equals(FILE)
                         ? NAME.matcher(text).replaceFirst(Matcher.quoteReplacement("scenario: " + name))
                         : text));

@@ -765,6 +765,14 @@ class ScenarioTest {
     }
 
     @Test
+    void tellsUnderWhichNamesAFoldersScenarioIsLookedFor() throws IOException {
+        Path own = Files.createDirectory(folder.resolve("renamed"));
+        Files.writeString(own.resolve("chase.yaml"), GOOD);
+        assertThatThrownBy(() -> Scenario.load(own.toString()))
+                .hasMessageContaining("no (scenario.yaml) and no (renamed.yaml)");
+    }
+
+    @Test
     void readsAMapBesideTheScenario() throws IOException {
         Files.writeString(folder.resolve("room.pgm"), "P2 60 60 255 " + "255 ".repeat(3600));
         Files.writeString(folder.resolve("room.yaml"), "{image: room.pgm, resolution: 0.1, origin: [-15, -3, 0]}");

@@ -179,7 +179,7 @@ final class Shelf {
     ///
     /// @throws Refusal when there is none
     synchronized byte[] picture(String id) {
-        long written = new File(known(id)).lastModified();
+        long written = lastWritten(known(id));
         Drawn known = pictures.get(id);
         if (known == null || known.written != written) {
             known = new Drawn(written, draw(id));
@@ -189,6 +189,15 @@ final class Shelf {
             throw new Refusal(404, "(%s) has no picture.".formatted(Refusal.shortened(id)));
         }
         return known.png;
+    }
+
+    /// Of its file, as a folder is none the newer for what is written to a file in it.
+    private static long lastWritten(String id) {
+        try {
+            return new File(Scenario.isWorld(id) ? id : Scenario.fileOf(id)).lastModified();
+        } catch (InvalidSettings _) { // it is gone
+            return 0;
+        }
     }
 
     private static byte[] draw(String id) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -61,6 +62,20 @@ class ShelfTest {
         Files.delete(own);
         assertThat(shelf.all().scenarios().getFirst().problem()).isNotEmpty();
         assertThat(shelf.all().scenarios().getLast().problem()).isEmpty();
+    }
+
+    @Test
+    void drawsTheScenarioOfAFolderAnewWhenItsFileHasChanged() throws IOException {
+        Path own = Files.createDirectory(folder.resolve("own"));
+        File file = Files.writeString(own.resolve("own.yaml"), TEXT).toFile();
+        long whenFolderChanged = own.toFile().lastModified();
+        var shelf = new Shelf(List.of(own.toString()));
+        assertThat(shelf.picture(own.toString())).isNotEmpty();
+
+        Files.writeString(file.toPath(), TEXT.replace("pioneer2dx", "pioneer9"));
+        assertThat(file.setLastModified(file.lastModified() + 10_000)).isTrue();
+        assertThat(own.toFile().lastModified()).isEqualTo(whenFolderChanged);
+        assertThatThrownBy(() -> shelf.picture(own.toString())).isInstanceOf(Refusal.class);
     }
 
     @Test
