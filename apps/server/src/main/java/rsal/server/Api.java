@@ -222,13 +222,14 @@ final class Api {
                 routes,
                 "rearm",
                 request -> answerWhenDone(request, running(request).rearm()));
-        command(routes, "motors", request -> {
+        commandOfAll(routes, "motors", request -> {
             Motors wish = read(request, Motors.class);
-            answerWhenDone(
-                    request,
-                    wish.on()
-                            ? running(request).rearm(wish.robot())
-                            : running(request).stop(wish.robot()));
+            if (wish.on()) {
+                gate.lease().check(operator(request));
+                answerWhenDone(request, running(request).rearm(wish.robot()));
+            } else { // a stop
+                answerWhenDone(request, running(request).stop(wish.robot()));
+            }
         });
         commandOfAll(routes, "check", request -> {
             RunPlan plan = plan(request, read(request, Restart.class, RunServer.MAX_TEXT));

@@ -100,6 +100,19 @@ class ControlApiTest {
     }
 
     @Test
+    void letsAllSwitchOffOneRobotsMotorsButNotOn() throws IOException {
+        take("a", "Ann", false);
+        String robot = "{\"robot\":\"courier-1\",\"on\":%s}";
+        assertThat(post("/api/run/motors", robot.formatted(false), as("b")).status())
+                .isEqualTo(200);
+        Response refused = post("/api/run/motors", robot.formatted(true), as("b"));
+        assertThat(refused.status()).isEqualTo(409);
+        assertThat(refused.body()).contains("Ann has control");
+        assertThat(post("/api/run/motors", robot.formatted(true), as("a")).status())
+                .isEqualTo(200);
+    }
+
+    @Test
     void isTakenOverAndGivenBack() throws IOException {
         take("a", "Ann", false);
         assertThat(take("b", "Bob", false).status()).isEqualTo(409);
