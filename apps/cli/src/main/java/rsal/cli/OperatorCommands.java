@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import tools.jackson.databind.JsonNode;
 
@@ -66,54 +67,76 @@ final class OperatorCommands {
         }
     }
 
+    /// What is refused while somebody else has control.
+    abstract static class Controlled extends PageCommand {
+        @Option(
+                names = "--take-control",
+                description = "Take control over from whoever has it in the page, who is told; it is yours for 10 s.")
+        private boolean takesControl;
+
+        final void command(String command, Object message) throws InterruptedException {
+            if (takesControl) {
+                takeControl();
+            }
+            tell(command, message);
+        }
+    }
+
     /// `rsal stop`
     @Command(name = "stop", description = "End a run that has a page; the page stays.")
-    static final class Stop extends PageCommand {
+    static final class Stop extends Controlled {
         @Override
         int run() throws InterruptedException {
-            tell("stop", Map.of());
+            command("stop", Map.of());
             return Exit.SUCCESS;
         }
     }
 
-    /// What switches motors: of all robots, or of one alone.
-    abstract static class OfMotors extends PageCommand {
-        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
-        private Optional<String> robot = Optional.empty();
-
-        final void tell(boolean on) throws InterruptedException {
-            if (robot.isPresent()) {
-                tell("motors", Map.of("robot", robot.get(), "on", on));
-            } else {
-                tell(on ? "rearm" : "estop", Map.of());
-            }
-        }
+    private static Map<String, Object> motors(String robot, boolean on) {
+        return Map.of("robot", robot, "on", on);
     }
 
     /// `rsal estop`
     @Command(
             name = "estop",
-            description = "Emergency stop: switch off the motors of all robots of a run with a page, or of one alone.")
-    static final class EmergencyStop extends OfMotors {
+            description = {
+                "Emergency stop: switch off the motors of all robots of a run with a page, or of one alone.",
+                "It is taken whoever has control."
+            })
+    static final class EmergencyStop extends PageCommand {
+        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
+        private Optional<String> robot = Optional.empty();
+
         @Override
         int run() throws InterruptedException {
-            tell(false);
+            if (robot.isPresent()) {
+                tell("motors", motors(robot.get(), false));
+            } else {
+                tell("estop", Map.of());
+            }
             return Exit.SUCCESS;
         }
     }
 
     /// `rsal arm`
     @Command(name = "arm", description = "Switch the motors on again: of all robots, or of one alone.")
-    static final class Arm extends OfMotors {
+    static final class Arm extends Controlled {
+        @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
+        private Optional<String> robot = Optional.empty();
+
         @Override
         int run() throws InterruptedException {
-            tell(true);
+            if (robot.isPresent()) {
+                command("motors", motors(robot.get(), true));
+            } else {
+                command("rearm", Map.of());
+            }
             return Exit.SUCCESS;
         }
     }
 
     /// What takes a robot and a pose.
-    abstract static class OfPose extends PageCommand {
+    abstract static class OfPose extends Controlled {
         @Parameters(index = "0", paramLabel = "ROBOT", description = "As the page lists it.")
         private String robot = "";
 
@@ -131,11 +154,11 @@ final class OperatorCommands {
                 description = "Heading, from x to y [°]; ${DEFAULT-VALUE} when left out.")
         private double degrees;
 
-        final void tell(String command) throws InterruptedException {
+        final void commandPose(String command) throws InterruptedException {
             check(
                     Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(degrees),
                     "A pose must be finite, not (%s, %s, %s°).".formatted(x, y, degrees));
-            tell(command, Map.of("robot", robot, "x", x, "y", y, "heading", Math.toRadians(degrees)));
+            command(command, Map.of("robot", robot, "x", x, "y", y, "heading", Math.toRadians(degrees)));
         }
     }
 
@@ -144,7 +167,7 @@ final class OperatorCommands {
     static final class Goal extends OfPose {
         @Override
         int run() throws InterruptedException {
-            tell("goal");
+            commandPose("goal");
             return Exit.SUCCESS;
         }
     }
@@ -157,7 +180,7 @@ final class OperatorCommands {
     static final class Pose extends OfPose {
         @Override
         int run() throws InterruptedException {
-            tell("place");
+            commandPose("place");
             return Exit.SUCCESS;
         }
     }

@@ -9,6 +9,7 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -19,6 +20,7 @@ import tools.jackson.databind.json.JsonMapper;
 /// What asks or tells a run that has a page on this machine.
 abstract class PageCommand extends Subcommand {
     private static final Duration PATIENCE = Duration.ofSeconds(5);
+    private static final String OPERATOR = "rsal-commands"; // one, as only one person can read the page's token
 
     @Option(
             names = "--port",
@@ -54,11 +56,24 @@ abstract class PageCommand extends Subcommand {
     /// @throws Unreachable when nobody is there, or not the same person's run
     /// @throws ParameterException when it is refused, with the reason
     final void tell(String command, Object message) throws InterruptedException {
+        post("/api/run/" + command, message);
+    }
+
+    /// Has control of the run from now on, for as long as the server gives it at once, also from somebody else.
+    ///
+    /// @throws Unreachable as [#tell] does
+    final void takeControl() throws InterruptedException {
+        String name = "'%s' at a terminal".formatted(spec.qualifiedName());
+        post("/api/control", Map.of("name", name, "over", true));
+    }
+
+    private void post(String path, Object message) throws InterruptedException {
         PageKey key = PageKey.of(port())
                 .orElseThrow(() -> new Unreachable(
                         "There is no page of yours at (%s). 'rsal run' prints where; say --port P.".formatted(at(""))));
-        send(HttpRequest.newBuilder(at("/api/run/" + command))
+        send(HttpRequest.newBuilder(at(path))
                 .header("Authorization", "Bearer " + key.token())
+                .header("RSAL-Operator", OPERATOR)
                 .header("Content-Type", "application/json")
                 .POST(HttpRequest.BodyPublishers.ofString(JsonMapper.shared().writeValueAsString(message))));
     }

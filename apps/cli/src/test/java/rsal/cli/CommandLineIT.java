@@ -9,6 +9,10 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -582,6 +586,7 @@ class CommandLineIT {
         assertThat(ours.run("status").out()).contains("motors are off");
         assertThat(ours.run("arm").code()).isZero();
         assertThat(ours.run("status").out()).doesNotContain("off");
+        onlyWhoTakesControlSendsARobotSomebodyElseControls(ours, URI.create(url), goal, y);
         Ended wall = ours.run("goal", "robot-1", "900", "900", "90");
         assertThat(wall.code()).isEqualTo(Exit.USAGE);
         assertThat(wall.err()).contains("is outside the map");
@@ -597,6 +602,30 @@ class CommandLineIT {
         Ended.signal("INT", process);
         Ended.of(process);
         assertThat(key).doesNotExist();
+    }
+
+    private static void onlyWhoTakesControlSendsARobotSomebodyElseControls(Rsal ours, URI page, String x, String y)
+            throws Exception {
+        HttpRequest.Builder asAnn = HttpRequest.newBuilder(page.resolve("/api/control"))
+                .header("Authorization", "Bearer " + page.getFragment().substring("token=".length()))
+                .header("RSAL-Operator", "ann")
+                .header("Content-Type", "application/json");
+        HttpRequest take = asAnn.POST(BodyPublishers.ofString("{\"name\":\"Ann\",\"over\":true}"))
+                .build();
+        HttpRequest look = asAnn.GET().build();
+        try (var client = HttpClient.newHttpClient()) {
+            Ended refused;
+            do {
+                client.send(take, BodyHandlers.ofString());
+                refused = ours.run("goal", "robot-1", x, y);
+            } while (!client.send(look, BodyHandlers.ofString()).body().contains("Ann")); // it has run out meanwhile
+            assertThat(refused.code()).isEqualTo(Exit.USAGE);
+            assertThat(refused.err()).contains("Ann has control", "--take-control");
+            assertThat(ours.run("goal", "robot-1", x, y, "--take-control").code())
+                    .isZero();
+            assertThat(client.send(look, BodyHandlers.ofString()).body()).doesNotContain("Ann");
+            assertThat(ours.run("goal", "robot-1", x, y).code()).isZero();
+        }
     }
 
     private static boolean isOpen(int port) {

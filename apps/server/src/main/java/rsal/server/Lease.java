@@ -74,7 +74,7 @@ final class Lease {
         return current()
                 .filter(now -> !now.operator().equals(operator))
                 .map(now ->
-                        "%s has control of this run. Take it over in the page, or wait until it is given back; an emergency stop is always taken."
+                        "%s has control of this run. Take it over (in the page, or by --take-control of a command), or wait until it is given back; an emergency stop is always taken."
                                 .formatted(now.name()));
     }
 
