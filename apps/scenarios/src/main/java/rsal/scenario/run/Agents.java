@@ -132,6 +132,7 @@ final class Agents implements AutoCloseable {
 
     void start(PlannedAgent agent) {
         started.put(agent.name(), agent);
+        agent.robot().ifPresent(robot -> faults.mans(robot, agent.name()));
         society.orElseThrow()
                 .start(new AgentSpec(
                         agent.name(),

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
-import java.util.stream.Collectors;
 import rsal.agent.Delivery;
 import rsal.device.Subscription;
 import rsal.fault.Fault;
@@ -20,7 +19,6 @@ import rsal.scenario.PlannedFault.OfMessages;
 import rsal.scenario.PlannedFault.OfRobot;
 import rsal.scenario.PlannedFault.Target;
 import rsal.scenario.RunPlan;
-import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
 
@@ -36,6 +34,7 @@ final class Faults {
     private final Tally gone = new Tally(); // robots
     private final Map<String, Runnable> ending = new HashMap<>(); // absences, by robots that have no room yet
     private final Set<String> left = new HashSet<>(); // robots that were taken out of the world
+    private final Map<String, Set<String>> agentsOf = new HashMap<>(); // by robots
 
     /// Breaks robots and their devices.
     interface Breaker {
@@ -53,6 +52,7 @@ final class Faults {
         this.observer = observer;
         this.breaker = breaker;
         this.mishaps = new Mishaps((message, listener) -> traffic.lost(message, listener, Loss.FAULT));
+        plan.agents().forEach(agent -> agent.robot().ifPresent(robot -> mans(robot, agent.name())));
     }
 
     /// What becomes of messages.
@@ -74,6 +74,11 @@ final class Faults {
     void left(String robot) {
         left.add(robot);
         appeared(robot);
+    }
+
+    /// An agent acts for a robot, and is silent while that is gone.
+    void mans(String robot, String agent) {
+        agentsOf.computeIfAbsent(robot, _ -> new HashSet<>()).add(agent);
     }
 
     /// Whether an agent is not heard, as its robot is gone.
@@ -190,7 +195,7 @@ final class Faults {
         String robot = lost.robot();
         appeared(robot); // what waited for room ends, as it is gone anew
         gone.add(robot);
-        Subscription silence = mishaps.silence(agentsOf(lost.robot()));
+        Subscription silence = mishaps.silence(Set.copyOf(agentsOf.getOrDefault(robot, Set.of())));
         Subscription absence = breaker.begin(lost, random);
         observer.gone(gone.names());
         Runnable end = () -> {
@@ -208,12 +213,5 @@ final class Faults {
                 end.run();
             }
         };
-    }
-
-    private Set<String> agentsOf(String robot) {
-        return plan.agents().stream()
-                .filter(agent -> agent.robot().filter(robot::equals).isPresent())
-                .map(PlannedAgent::name)
-                .collect(Collectors.toUnmodifiableSet());
     }
 }

@@ -305,6 +305,23 @@ class FaultsTest {
     }
 
     @Test
+    void anAgentThatWasAddedByHandIsSilentWhileItsRobotIsGone() {
+        var plan = plan(RunOptions.NONE.withSpeed(1), "{kind: gone, robots: hunter-1, at: 8}");
+        try (var run = LiveRun.start(plan)) {
+            assertThat(run.addAgent("chat-1", "hunter-1").toCompletableFuture().join())
+                    .isEqualTo(new Answer.Added("chat-3"));
+            run.speed(Double.POSITIVE_INFINITY);
+            Runs.result(run);
+            assertThat(run.events(0))
+                    .filteredOn(event -> event.kind().equals("message"))
+                    .filteredOn(event -> event.subject().equals("chat-3"))
+                    .extracting(RunEvent::time)
+                    .isNotEmpty()
+                    .allMatch(time -> time.compareTo(Duration.ofSeconds(8)) <= 0);
+        }
+    }
+
+    @Test
     void oneThatComesBackGoesOn() {
         Ended run = run(plan("{kind: gone, robots: hunter-1, at: 4, for: 3}"));
         assertThat(run.faults()).containsExactly("4000 ms hunter-1 gone for 3.00 s", "7000 ms hunter-1 no longer gone");
