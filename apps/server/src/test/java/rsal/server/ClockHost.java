@@ -1,0 +1,31 @@
+package rsal.server;
+
+import rsal.agent.AgentHost;
+import rsal.agent.AgentHostProvider;
+import rsal.settings.Arguments;
+import rsal.time.Scheduler;
+
+/// A multi-agent system with a clock of its own.
+public final class ClockHost implements AgentHostProvider {
+    static final String KEY = "clock";
+
+    @Override
+    public String key() {
+        return KEY;
+    }
+
+    @Override
+    public String description() {
+        return "Can only live in real time.";
+    }
+
+    @Override
+    public boolean followsSchedulerTime() {
+        return false;
+    }
+
+    @Override
+    public AgentHost create(Arguments settings, Scheduler scheduler) {
+        throw new IllegalStateException("No test starts it.");
+    }
+}
