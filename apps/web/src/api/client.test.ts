@@ -50,6 +50,30 @@ it('gives up an answer that has begun, too', async () => {
   await expect(place).rejects.toThrow('the emergency stop came first');
 });
 
+it('gives way to the emergency stop of another page, and has others give way to its own', async () => {
+  const other = new BroadcastChannel('rsal');
+  try {
+    const place = api.place({ robot: 'ann', x: 0, y: 0, heading: 0 });
+    const look = api.readings('ann');
+    void api.drive({ robot: 'ann', driver: 'me', ...velocity });
+    other.postMessage('emergency stop');
+    await expect(place).rejects.toThrow('the emergency stop came first');
+    await expect(look).resolves.toBeNull();
+    expect(asked.get('api/run/drive')!.aborted).toBe(false);
+    expect(asked.has('/api/run/estop')).toBe(false); // the other has said that itself
+
+    const told = new Promise((resolve) => {
+      other.onmessage = (message: MessageEvent<unknown>) => {
+        resolve(message.data);
+      };
+    });
+    void api.emergencyStop();
+    await expect(told).resolves.toBe('emergency stop');
+  } finally {
+    other.close();
+  }
+});
+
 it('looks and acts again after it', () => {
   void api.emergencyStop();
   void api.readings('bob');
