@@ -21,6 +21,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -61,6 +62,18 @@ class CommandLineIT {
               late: {run: {stop: [{when: time > 5, outcome: timeout}]}}
             """;
 
+    private static final String EXPLORE = """
+            rsal: 1
+            scenario: explore
+            world: {map: office}
+            robots:
+              scout:
+                model: pioneer2dx
+                pose: [-12, -0.8, 0]
+                devices: {laser: urg04lx, localizer: {type: slam}, navigator: {}, explorer: {}}
+            run: {stop: [{when: time > 8, outcome: success}]}
+            """;
+
     @TempDir
     Path folder;
 
@@ -82,17 +95,7 @@ class CommandLineIT {
 
     @Test
     void theMapsThatRobotsDrewAreSaved() throws Exception {
-        Files.writeString(folder.resolve("explore.yaml"), """
-                rsal: 1
-                scenario: explore
-                world: {map: office}
-                robots:
-                  scout:
-                    model: pioneer2dx
-                    pose: [-12, -0.8, 0]
-                    devices: {laser: urg04lx, localizer: {type: slam}, navigator: {}, explorer: {}}
-                run: {stop: [{when: time > 8, outcome: success}]}
-                """);
+        Files.writeString(folder.resolve("explore.yaml"), EXPLORE);
         String[] line = {"run", "explore.yaml", "--headless", "--speed", "max", "--save-maps", "maps"};
 
         Ended ended = rsal.run(line);
@@ -109,6 +112,57 @@ class CommandLineIT {
         assertThat(none.code()).isEqualTo(Exit.INVALID);
         assertThat(none.err()).contains("--save-maps", "No robot of this run draws a map");
         assertThat(folder.resolve("others")).doesNotExist();
+    }
+
+    /// Simulated motors are on anyway; that they were switched on is an event, which recordings have.
+    @Test
+    void armingAndSavingMapsHoldForTheScenarioThatWasTyped() throws Exception {
+        Files.writeString(folder.resolve("explore.yaml"), EXPLORE);
+        String[] line = {"--port", "0", "--speed", "2", "--arm", "--save-maps", "maps", "--record", "run.mcap"};
+        Process process = rsal.with("--enable-native-access=ALL-UNNAMED")
+                .withPage()
+                .start(Stream.concat(Stream.of("run", "explore.yaml"), Stream.of(line))
+                        .toArray(String[]::new));
+        try {
+            BufferedReader err = process.errorReader();
+            URI page = URI.create(err.readLine().substring("Watch it at ".length()));
+            assertThat(untilARunHasEnded(err)).contains("Map saved: maps/scout.yaml");
+            HttpRequest another = HttpRequest.newBuilder(page.resolve("/api/run/restart"))
+                    .header("Authorization", "Bearer " + page.getFragment().substring("token=".length()))
+                    .header("Content-Type", "application/json")
+                    .POST(BodyPublishers.ofString("{\"scenario\":\"hunt-and-prey\",\"seed\":\"7\",\"speed\":\"max\"}"))
+                    .build();
+            try (var client = HttpClient.newHttpClient()) {
+                assertThat(client.send(another, BodyHandlers.ofString()).statusCode())
+                        .isEqualTo(200);
+            }
+            assertThat(untilARunHasEnded(err)).noneMatch(said -> said.contains("map") || said.contains("Map"));
+        } finally {
+            Ended.signal("INT", process);
+            Ended.of(process);
+        }
+        assertThat(operatorsEvents("run.mcap")).containsExactly("motors on");
+        assertThat(operatorsEvents("run-2.mcap")).isEmpty();
+    }
+
+    private static List<String> untilARunHasEnded(BufferedReader err) throws IOException {
+        var said = new ArrayList<String>();
+        String line;
+        while ((line = err.readLine()) != null && !line.startsWith("The page is still there")) {
+            said.add(line);
+        }
+        assertThat(line).as("%s", said).isNotNull();
+        return said;
+    }
+
+    private List<String> operatorsEvents(String recording) throws Exception {
+        Ended ended = rsal.run("export", recording, "--csv", recording + "-tables");
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        return Files.readAllLines(folder.resolve(recording + "-tables/events.csv")).stream()
+                .map(row -> row.split(",", -1))
+                .filter(row -> row[3].equals("operator"))
+                .map(row -> row[5])
+                .toList();
     }
 
     @Test
