@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
+import rsal.scenario.Configuration;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scene.Scene;
@@ -14,13 +15,12 @@ import rsal.settings.Problem;
 @Command(
         name = "validate",
         description =
-                "Check scenarios with all their configurations, and worlds, and tell every mistake. Starts nothing.")
+                "Check scenarios with all their configurations, or with one, and worlds, and tell every mistake. Starts nothing.")
 final class ValidateCommand extends Subcommand {
     @Parameters(
-            paramLabel = "FILE",
+            paramLabel = "SCENARIO[:CONFIGURATION]|WORLD",
             arity = "1..*",
-            description =
-                    "A file of a scenario, its folder as for 'rsal run', a world, or the name of a built-in scenario.")
+            description = ScenarioReference.WHAT + "; or a world.")
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private List<String> files;
 
@@ -64,15 +64,26 @@ final class ValidateCommand extends Subcommand {
     }
 
     private Checked checkScenario(String file) {
-        Scenario scenario = Scenario.load(file);
-        scenario.check();
-        tell("%s: right, with %d configuration(s)"
-                .formatted(file, scenario.configurations().size()));
-        List<Problem> notes = scenario.configurations().stream()
-                .map(configuration -> scenario.plan(RunOptions.NONE.withConfiguration(configuration.name())))
+        ScenarioReference reference = ScenarioReference.parse(file);
+        Scenario scenario = reference.load();
+        List<String> configurations = reference
+                .configuration()
+                .map(List::of)
+                .orElseGet(() -> scenario.configurations().stream()
+                        .map(Configuration::name)
+                        .toList());
+        if (reference.configuration().isEmpty()) {
+            scenario.check(); // of all, for their mistakes to be told together
+        }
+        List<Problem> notes = configurations.stream()
+                .map(configuration -> scenario.plan(RunOptions.NONE.withConfiguration(configuration)))
                 .flatMap(plan -> plan.notes().stream())
                 .distinct()
                 .toList();
+        tell(
+                reference.configuration().isPresent()
+                        ? file + ": right"
+                        : "%s: right, with %d configuration(s)".formatted(file, configurations.size()));
         notes.forEach(note -> tell(note(note)));
         return new Checked(file, true, Mistake.of(notes));
     }

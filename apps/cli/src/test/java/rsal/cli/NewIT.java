@@ -126,6 +126,20 @@ class NewIT {
     }
 
     @Test
+    void itsFolderStandsForItsFile() throws Exception {
+        rsal.run("new", "chase");
+        assertThat(rsal.run("validate", "chase", "chase:advanced", "chase:advnced")
+                        .out())
+                .contains("chase: right, with 9 configuration(s)\n", "chase:advanced: right\n")
+                .contains("chase:advnced: Scenario (chase) has no configuration (advnced).", "Maybe (advanced)");
+        assertThat(rsal.run("show", "chase:advanced").out()).contains("read from chase/chase.yaml");
+        Ended run = rsal.run("run", "chase:advanced", "--headless", "--speed", "max", "--for", "1");
+        assertThat(run.out()).as(run.err()).startsWith("chase:advanced, seed 42\n");
+        Ended sweep = rsal.run("sweep", "chase:advanced", "--seeds", "1-1", "--for", "1", "--out", "swept");
+        assertThat(sweep.code()).as(sweep.err()).isEqualTo(Exit.SUCCESS);
+    }
+
+    @Test
     void overwritesNothing() throws Exception {
         Files.writeString(Files.createDirectory(folder.resolve("chase")).resolve("mine"), "mine");
         Ended ended = rsal.run("new", "chase");
