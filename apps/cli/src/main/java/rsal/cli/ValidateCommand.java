@@ -1,11 +1,12 @@
 package rsal.cli;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
-import rsal.scenario.Configuration;
 import rsal.scenario.RunOptions;
+import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 import rsal.scene.Scene;
 import rsal.settings.InvalidSettings;
@@ -66,24 +67,18 @@ final class ValidateCommand extends Subcommand {
     private Checked checkScenario(String file) {
         ScenarioReference reference = ScenarioReference.parse(file);
         Scenario scenario = reference.load();
-        List<String> configurations = reference
-                .configuration()
-                .map(List::of)
-                .orElseGet(() -> scenario.configurations().stream()
-                        .map(Configuration::name)
-                        .toList());
-        if (reference.configuration().isEmpty()) {
-            scenario.check(); // of all, for their mistakes to be told together
+        var found = new LinkedHashSet<Problem>();
+        if (reference.configuration().isPresent()) {
+            RunPlan plan = scenario.plan(
+                    RunOptions.NONE.withConfiguration(reference.configuration().get()));
+            found.addAll(plan.notes());
+            tell(file + ": right");
+        } else {
+            scenario.check(plan -> found.addAll(plan.notes()));
+            tell("%s: right, with %d configuration(s)"
+                    .formatted(file, scenario.configurations().size()));
         }
-        List<Problem> notes = configurations.stream()
-                .map(configuration -> scenario.plan(RunOptions.NONE.withConfiguration(configuration)))
-                .flatMap(plan -> plan.notes().stream())
-                .distinct()
-                .toList();
-        tell(
-                reference.configuration().isPresent()
-                        ? file + ": right"
-                        : "%s: right, with %d configuration(s)".formatted(file, configurations.size()));
+        var notes = List.copyOf(found);
         notes.forEach(note -> tell(note(note)));
         return new Checked(file, true, Mistake.of(notes));
     }

@@ -10,6 +10,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import rsal.scene.Scene;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -78,8 +79,8 @@ public final class Scenario {
 
     /// Reads a scenario that comes with the program, or a person's own.
     ///
-    /// @param nameOrFile `hunt-and-prey`, or the path of a YAML file, of its folder, or of a world. A folder's scenario
-    /// is its `scenario.yaml`, else the file that [#fileIn] names
+    /// @param nameOrFile `hunt-and-prey`, or the path of a YAML file, of its folder, or of a world. The file of a
+    /// folder is `scenario.yaml`, else what [#fileIn] says
     /// @throws InvalidSettings when there is none, or with all of its mistakes
     public static Scenario load(String nameOrFile) {
         return isAWorld(nameOrFile)
@@ -359,12 +360,24 @@ public final class Scenario {
     ///
     /// @throws InvalidSettings with every mistake of the scenario
     public void check() {
-        List<Problem> mistakes = List.of();
+        check(_ -> {});
+    }
+
+    /// Plans every configuration.
+    ///
+    /// @param planned told the plans of those without a mistake, in their order
+    /// @throws InvalidSettings with every mistake of the scenario
+    public void check(Consumer<RunPlan> planned) {
+        var mistakes = new LinkedHashSet<Problem>();
         for (Configuration configuration : configurations) {
-            mistakes = distinct(mistakes, mistakes(RunOptions.NONE.withConfiguration(configuration.name())));
+            try {
+                planned.accept(planned(RunOptions.NONE.withConfiguration(configuration.name())));
+            } catch (InvalidSettings e) {
+                mistakes.addAll(e.problems());
+            }
         }
         if (!mistakes.isEmpty()) {
-            throw new InvalidSettings(mistakes);
+            throw new InvalidSettings(List.copyOf(mistakes));
         }
     }
 

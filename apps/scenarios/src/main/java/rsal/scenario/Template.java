@@ -64,7 +64,7 @@ public final class Template {
         var files = new LinkedHashMap<String, byte[]>();
         all.forEach((path, text) -> files.put(path, text.getBytes(StandardCharsets.UTF_8)));
         Scenario watched = Scenario.again(FILE, files);
-        watched.check();
+        var _ = watched.plan(RunOptions.NONE.withConfiguration(WATCHED)); // all others are as they were
         return new Template(watched, all);
     }
 
