@@ -1,6 +1,6 @@
 package rsal.sim.world;
 
-/// Rays on their way across the grid of walls, as flat arrays.
+/// Rays on their way across the grid of walls.
 ///
 /// Each strides across the empty circle around where it is (Hart, Sphere Tracing, 1996) until walls are near, then
 /// walks from cell to cell exactly (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987). A ray takes two
@@ -8,54 +8,54 @@ package rsal.sim.world;
 /// as for dozens of steps. So all go in step: they stride until none is far from walls, then those near walls walk,
 /// then those that came free of them stride again. Whoever is to go on is written into a list, and counted or not,
 /// without a branch.
+///
+/// What a ray is made of lies side by side, so that few arrays are looked into at once and each index is checked once.
 final class March {
     private static final int BUNCH = 8; // rays
 
-    private final double[] column; // where each starts [cells]
-    private final double[] row;
-    private final double[] columnsPerMeter;
-    private final double[] rowsPerMeter;
-    private final double[] metersPerColumn; // +∞ of those that stay in a column
-    private final double[] metersPerRow;
-    private final double[] originColumn; // where it starts, or one less, so that a cell is left at its number
-    private final double[] originRow;
-    private final double[] limit; // of the way that is of interest [m]
-    private final double[] way; // how far it came [m]
-    private final int[] atColumn; // the cell that it came to
-    private final int[] atRow;
+    private static final double APART = Double.POSITIVE_INFINITY; // spread of rays that don't leave one place inside
+
+    private static final int SIZE_BITS = 4;
+    private static final int SIZE = 1 << SIZE_BITS; // of a ray's numbers, of which these are used:
+    private static final int COLUMN = 0; // where it starts [cells]
+    private static final int ROW = 1;
+    private static final int COLUMNS_PER_METER = 2;
+    private static final int ROWS_PER_METER = 3;
+    private static final int WAY = 4; // how far it came [m]
+    private static final int LIMIT = 5; // of the way that is of interest [m]
+    private static final int METERS_PER_COLUMN = 6; // +∞ of those that stay in a column
+    private static final int METERS_PER_ROW = 7;
+    private static final int ORIGIN_COLUMN = 8; // where it starts, or one less, so that a cell is left at its number
+    private static final int ORIGIN_ROW = 9;
+
+    private final double[] numbers; // of rays, which are called by the index of their first
+    private final int[] cell; // column and row of that to which each came
     private final double[] bunchWay; // of rays next to each other [m]
+    private final int[] bunchMiddle; // the ray in the middle of each
     private final double[] bunchSpread; // how far they are beside their middle one, per meter of its way
-    private final int[] striding; // indices of rays, or of bunches; one more than there are may be written
+    private final int[] striding; // rays, or bunches; one more than there are may be written
     private final int[] walking;
     private final int[] meeting;
+    private final int[] room; // where those striding are, in their order
     private int met; // how many of those meeting a wall there are
 
     /// @param most rays that there will be
     March(int most) {
-        column = new double[most];
-        row = new double[most];
-        originColumn = new double[most];
-        originRow = new double[most];
-        columnsPerMeter = new double[most];
-        rowsPerMeter = new double[most];
-        metersPerColumn = new double[most];
-        metersPerRow = new double[most];
-        limit = new double[most];
-        way = new double[most];
-        atColumn = new int[most];
-        atRow = new int[most];
+        numbers = new double[most * SIZE];
+        cell = new int[most * 2];
         bunchWay = new double[most / BUNCH + 1];
+        bunchMiddle = new int[most / BUNCH + 1];
         bunchSpread = new double[most / BUNCH + 1];
         striding = new int[most + 1];
         walking = new int[most + 1];
         meeting = new int[most + 1];
+        room = new int[most];
     }
 
     /// Ends rays at the border of the first solid cell, if that is within reach and they have met nothing before; at
     /// once inside a wall.
     void end(Walls walls, Rays rays, double reach) {
-        enter(walls, rays, reach);
-        strideTogether(walls, rays, reach);
+        strideTogether(walls, reach, enter(walls, rays, reach));
         met = 0;
         int striding = setOut(walls, rays.count);
         while (striding > 0) {
@@ -65,37 +65,66 @@ final class March {
         note(walls, rays);
     }
 
-    private void enter(Walls walls, Rays rays, double reach) {
-        double columns = 1 / walls.cellX;
-        double rows = 1 / walls.cellY;
-        for (int i = 0; i < rays.count; i++) {
-            column[i] = (rays.x[i] - walls.left) * columns;
-            row[i] = (rays.y[i] - walls.bottom) * rows;
-            columnsPerMeter[i] = rays.dx[i] * columns;
-            rowsPerMeter[i] = rays.dy[i] * rows;
-            limit[i] = Math.min(reach, rays.range[i]);
+    /// Notes where rays begin and how far those of each bunch are from its middle one.
+    ///
+    /// @return how many bunches may go together: those whose rays leave one place inside the grid
+    private int enter(Walls walls, Rays rays, double reach) {
+        int under = 0;
+        for (int bunch = 0; bunch * BUNCH < rays.count; bunch++) {
+            int middle = (bunch * BUNCH + end(bunch, rays.count)) >>> 1;
+            double x = rays.x[middle];
+            double y = rays.y[middle];
+            boolean fromOnePlace = walls.isInside((x - walls.left) / walls.cellX, (y - walls.bottom) / walls.cellY);
+            double widest = 0; // its square
+            for (int i = bunch * BUNCH; i < end(bunch, rays.count); i++) {
+                enter(walls, rays, reach, i);
+                fromOnePlace = fromOnePlace && rays.x[i] == x && rays.y[i] == y;
+                double dx = rays.dx[i] - rays.dx[middle];
+                double dy = rays.dy[i] - rays.dy[middle];
+                double aside = dx * dx + dy * dy;
+                widest = aside > widest ? aside : widest;
+            }
+            bunchWay[bunch] = 0;
+            bunchMiddle[bunch] = middle * SIZE;
+            bunchSpread[bunch] = fromOnePlace ? Math.sqrt(widest) : APART;
+            striding[under] = bunch;
+            under += bunchSpread[bunch] < 1 ? 1 : 0;
         }
-        for (int i = 0; i < rays.count; i++) {
-            metersPerColumn[i] = 1 / (columnsPerMeter[i] + 0.0); // +∞ of -0, too
-            metersPerRow[i] = 1 / (rowsPerMeter[i] + 0.0);
-            originColumn[i] = column[i] - (columnsPerMeter[i] >= 0 ? 1 : 0);
-            originRow[i] = row[i] - (rowsPerMeter[i] >= 0 ? 1 : 0);
-        }
+        return under;
+    }
+
+    private void enter(Walls walls, Rays rays, double reach, int index) {
+        double[] its = numbers;
+        int ray = index * SIZE;
+        double column = (rays.x[index] - walls.left) * walls.columnsPerMeter;
+        double row = (rays.y[index] - walls.bottom) * walls.rowsPerMeter;
+        double columnsPerMeter = rays.dx[index] * walls.columnsPerMeter;
+        double rowsPerMeter = rays.dy[index] * walls.rowsPerMeter;
+        its[ray + COLUMN] = column;
+        its[ray + ROW] = row;
+        its[ray + COLUMNS_PER_METER] = columnsPerMeter;
+        its[ray + ROWS_PER_METER] = rowsPerMeter;
+        its[ray + LIMIT] = Math.min(reach, rays.range[index]);
+        its[ray + METERS_PER_COLUMN] = 1 / (columnsPerMeter + 0.0); // +∞ of -0, too
+        its[ray + METERS_PER_ROW] = 1 / (rowsPerMeter + 0.0);
+        its[ray + ORIGIN_COLUMN] = column - (columnsPerMeter >= 0 ? 1 : 0);
+        its[ray + ORIGIN_ROW] = row - (rowsPerMeter >= 0 ? 1 : 0);
     }
 
     /// Lets bunches of rays from one place go as far as the strides of their middle ones, each shorter by how far
     /// the others are beside it: cones, each of which is marched as one.
-    private void strideTogether(Walls walls, Rays rays, double reach) {
+    private void strideTogether(Walls walls, double reach, int bunches) {
+        double[] its = numbers;
         double worth = 2 * walls.least;
-        int under = beginTogether(walls, rays);
+        int under = bunches;
         while (under > 0) {
             int still = 0;
             for (int k = 0; k < under; k++) {
                 int bunch = striding[k];
-                int middle = middle(bunch, rays.count);
                 double from = bunchWay[bunch];
-                int toColumn = (int) (column[middle] + from * columnsPerMeter[middle]);
-                int toRow = (int) (row[middle] + from * rowsPerMeter[middle]);
+                int middle = bunchMiddle[bunch];
+                int toColumn = (int) (its[middle + COLUMN] + from * its[middle + COLUMNS_PER_METER]);
+                int toRow = (int) (its[middle + ROW] + from * its[middle + ROWS_PER_METER]);
                 double stride = walls.strides[walls.roomIn(toColumn, toRow)] - from * bunchSpread[bunch];
                 bunchWay[bunch] = from + Math.max(0, stride);
                 striding[still] = bunch;
@@ -105,30 +134,6 @@ final class March {
         }
     }
 
-    private int beginTogether(Walls walls, Rays rays) {
-        int under = 0;
-        for (int bunch = 0; bunch * BUNCH < rays.count; bunch++) {
-            int middle = middle(bunch, rays.count);
-            double widest = walls.isInside(column[middle], row[middle]) ? 0 : Double.POSITIVE_INFINITY;
-            for (int i = bunch * BUNCH; i < end(bunch, rays.count); i++) {
-                double dx = rays.dx[i] - rays.dx[middle];
-                double dy = rays.dy[i] - rays.dy[middle];
-                boolean fromOnePlace = rays.x[i] == rays.x[middle] && rays.y[i] == rays.y[middle];
-                widest = fromOnePlace ? Math.max(widest, dx * dx + dy * dy) : Double.POSITIVE_INFINITY;
-            }
-            bunchWay[bunch] = 0;
-            bunchSpread[bunch] = Math.sqrt(widest);
-            if (widest < 1) {
-                striding[under++] = bunch;
-            }
-        }
-        return under;
-    }
-
-    private static int middle(int bunch, int count) {
-        return (bunch * BUNCH + end(bunch, count)) >>> 1;
-    }
-
     /// Index behind a bunch's last ray.
     private static int end(int bunch, int count) {
         return Math.min((bunch + 1) * BUNCH, count);
@@ -136,13 +141,21 @@ final class March {
 
     /// @return how many are under way
     private int setOut(Walls walls, int count) {
-        int under = 0;
-        for (int i = 0; i < count; i++) {
-            way[i] = walls.isInside(column[i], row[i]) ? bunchWay[i / BUNCH] : toGrid(walls, i);
-            striding[under] = i;
-            under += way[i] <= limit[i] ? 1 : 0;
+        double[] its = numbers;
+        int[] under = striding;
+        int out = 0;
+        for (int bunch = 0; bunch * BUNCH < count; bunch++) {
+            boolean apart = bunchSpread[bunch] == APART;
+            for (int i = bunch * BUNCH; i < end(bunch, count); i++) {
+                int ray = i * SIZE;
+                boolean outside = apart && !walls.isInside(its[ray + COLUMN], its[ray + ROW]);
+                double way = outside ? toGrid(walls, ray) : bunchWay[bunch];
+                its[ray + WAY] = way;
+                under[out] = ray;
+                out += way <= its[ray + LIMIT] ? 1 : 0;
+            }
         }
-        return under;
+        return out;
     }
 
     /// Way of a ray from outside until it is well in the first cell [m]; +∞ when it misses the grid.
@@ -150,14 +163,14 @@ final class March {
         double enters = 0;
         double leaves = Double.POSITIVE_INFINITY;
         for (int axis = 0; axis < 2; axis++) {
-            double at = axis == 0 ? column[ray] : row[ray];
-            double speed = axis == 0 ? columnsPerMeter[ray] : rowsPerMeter[ray];
+            double from = numbers[ray + COLUMN + axis];
+            double speed = numbers[ray + COLUMNS_PER_METER + axis];
             double last = (axis == 0 ? walls.width : walls.height) - 1;
             if (speed == 0) {
-                leaves = at >= 1 && at < last ? leaves : Double.NEGATIVE_INFINITY;
+                leaves = from >= 1 && from < last ? leaves : Double.NEGATIVE_INFINITY;
             } else {
-                enters = Math.max(enters, ((speed > 0 ? 1 : last) - at) / speed);
-                leaves = Math.min(leaves, ((speed > 0 ? last : 1) - at) / speed);
+                enters = Math.max(enters, ((speed > 0 ? 1 : last) - from) / speed);
+                leaves = Math.min(leaves, ((speed > 0 ? last : 1) - from) / speed);
             }
         }
         double inside = enters + walls.guard;
@@ -170,28 +183,30 @@ final class March {
     private int stride(Walls walls, int count) {
         int[] under = striding; // in locals, as the compiler doesn't trust fields to stay
         int[] near = walking;
-        double[] ways = way;
-        double[] limits = limit;
+        double[] its = numbers;
         double[] strides = walls.strides;
+        int[] rooms = room;
         int found = 0;
         int going = count;
         while (going > 0) {
+            for (int k = 0; k < going; k++) {
+                int ray = under[k];
+                double from = its[ray + WAY];
+                int column = (int) (its[ray + COLUMN] + from * its[ray + COLUMNS_PER_METER]);
+                int row = (int) (its[ray + ROW] + from * its[ray + ROWS_PER_METER]);
+                rooms[k] = walls.roomIn(column, row);
+            }
             int still = 0;
             for (int k = 0; k < going; k++) {
-                int i = under[k];
-                double from = ways[i];
-                int toColumn = (int) (column[i] + from * columnsPerMeter[i]);
-                int toRow = (int) (row[i] + from * rowsPerMeter[i]);
-                int here = walls.roomIn(toColumn, toRow);
-                double to = from + strides[here]; // none where walls are near
-                ways[i] = to;
-                atColumn[i] = toColumn;
-                atRow[i] = toRow;
+                int ray = under[k];
+                int here = rooms[k];
+                double to = its[ray + WAY] + strides[here]; // none where walls are near
+                its[ray + WAY] = to;
                 int far = isFar(here);
-                near[found] = i;
+                near[found] = ray;
                 found += 1 - far;
-                under[still] = i;
-                still += far & ~negative(limits[i] - to);
+                under[still] = ray;
+                still += far & ~negative(its[ray + LIMIT] - to);
             }
             going = still;
         }
@@ -202,14 +217,20 @@ final class March {
     ///
     /// @return how many are left, near walls
     private int endInside(Walls walls, int count) {
+        double[] its = numbers;
         int left = 0;
         for (int k = 0; k < count; k++) {
-            int i = walking[k];
-            if (walls.roomIn(atColumn[i], atRow[i]) == Walls.SOLID) {
-                way[i] = Math.max(0, way[i] - walls.guard);
-                meeting[met++] = i;
+            int ray = walking[k];
+            double way = its[ray + WAY];
+            int column = (int) (its[ray + COLUMN] + way * its[ray + COLUMNS_PER_METER]);
+            int row = (int) (its[ray + ROW] + way * its[ray + ROWS_PER_METER]);
+            cell[place(ray)] = column;
+            cell[place(ray) + 1] = row;
+            if (walls.roomIn(column, row) == Walls.SOLID) {
+                its[ray + WAY] = Math.max(0, way - walls.guard);
+                meeting[met++] = ray;
             } else {
-                walking[left++] = i;
+                walking[left++] = ray;
             }
         }
         return left;
@@ -221,8 +242,8 @@ final class March {
     private int walk(Walls walls, int count) {
         int[] near = walking;
         int[] free = striding;
-        double[] ways = way;
-        double[] limits = limit;
+        double[] its = numbers;
+        int[] at = cell;
         int[] meet = meeting;
         int freed = 0;
         int solids = met;
@@ -230,33 +251,41 @@ final class March {
         while (going > 0) {
             int still = 0;
             for (int k = 0; k < going; k++) {
-                int i = near[k];
-                double perColumn = metersPerColumn[i];
-                double perRow = metersPerRow[i];
-                double toColumn = (atColumn[i] - originColumn[i]) * perColumn;
-                double toRow = (atRow[i] - originRow[i]) * perRow;
+                int ray = near[k];
+                int place = place(ray);
+                int column = at[place];
+                int row = at[place + 1];
+                double perColumn = its[ray + METERS_PER_COLUMN];
+                double perRow = its[ray + METERS_PER_ROW];
+                double toColumn = (column - its[ray + ORIGIN_COLUMN]) * perColumn;
+                double toRow = (row - its[ray + ORIGIN_ROW]) * perRow;
                 int aside = -negative(toColumn - toRow); // all bits: the border to another column is nearer
                 double to = Math.min(toColumn, toRow);
-                int nextColumn = atColumn[i] + (aside & (1 - 2 * negative(perColumn)));
-                int nextRow = atRow[i] + (~aside & (1 - 2 * negative(perRow)));
+                int nextColumn = column + (aside & (1 - 2 * negative(perColumn)));
+                int nextRow = row + (~aside & (1 - 2 * negative(perRow)));
                 int here = walls.roomIn(nextColumn, nextRow);
-                int within = 1 - negative(limits[i] - to);
+                int within = 1 - negative(its[ray + LIMIT] - to);
                 int far = isFar(here);
                 int solid = 1 - Math.min(here, 1);
-                atColumn[i] = nextColumn;
-                atRow[i] = nextRow;
-                ways[i] = to + far * walls.guard; // or rounding might put it back
-                meet[solids] = i;
+                at[place] = nextColumn;
+                at[place + 1] = nextRow;
+                its[ray + WAY] = to + far * walls.guard; // or rounding might put it back
+                meet[solids] = ray;
                 solids += solid & within;
-                free[freed] = i;
+                free[freed] = ray;
                 freed += far & within;
-                near[still] = i;
+                near[still] = ray;
                 still += within & ~far & ~solid;
             }
             going = still;
         }
         met = solids;
         return freed;
+    }
+
+    /// Where in [#cell] the column of a ray is.
+    private static int place(int ray) {
+        return (2 * ray) >>> SIZE_BITS;
     }
 
     /// 1 when walls are not near, else 0.
@@ -272,10 +301,11 @@ final class March {
     /// Whoever has met the fence has left the grid, and met nothing.
     private void note(Walls walls, Rays rays) {
         for (int k = 0; k < met; k++) {
-            int i = meeting[k];
-            if (way[i] <= limit[i] && !walls.isFence(atColumn[i], atRow[i])) {
-                rays.range[i] = way[i];
-                rays.met[i] = Rays.WALL;
+            int ray = meeting[k];
+            double way = numbers[ray + WAY];
+            if (way <= numbers[ray + LIMIT] && !walls.isFence(cell[place(ray)], cell[place(ray) + 1])) {
+                rays.range[ray / SIZE] = way;
+                rays.met[ray / SIZE] = Rays.WALL;
             }
         }
     }

@@ -8,20 +8,23 @@ import rsal.scene.Surface;
 /// Walls given as an upright grid of cells, some of which are solid: a map or a floor plan.
 ///
 /// Each cell knows how far the nearest solid one is, so that rays and collision checks can skip the empty circle
-/// around it. That is kept in tiles, each of which is a line of a processor's cache.
+/// around it. That is kept in strips eight columns wide, so that eight by eight cells lie side by side in a processor's
+/// cache: rays go up and down as often as aside.
 public final class Walls {
     static final byte SOLID = 0;
     static final byte NEAR = 1; // touches a solid cell, if only with a corner
     private static final byte FAR = 2;
     private static final double UNITS_PER_CELL = 2;
     private static final int MOST = 0xFF;
-    private static final int TILE_BITS = 3;
-    private static final int TILE = 1 << TILE_BITS; // cells wide and high: rays go up and down as often as aside
+    private static final int STRIP_BITS = 3;
+    private static final int STRIP = 1 << STRIP_BITS; // columns
     private static final double GUARD = 1e-6; // [cells]
 
     final double cellX; // [m]
     final double cellY;
-    final double least; // of the two
+    final double columnsPerMeter;
+    final double rowsPerMeter;
+    final double least; // [m]
     final double guard; // more than rounding, so that no stride ends in a wall [m]
     final double left; // of the fence, which is one cell wide
     final double bottom;
@@ -32,7 +35,7 @@ public final class Walls {
     private final double highest;
     private final Surface surface;
     final double[] strides; // by room, what a ray may skip [m]; nothing near walls
-    private final int tiles; // side by side
+    private final int strip; // cells of one
     private final byte[] room; // by cell: SOLID, NEAR, or NEAR + units from any point of it to anything solid, unsigned
 
     /// The walls of a map.
@@ -43,6 +46,8 @@ public final class Walls {
     public Walls(Raster raster) {
         cellX = raster.cellX();
         cellY = raster.cellY();
+        columnsPerMeter = 1 / cellX;
+        rowsPerMeter = 1 / cellY;
         least = Math.min(cellX, cellY);
         guard = GUARD * least;
         left = raster.left() - cellX;
@@ -57,8 +62,8 @@ public final class Walls {
         for (int i = NEAR + 1; i < strides.length; i++) {
             strides[i] = empty(i) - guard;
         }
-        tiles = (width + TILE - 1) / TILE;
-        room = new byte[Math.multiplyExact(tiles * TILE * TILE, (height + TILE - 1) / TILE)];
+        strip = Math.multiplyExact(STRIP, height);
+        room = new byte[Math.multiplyExact(strip, (width + STRIP - 1) / STRIP)];
         markSolid(raster);
         markNear();
         measureFar();
@@ -160,8 +165,7 @@ public final class Walls {
     }
 
     private int at(int column, int row) {
-        int tile = (row >> TILE_BITS) * tiles + (column >> TILE_BITS);
-        return (tile << (2 * TILE_BITS)) | ((row & (TILE - 1)) << TILE_BITS) | (column & (TILE - 1));
+        return (column >> STRIP_BITS) * strip + (row << STRIP_BITS) + (column & (STRIP - 1));
     }
 
     /// Ends rays at the border of the first solid cell, if that is within reach and they have met nothing before;
