@@ -1,5 +1,6 @@
 package rsal.navigation.wavefront;
 
+import java.util.Arrays;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
 import org.jspecify.annotations.Nullable;
@@ -19,14 +20,21 @@ public final class CostMap {
     /// Most a cell can cost.
     static final int DEAREST = 60;
 
+    /// Of [#ground]: where the robot can't be.
     static final byte BLOCKED = 0;
+
+    private static final int COST = 63; // the bits of a cell's cost
+    private static final int AROUND = 64; // the bit for that all around costs as little
+
+    /// Of [#ground]: a cell that costs no more than [#STRAIGHT], like all eight around it.
+    static final byte PLAIN = AROUND | STRAIGHT;
 
     private static final int DEAREST_SHOWN = 99; // of OccupancyGrid's values, below that of what is occupied
 
     private final OccupancyGrid grid;
     private final double radius;
-    private final byte[] costs;
-    private final boolean[] plains;
+    private final byte[] ground;
+    private final int[] shore;
     private volatile @Nullable OccupancyGrid shown;
 
     /// What distances from walls cost.
@@ -57,8 +65,9 @@ public final class CostMap {
     private CostMap(OccupancyGrid grid, double radius, byte[] costs) {
         this.grid = grid;
         this.radius = radius;
-        this.costs = costs;
-        this.plains = plains(costs, grid.width());
+        markPlains(costs, grid.width());
+        this.ground = costs;
+        this.shore = shore(costs, grid.width());
     }
 
     /// The outermost cells of the map are blocked: nobody knows what lies beyond.
@@ -78,16 +87,41 @@ public final class CostMap {
         return new CostMap(grid, clearance.radius(), costs);
     }
 
-    private static boolean[] plains(byte[] costs, int width) {
-        var plains = new boolean[costs.length];
+    private static void markPlains(byte[] costs, int width) {
         int cheap = 0; // columns in a row whose three cells cost least
         for (int cell = width; cell < costs.length - width; cell++) {
             boolean isCheap =
-                    costs[cell - width] == STRAIGHT && costs[cell] == STRAIGHT && costs[cell + width] == STRAIGHT;
+                    cost(costs[cell - width]) == STRAIGHT && costs[cell] == STRAIGHT && costs[cell + width] == STRAIGHT;
             cheap = isCheap ? cheap + 1 : 0;
-            plains[cell - 1] = cheap >= 3; // never across the ends of rows: those are blocked
+            if (cheap >= 3) {
+                costs[cell - 1] = PLAIN; // never across the ends of rows: those are blocked
+            }
         }
-        return plains;
+    }
+
+    private static int[] shore(byte[] costs, int width) {
+        var shore = new int[1024];
+        int count = 0;
+        boolean before = false; // whether a cell of that column and of these three rows is open
+        boolean here = isOpenIn(costs, 0, width); // never across the ends of rows: nothing is open there
+        for (int cell = 0; cell < costs.length; cell++) {
+            boolean next = isOpenIn(costs, cell + 1, width);
+            if (costs[cell] == BLOCKED && (before || here || next)) {
+                if (count == shore.length) {
+                    shore = Arrays.copyOf(shore, 2 * count);
+                }
+                shore[count++] = cell;
+            }
+            before = here;
+            here = next;
+        }
+        return Arrays.copyOf(shore, count);
+    }
+
+    private static boolean isOpenIn(byte[] costs, int cell, int width) {
+        return (cell >= width && costs[cell - width] != BLOCKED)
+                || (cell < costs.length && costs[cell] != BLOCKED)
+                || (cell + width < costs.length && costs[cell + width] != BLOCKED);
     }
 
     /// Does something with each cell that the robot can't be in because of an obstacle that is not on the map [m].
@@ -123,46 +157,53 @@ public final class CostMap {
 
     private byte[] shownCells() {
         int dearest = STRAIGHT + 1; // where nothing is dear, nothing is shown as such
-        for (byte cost : costs) {
-            dearest = Math.max(dearest, cost);
+        for (byte one : ground) {
+            dearest = Math.max(dearest, cost(one));
         }
-        var cells = new byte[costs.length];
+        var cells = new byte[ground.length];
         for (int cell = 0; cell < cells.length; cell++) {
             if (grid.cells()[cell] == OccupancyGrid.UNKNOWN) {
                 cells[cell] = OccupancyGrid.UNKNOWN;
-            } else if (costs[cell] == BLOCKED) {
+            } else if (ground[cell] == BLOCKED) {
                 cells[cell] = OccupancyGrid.OCCUPIED;
             } else {
-                cells[cell] = (byte) (DEAREST_SHOWN * (costs[cell] - STRAIGHT) / (dearest - STRAIGHT));
+                cells[cell] = (byte) (DEAREST_SHOWN * (cost(ground[cell]) - STRAIGHT) / (dearest - STRAIGHT));
             }
         }
         return cells;
     }
 
-    /// Costs of the cells, row by row, [#STRAIGHT] to [#DEAREST] or [#BLOCKED]. Not to be written to.
-    byte[] costs() {
-        return costs;
+    /// What the cells are like, row by row: [#BLOCKED], [#PLAIN] or, of what [#cost] tells, [#STRAIGHT] to [#DEAREST].
+    /// All in one, as waves look at little else. Not to be written to.
+    byte[] ground() {
+        return ground;
     }
 
-    /// Which cells cost no more than [#STRAIGHT], like all eight around them. Not to be written to.
-    boolean[] plains() {
-        return plains;
+    /// What a cell with such ground costs.
+    static int cost(byte ground) {
+        return ground & COST;
+    }
+
+    /// Which cells are [#BLOCKED] beside an open one or across a corner from it, in ascending order. Not to be written
+    /// to.
+    int[] shore() {
+        return shore;
     }
 
     /// Whether the robot may be in the middle of a cell.
     public boolean isOpen(int cell) {
-        return costs[cell] != BLOCKED;
+        return ground[cell] != BLOCKED;
     }
 
     /// What a diagonal step costs where one along a side would cost so much.
     static int diagonal(int side) {
-        return side * 181 / 128; // √2 within 0.02 %
+        return (side * 181) >> 7; // √2 within 0.02 %
     }
 
     /// What a step from a cell to one of its neighbors costs, there or back: half of each is crossed. Where nothing
     /// is near it is [#SIDE].
     int step(int from, int to, boolean diagonally) {
-        int side = costs[from] + costs[to];
+        int side = cost(ground[from]) + cost(ground[to]);
         return diagonally ? diagonal(side) : side;
     }
 
@@ -191,7 +232,7 @@ public final class CostMap {
             if (!grid.contains(column, row) || !isOpen.test(cell)) {
                 return Double.POSITIVE_INFINITY;
             }
-            sum += costs[cell];
+            sum += cost(ground[cell]);
         }
         return length * sum / (samples + 1) / STRAIGHT;
     }

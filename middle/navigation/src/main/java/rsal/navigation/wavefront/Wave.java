@@ -1,6 +1,7 @@
 package rsal.navigation.wavefront;
 
 import java.util.Arrays;
+import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 
 /// A wave that spreads from one cell of a [CostMap] over the eight neighbors of each and leaves in each cell what
@@ -8,12 +9,16 @@ import org.jspecify.annotations.Nullable;
 ///
 /// The wave is ordered by R. Dial's buckets (Algorithm 360, CACM 12, 1969), since costs are small whole numbers.
 ///
-/// Over plains, cells around which nothing is dear, it runs straight on without asking the buckets, and passes on
-/// only what those neighbors can use whom it does not reach as cheaply otherwise: from a straight step the next
-/// straight one, from a diagonal step the next and the two straight ones that it is made of (the pruning rules of
-/// D. Harabor, A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps, AAAI 2011; N. Sturtevant, S. Rabin,
-/// Canonical Orderings on Grids, IJCAI 2016; unlike theirs, runs write into the cells that they cross and end where
-/// these were reached as cheaply before).
+/// A cell passes on only what its neighbors can use whom the cell before it does not reach for less by itself: it
+/// leaves out that one and those on either side of it that both of them border. Over plains, cells around which
+/// nothing is dear, the wave runs straight on without asking the buckets and passes on still less: from a straight
+/// step the next straight one, from a diagonal step the next and the two straight ones that it is made of. (The
+/// pruning rules of D. Harabor, A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps, AAAI 2011; N.
+/// Sturtevant, S. Rabin, Canonical Orderings on Grids, IJCAI 2016. Unlike theirs, those outside of plains hold whatever
+/// cells cost, and runs write into the cells that they cross and end where these were reached as cheaply before.)
+///
+/// That neighbors are named by the direction in which the wave goes, not by that on the map, also lets the processor
+/// foresee which of them it reaches; it takes most of its time for what was not foreseen.
 ///
 /// A [Guide] hurries it towards a cell (P. Hart, N. Nilsson, B. Raphael, 1968). What it leaves in the cells of
 /// cheapest ways to that cell depends neither on the guide nor on the order in which it gets there, for it goes on
@@ -24,25 +29,29 @@ final class Wave {
     /// The value of a cell that the wave did not reach.
     static final int UNREACHED = Integer.MAX_VALUE;
 
-    private static final int BLOCKED = -1; // in the field, so that one look tells whether a cell is open
     private static final int BUCKETS = 2048; // a power of 2, more than twice what a run and two steps cost
-    private static final int ROOM = 32; // of a bucket at first
+    private static final int ROOM = 16; // of a bucket at first
     private static final int RUN = 800; // what a straight run may cost
     private static final int DIAGONAL_RUN = 100; // the same of a diagonal one: it may well be overtaken
     private static final int SIDE = CostMap.SIDE;
     private static final int DIAGONAL = CostMap.diagonal(CostMap.SIDE);
 
+    // In the field, in which a way's cost is added to that of the source: so a new array needs no filling.
+    private static final int OPEN = 0; // and not reached
+    private static final int SOURCE = -(1 << 30); // all that is less is blocked
+    private static final int BLOCKED = Integer.MIN_VALUE;
+
     private final CostMap map;
-    private final byte[] costs;
-    private final boolean[] plains;
+    private final byte[] ground;
     private final int width;
     private final int[] field;
-    private final int[][] buckets = new int[BUCKETS][ROOM];
-    private final int[] counts = new int[BUCKETS];
+    private final int[] steps; // to the neighbors along the sides, counter-clockwise from +x, the first again at last
+    private final Buckets along = new Buckets(); // cells reached along a side, each with the quarter turns to it
+    private final Buckets across = new Buckets(); // the same across the corner that is left of that side
     private @Nullable Guide guide;
     private boolean blocked; // some cells, unlike in the map
-    private int front; // the next bucket
-    private int lowest; // of the cells that are not as in the map
+    private int front; // the next bucket, as costs in the field
+    private int lowest; // of the cells that passed the wave on or are blocked unlike in the map
     private int highest;
 
     /// The least that a way from a cell on to where the wave hurries can cost; between neighbors it differs by no
@@ -54,21 +63,34 @@ final class Wave {
 
     Wave(CostMap map) {
         this.map = map;
-        this.costs = map.costs();
-        this.plains = map.plains();
+        this.ground = map.ground();
         this.width = map.grid().width();
-        this.field = new int[costs.length];
+        this.field = new int[ground.length];
+        this.steps = new int[] {1, width, -1, -width, 1};
+        this.lowest = 0;
         this.highest = field.length - 1;
-        clear();
+        blockAsOnMap();
     }
 
     /// Forgets where it was and what was blocked.
     void clear() {
-        for (int cell = lowest; cell <= highest; cell++) {
-            field[cell] = costs[cell] == CostMap.BLOCKED ? BLOCKED : UNREACHED;
+        along.forEach(this::touched);
+        across.forEach(this::touched);
+        along.clear();
+        across.clear();
+        if (lowest <= highest) {
+            Arrays.fill(field, lowest, highest + 1, OPEN);
+            blockAsOnMap();
         }
-        Arrays.fill(counts, 0);
         blocked = false;
+    }
+
+    private void blockAsOnMap() {
+        int[] shore = map.shore();
+        int from = Arrays.binarySearch(shore, lowest);
+        for (int i = from < 0 ? -from - 1 : from; i < shore.length && shore[i] <= highest; i++) {
+            field[shore[i]] = BLOCKED;
+        }
         lowest = field.length;
         highest = -1;
     }
@@ -91,10 +113,10 @@ final class Wave {
     /// @param towards where to; if null, every direction is as good
     void start(int source, @Nullable Guide towards) {
         guide = towards;
-        field[source] = 0;
-        front = least(source);
-        push(source, front);
-        touched(source);
+        field[source] = SOURCE;
+        front = SOURCE + least(source);
+        along.push(front, source, 0); // as if it had been reached
+        along.push(front, source, 2); // from either side
     }
 
     /// Spreads on until it is known what the way to a cell costs.
@@ -103,39 +125,39 @@ final class Wave {
     /// @return whether it reaches the target
     boolean spread(int target) {
         int empty = 0; // buckets in a row
-        while (empty < BUCKETS && (target < 0 || field[target] == UNREACHED || field[target] >= front)) {
-            empty = counts[bucket(front)] == 0 ? empty + 1 : 0;
+        while (empty < BUCKETS && (target < 0 || field[target] == OPEN || field[target] >= front)) {
+            empty = along.isEmpty(front) && across.isEmpty(front) ? empty + 1 : 0;
             expand();
             front++;
         }
-        return target >= 0 && field[target] != UNREACHED;
+        return target >= 0 && field[target] != OPEN;
     }
 
-    /// What the way between a cell and the source costs, negative where nothing can be. Without a guide it is final
-    /// if it costs less than what is [#known].
+    /// What the way between an open cell and the source costs. Without a guide it is final if it costs less than what
+    /// is [#known].
     int at(int cell) {
-        return field[cell];
+        return field[cell] == OPEN ? UNREACHED : field[cell] - SOURCE;
     }
 
     boolean isOpen(int cell) {
-        return field[cell] >= 0;
+        return map.isOpen(cell) && field[cell] >= SOURCE;
     }
 
     /// All ways that cost less are known.
     int known() {
-        return front;
+        return front - SOURCE;
     }
 
     /// The neighbor from which the wave came; of several the first by row, then column; −1 at the source.
     int towardsSource(int cell) {
         int best = -1;
-        int least = UNREACHED;
+        int least = OPEN;
         for (int dy = -1; dy <= 1; dy++) {
             for (int dx = -1; dx <= 1; dx++) {
                 int next = cell + dy * width + dx;
                 boolean diagonal = dx != 0 && dy != 0;
-                boolean corner = diagonal && (field[cell + dx] < 0 || field[cell + dy * width] < 0);
-                if (corner || field[next] < 0 || field[next] >= field[cell]) {
+                boolean corner = diagonal && (field[cell + dx] < SOURCE || field[cell + dy * width] < SOURCE);
+                if (corner || field[next] < SOURCE || field[next] >= field[cell]) {
                     continue;
                 }
                 int through = field[next] + map.step(cell, next, diagonal);
@@ -151,105 +173,146 @@ final class Wave {
     /// Lets all cells of the next bucket pass the wave on. A guide may say that a step costs nothing: then cells are
     /// added to the bucket meanwhile.
     private void expand() {
-        int bucket = bucket(front);
-        int done = 0;
-        while (done < counts[bucket]) {
-            int count = counts[bucket];
-            expand(buckets[bucket], done, count);
-            done = count;
+        int alongDone = 0;
+        int acrossDone = 0;
+        while (alongDone < along.count(front) || acrossDone < across.count(front)) {
+            int alongCount = along.count(front);
+            int acrossCount = across.count(front);
+            expandAlong(along.entries(front), alongDone, alongCount);
+            expandAcross(across.entries(front), acrossDone, acrossCount);
+            alongDone = alongCount;
+            acrossDone = acrossCount;
         }
-        counts[bucket] = 0;
+        along.empty(front);
+        across.empty(front);
     }
 
-    private void expand(int[] cells, int from, int to) {
+    /// Lets cells that were reached along a side pass the wave on: ahead, to the left, to the right and between these.
+    private void expandAlong(int[] entries, int from, int to) {
         int[] field = this.field; // the compiler would look them up again after each step
-        byte[] costs = this.costs;
-        int up = width;
-        int now = front;
-        int run = blocked ? 0 : RUN;
+        byte[] ground = this.ground;
         for (int i = from; i < to; i++) {
-            int cell = cells[i];
+            int cell = Buckets.cell(entries[i]);
+            int quarter = Buckets.quarter(entries[i]);
             int reached = field[cell];
-            int most = reached + run;
-            if (reached + least(cell) != now) {
+            touched(cell);
+            if (reached + least(cell) != front) {
                 continue; // was reached for less since
             }
-            int cost = costs[cell];
-            int left = field[cell - 1];
-            int right = field[cell + 1];
-            int below = field[cell - up];
-            int above = field[cell + up];
-            if (left > reached) {
-                straight(field, cell - 1, -1, reached + cost + costs[cell - 1], most);
+            int ahead = cell + steps[quarter];
+            int left = cell + steps[quarter + 1];
+            int right = cell - steps[quarter + 1];
+            int leftAhead = left + steps[quarter];
+            int rightAhead = right + steps[quarter];
+            int most = reached + RUN;
+            int half = CostMap.cost(ground[cell]); // of a step along a side
+            straight(field, ahead, quarter, reached + half + CostMap.cost(ground[ahead]), most);
+            straight(field, left, quarter + 1, reached + half + CostMap.cost(ground[left]), most);
+            straight(field, right, quarter + 3, reached + half + CostMap.cost(ground[right]), most);
+            if (Math.min(field[ahead], field[left]) >= SOURCE) {
+                int step = CostMap.diagonal(half + CostMap.cost(ground[leftAhead]));
+                diagonal(field, leftAhead, quarter, reached + step, most);
             }
-            if (right > reached) {
-                straight(field, cell + 1, 1, reached + cost + costs[cell + 1], most);
+            if (Math.min(field[ahead], field[right]) >= SOURCE) {
+                int step = CostMap.diagonal(half + CostMap.cost(ground[rightAhead]));
+                diagonal(field, rightAhead, quarter + 3, reached + step, most);
             }
-            if (below > reached) {
-                straight(field, cell - up, -up, reached + cost + costs[cell - up], most);
-            }
-            if (above > reached) {
-                straight(field, cell + up, up, reached + cost + costs[cell + up], most);
-            }
-            if ((left | below) >= 0) {
-                across(field, cell, -1, -up, most);
-            }
-            if ((right | below) >= 0) {
-                across(field, cell, 1, -up, most);
-            }
-            if ((left | above) >= 0) {
-                across(field, cell, -1, up, most);
-            }
-            if ((right | above) >= 0) {
-                across(field, cell, 1, up, most);
-            }
-            touched(cell - up - 1);
-            touched(cell + up + 1);
         }
     }
 
-    private void across(int[] field, int from, int dx, int dy, int most) {
-        int cell = from + dx + dy;
-        int reached = field[from];
-        if (field[cell] > reached) {
-            diagonal(field, cell, dx, dy, reached + CostMap.diagonal(costs[from] + costs[cell]), most);
+    /// Lets cells that were reached across a corner pass the wave on: ahead, to both sides and between these.
+    private void expandAcross(int[] entries, int from, int to) {
+        int[] field = this.field; // the compiler would look them up again after each step
+        byte[] ground = this.ground;
+        for (int i = from; i < to; i++) {
+            int cell = Buckets.cell(entries[i]);
+            int quarter = Buckets.quarter(entries[i]);
+            int reached = field[cell];
+            touched(cell);
+            if (reached + least(cell) != front) {
+                continue; // was reached for less since
+            }
+            int right = cell + steps[quarter];
+            int left = cell + steps[quarter + 1];
+            int ahead = left + steps[quarter];
+            int farRight = right - steps[quarter + 1];
+            int farLeft = left - steps[quarter];
+            int most = reached + RUN;
+            int half = CostMap.cost(ground[cell]); // of a step along a side
+            straight(field, right, quarter, reached + half + CostMap.cost(ground[right]), most);
+            straight(field, left, quarter + 1, reached + half + CostMap.cost(ground[left]), most);
+            if (Math.min(field[left], field[right]) >= SOURCE) {
+                int step = CostMap.diagonal(half + CostMap.cost(ground[ahead]));
+                diagonal(field, ahead, quarter, reached + step, most);
+            }
+            if (field[left] >= SOURCE) {
+                int step = CostMap.diagonal(half + CostMap.cost(ground[farLeft]));
+                diagonal(field, farLeft, quarter + 1, reached + step, most);
+            }
+            if (field[right] >= SOURCE) {
+                int step = CostMap.diagonal(half + CostMap.cost(ground[farRight]));
+                diagonal(field, farRight, quarter + 3, reached + step, most);
+            }
         }
     }
 
     /// Reaches a cell along a side and, over plains, those behind it that cost no more than `most`.
-    private void straight(int[] field, int first, int step, int cost, int most) {
-        boolean[] plains = this.plains;
+    private void straight(int[] field, int cell, int turns, int now, int most) {
+        if (now < field[cell]) {
+            if (ground[cell] == CostMap.PLAIN) {
+                run(field, cell, turns & 3, now, most);
+            } else {
+                field[cell] = now;
+                along.push(now + least(cell), cell, turns & 3);
+            }
+        }
+    }
+
+    /// Reaches a cell across a corner and, over plains, those behind it and beside these.
+    private void diagonal(int[] field, int cell, int turns, int now, int most) {
+        if (now < field[cell]) {
+            if (ground[cell] == CostMap.PLAIN) {
+                diagonalRun(field, cell, turns & 3, now, most);
+            } else {
+                field[cell] = now;
+                across.push(now + least(cell), cell, turns & 3);
+            }
+        }
+    }
+
+    private void run(int[] field, int first, int quarter, int cost, int most) {
+        byte[] ground = this.ground;
+        int step = steps[quarter];
         int cell = first;
         int now = cost;
         while (now < field[cell]) {
             field[cell] = now;
-            if (!plains[cell] || now > most) {
-                push(cell, now + least(cell));
+            if (ground[cell] != CostMap.PLAIN || now > most || blocked) {
+                along.push(now + least(cell), cell, quarter);
                 break;
             }
             cell += step;
             now += SIDE;
         }
-        touched(cell);
     }
 
-    /// Reaches a cell across a corner and, over plains, those behind it and beside these.
-    private void diagonal(int[] field, int first, int dx, int dy, int cost, int most) {
+    private void diagonalRun(int[] field, int first, int quarter, int cost, int most) {
+        int right = steps[quarter];
+        int left = steps[quarter + 1];
         int far = most - RUN + DIAGONAL_RUN;
         int cell = first;
         int now = cost;
         while (now < field[cell]) {
             field[cell] = now;
-            if (!plains[cell] || now > far) {
-                push(cell, now + least(cell));
+            if (ground[cell] != CostMap.PLAIN || now > far || blocked) {
+                across.push(now + least(cell), cell, quarter);
                 break;
             }
-            straight(field, cell + dx, dx, now + SIDE, most);
-            straight(field, cell + dy, dy, now + SIDE, most);
-            cell += dx + dy;
+            run(field, cell + right, quarter, now + SIDE, most);
+            run(field, cell + left, (quarter + 1) & 3, now + SIDE, most);
+            cell += right + left;
             now += DIAGONAL;
         }
-        touched(cell);
     }
 
     private void touched(int cell) {
@@ -261,17 +324,59 @@ final class Wave {
         return guide == null ? 0 : guide.least(cell);
     }
 
-    private static int bucket(int number) {
-        return number & (BUCKETS - 1);
-    }
+    /// Cells in the order of what they cost.
+    private static final class Buckets {
+        private final int[][] entries = new int[BUCKETS][ROOM];
+        private final int[] counts = new int[BUCKETS];
 
-    private void push(int cell, int value) {
-        int bucket = bucket(value);
-        int count = counts[bucket];
-        if (count == buckets[bucket].length) {
-            buckets[bucket] = Arrays.copyOf(buckets[bucket], 2 * count);
+        void push(int value, int cell, int quarter) {
+            int bucket = bucket(value);
+            int count = counts[bucket];
+            if (count == entries[bucket].length) {
+                entries[bucket] = Arrays.copyOf(entries[bucket], 2 * count);
+            }
+            entries[bucket][count] = (cell << 2) | quarter;
+            counts[bucket] = count + 1;
         }
-        buckets[bucket][count] = cell;
-        counts[bucket] = count + 1;
+
+        int count(int value) {
+            return counts[bucket(value)];
+        }
+
+        boolean isEmpty(int value) {
+            return count(value) == 0;
+        }
+
+        int[] entries(int value) {
+            return entries[bucket(value)];
+        }
+
+        void empty(int value) {
+            counts[bucket(value)] = 0;
+        }
+
+        void clear() {
+            Arrays.fill(counts, 0);
+        }
+
+        void forEach(IntConsumer cells) {
+            for (int bucket = 0; bucket < BUCKETS; bucket++) {
+                for (int i = 0; i < counts[bucket]; i++) {
+                    cells.accept(cell(entries[bucket][i]));
+                }
+            }
+        }
+
+        static int cell(int entry) {
+            return entry >> 2;
+        }
+
+        static int quarter(int entry) {
+            return entry & 3;
+        }
+
+        private static int bucket(int value) {
+            return value & (BUCKETS - 1);
+        }
     }
 }

@@ -118,7 +118,7 @@ final class Waves {
 
     /// A new wave while there is room, else that which was not asked for the longest, if it may be had.
     private Optional<Kept> room(Asked times) {
-        boolean full = kept.size() >= MOST_KEPT || (kept.size() + 1L) * map.costs().length > CELLS_KEPT;
+        boolean full = kept.size() >= MOST_KEPT || (kept.size() + 1L) * map.ground().length > CELLS_KEPT;
         if (full && !kept.isEmpty()) {
             return kept.stream()
                     .min(Comparator.comparingLong(one -> one.asked))

@@ -39,7 +39,7 @@ public class Waves2560 {
         OccupancyGrid cave = Cave.draw(128, 0.05, 1);
         map = CostMap.of(cave, DistanceField.toNotFree(cave), new Clearance(0.25, 0.6, 3));
         wave = new Wave(map);
-        for (source = map.costs().length / 2; reached(kernel()) < map.costs().length / 3; source++) {}
+        for (source = map.ground().length / 2; reached(kernel()) < map.ground().length / 3; source++) {}
     }
 
     @Benchmark
@@ -55,7 +55,7 @@ public class Waves2560 {
     @Benchmark
     public int[] slow() {
         int width = map.grid().width();
-        int[] field = new int[map.costs().length];
+        int[] field = new int[map.ground().length];
         Arrays.fill(field, Wave.UNREACHED);
         field[source] = 0;
         var front = new PriorityQueue<Reached>();
@@ -78,7 +78,7 @@ public class Waves2560 {
 
     private int reached(Wave spread) {
         int count = 0;
-        for (int cell = 0; cell < map.costs().length; cell++) {
+        for (int cell = 0; cell < map.ground().length; cell++) {
             count += spread.isOpen(cell) && spread.at(cell) != Wave.UNREACHED ? 1 : 0;
         }
         return count;
