@@ -56,8 +56,13 @@ public final class CostMap {
         }
 
         /// Costs rise with the square of what is missing to comfort.
+        ///
+        /// @param distance no less than `radius` [m]
         private int cost(double distance) {
-            double missing = comfort > radius ? Math.clamp((comfort - distance) / (comfort - radius), 0, 1) : 0;
+            if (distance >= comfort) {
+                return STRAIGHT; // most are, and what follows takes longer
+            }
+            double missing = (comfort - distance) / (comfort - radius);
             return (int) Math.round(STRAIGHT * (1 + weight * missing * missing));
         }
     }
@@ -99,29 +104,29 @@ public final class CostMap {
         }
     }
 
-    private static int[] shore(byte[] costs, int width) {
+    private static int[] shore(byte[] ground, int width) {
         var shore = new int[1024];
         int count = 0;
-        boolean before = false; // whether a cell of that column and of these three rows is open
-        boolean here = isOpenIn(costs, 0, width); // never across the ends of rows: nothing is open there
-        for (int cell = 0; cell < costs.length; cell++) {
-            boolean next = isOpenIn(costs, cell + 1, width);
-            if (costs[cell] == BLOCKED && (before || here || next)) {
-                if (count == shore.length) {
-                    shore = Arrays.copyOf(shore, 2 * count);
+        for (int row = 0; row < ground.length; row += width) {
+            int below = Math.max(0, row - width);
+            int above = Math.min(ground.length - width, row + width);
+            int before = 0; // whether any cell of three is open, as what is BLOCKED has no bit: of the last column,
+            int here = 0; // of this one
+            for (int column = 0; column < width; column++) { // the first and the last are blocked
+                int next = column + 1 < width
+                        ? ground[below + column + 1] | ground[row + column + 1] | ground[above + column + 1]
+                        : 0;
+                if (ground[row + column] == BLOCKED && (before | here | next) != 0) {
+                    if (count == shore.length) {
+                        shore = Arrays.copyOf(shore, 2 * count);
+                    }
+                    shore[count++] = row + column;
                 }
-                shore[count++] = cell;
+                before = here;
+                here = next;
             }
-            before = here;
-            here = next;
         }
         return Arrays.copyOf(shore, count);
-    }
-
-    private static boolean isOpenIn(byte[] costs, int cell, int width) {
-        return (cell >= width && costs[cell - width] != BLOCKED)
-                || (cell < costs.length && costs[cell] != BLOCKED)
-                || (cell + width < costs.length && costs[cell + width] != BLOCKED);
     }
 
     /// Does something with each cell that the robot can't be in because of an obstacle that is not on the map [m].
