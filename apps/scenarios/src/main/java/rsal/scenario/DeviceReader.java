@@ -67,7 +67,10 @@ final class DeviceReader {
             });
             before.add(driver);
             has.add(driver.makes());
-            options(devices, name, driver).ifPresent(options -> drivers.add(new Driver(name, driver, options)));
+            options(devices, name, driver).ifPresent(options -> {
+                driver.refusal(options).ifPresent(why -> misset(devices, name, driver, why));
+                drivers.add(new Driver(name, driver, options));
+            });
         });
         return new Equipment(model, drivers, has);
     }
@@ -145,6 +148,10 @@ final class DeviceReader {
 
     private static void refuse(Section devices, String name, DeviceDriver driver, String why) {
         devices.problem(name, "Device driver (%s) can't work on this robot.".formatted(driver.key()), why);
+    }
+
+    private static void misset(Section devices, String name, DeviceDriver driver, String why) {
+        devices.problem(name, "Device driver (%s) can't work with these options.".formatted(driver.key()), why);
     }
 
     static List<Class<? extends Device>> missing(

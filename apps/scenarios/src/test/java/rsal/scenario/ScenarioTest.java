@@ -255,6 +255,11 @@ class ScenarioTest {
                         "It needs a localizer of type (slam) and a navigator of type (navigator), not (amcl)"),
                 List.of(
                         "localizer: {type: truthful, error: 0.1}",
+                        "localizer: amcl, navigator: {weightPreviousDir: 3}",
+                        "good.yaml:14:59: Device driver (navigator) can't work with these options.",
+                        "(5.0) must weigh more than going straight on (2.0) and keeping the choice (3.0)"),
+                List.of(
+                        "localizer: {type: truthful, error: 0.1}",
                         "localizer: slam, explorer: {}",
                         "(explorer) needs a Navigator"),
                 List.of("type: truthful", "type: truthfull", "no device driver (truthfull)", "Maybe (truthful)"),

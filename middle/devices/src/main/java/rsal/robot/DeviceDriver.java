@@ -37,6 +37,11 @@ public interface DeviceDriver {
         return Optional.empty();
     }
 
+    /// Why it can not be set like that, though each of its options may be, in a sentence; empty when it can.
+    default Optional<String> refusal(Arguments arguments) {
+        return Optional.empty();
+    }
+
     /// Types of devices that the robot must have before this one can be made.
     default List<Class<? extends Device>> needs() {
         return List.of();

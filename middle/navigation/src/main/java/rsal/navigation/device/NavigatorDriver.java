@@ -100,6 +100,11 @@ public final class NavigatorDriver implements DeviceDriver {
     }
 
     @Override
+    public Optional<String> refusal(Arguments arguments) {
+        return arguments.text("local").equals("vfh") ? VfhOptions.refusal(arguments) : Optional.empty();
+    }
+
+    @Override
     public SortedMap<Integer, String> misplaced(Places asked, Arguments arguments) {
         var wrong = new TreeMap<Integer, String>();
         double clearance = Ways.clearance(asked.model().footprint(), arguments).radius();

@@ -1,6 +1,7 @@
 package rsal.navigation.device;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.navigation.vfh.Vfh;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -77,9 +78,24 @@ final class VfhOptions {
                         arguments.radians("maxTurnRate0ms"),
                         arguments.radians("maxTurnRate1ms"),
                         arguments.number("minTurnRadiusSafetyFactor")),
-                new Vfh.Weights(
-                        arguments.number("weightDesiredDir"),
-                        arguments.number("weightCurrentDir"),
-                        arguments.number("weightPreviousDir")));
+                weights(arguments));
+    }
+
+    /// Why it can't weigh directions so, in a sentence; empty when it can.
+    static Optional<String> refusal(Arguments arguments) {
+        try {
+            weights(arguments);
+            return Optional.empty();
+        } catch (IllegalArgumentException e) {
+            return Optional.of("%s Raise (weightDesiredDir), or lower (weightCurrentDir) or (weightPreviousDir)."
+                    .formatted(e.getMessage()));
+        }
+    }
+
+    private static Vfh.Weights weights(Arguments arguments) {
+        return new Vfh.Weights(
+                arguments.number("weightDesiredDir"),
+                arguments.number("weightCurrentDir"),
+                arguments.number("weightPreviousDir"));
     }
 }

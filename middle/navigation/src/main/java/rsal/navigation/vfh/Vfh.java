@@ -80,9 +80,19 @@ public final class Vfh implements LocalPlanner {
         }
     }
 
-    /// What it costs to go elsewhere than to the target ("μ₁"), straight on ("μ₂") or as chosen before ("μ₃").
+    /// What it costs to go elsewhere than to the target ("μ₁"), straight on ("μ₂") or as chosen before ("μ₃"). The
+    /// first is more than the other two together, or a robot could pass by its target for ever.
     public record Weights(double target, double heading, double previous) {
         static final Weights DEFAULT = new Weights(5, 2, 2);
+
+        /// @throws IllegalArgumentException when the first is not more than the other two, or one is negative
+        public Weights {
+            if (!(heading >= 0 && previous >= 0 && target > heading + previous)) {
+                throw new IllegalArgumentException(
+                        "Going to the target (%s) must weigh more than going straight on (%s) and keeping the choice (%s) together."
+                                .formatted(target, heading, previous));
+            }
+        }
     }
 
     private final Settings settings;

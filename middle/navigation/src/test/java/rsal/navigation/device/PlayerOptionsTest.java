@@ -82,4 +82,23 @@ class PlayerOptionsTest {
                         .lookahead())
                 .isEqualTo(1.4);
     }
+
+    @Test
+    void weightsAreAsThePaperWantsThem() {
+        assertThat(driver.refusal(weights("vfh", 5, 3, 2)).orElseThrow())
+                .contains("to the target (5.0)", "(3.0)", "(2.0)", "Raise (weightDesiredDir)");
+        assertThat(driver.refusal(weights("nd", 5, 3, 2))).isEmpty();
+        assertThat(driver.refusal(weights("vfh", 5, 3, 0))).as("Player's own").isEmpty();
+        assertThat(driver.refusal(Arguments.defaults(driver.parameters()))).isEmpty();
+    }
+
+    private Arguments weights(String local, double desired, double current, double previous) {
+        return Arguments.of(
+                driver.parameters(),
+                Map.of(
+                        "local", local,
+                        "weightDesiredDir", desired,
+                        "weightCurrentDir", current,
+                        "weightPreviousDir", previous));
+    }
 }

@@ -16,6 +16,7 @@ import rsal.sim.stage.Findings;
 /// What Player's options for navigation are of ours: names, and units.
 final class Options {
     private static final String START = "init_pose";
+    private static final String CURRENT = "weight_current_dir";
     private static final Set<String> ELSEWHERE = Set.of(
             "distance_epsilon",
             "angle_epsilon",
@@ -80,7 +81,7 @@ final class Options {
                     Map.entry("max_turnrate_1ms", List.of(Own.angle("maxTurnRate1ms"))),
                     Map.entry("min_turn_radius_safety_factor", List.of(Own.of("minTurnRadiusSafetyFactor"))),
                     Map.entry("weight_desired_dir", List.of(Own.of("weightDesiredDir"))),
-                    Map.entry("weight_current_dir", List.of(Own.of("weightCurrentDir"))),
+                    Map.entry(CURRENT, List.of(Own.of("weightCurrentDir"))),
                     Map.entry("escape_speed", List.of(Own.length("escapeSpeed"))),
                     Map.entry("escape_time", List.of(Own.of("escapeTime")))),
             "nd",
@@ -122,6 +123,10 @@ final class Options {
             entries.put("initialAngleDeviation", new Value.Scalar(driver.location(), 360.0));
             keys.put("initialDeviation", driver.location());
             keys.put("initialAngleDeviation", driver.location());
+        }
+        if (known.containsKey(CURRENT) && driver.option(CURRENT).isPresent()) { // Player has no third weight
+            entries.put("weightPreviousDir", new Value.Scalar(driver.location(), 0.0));
+            keys.put("weightPreviousDir", driver.location());
         }
         known.forEach((name, own) -> driver.option(name).ifPresent(option -> {
             List<Value> values = option.value() instanceof Value.Sequence list ? list.items() : List.of(option.value());

@@ -226,6 +226,21 @@ class PlayerFormatTest {
                         entry("wallDistance", 0.3));
     }
 
+    /// Our third is 2: with it, Player's own two would be refused.
+    @Test
+    void vfhHasNoMoreWeightsThanInPlayer() {
+        String weighed = PLANNER.replace("max_speed 0.4", "weight_desired_dir 5.0 weight_current_dir 3.0");
+        Software navigator = configs(UHH + weighed).read().services().stream()
+                .flatMap(service -> service.software().stream())
+                .toList()
+                .getLast();
+        assertThat(values(navigator))
+                .contains(
+                        entry("weightDesiredDir", 5.0),
+                        entry("weightCurrentDir", 3.0),
+                        entry("weightPreviousDir", 0.0));
+    }
+
     private static Map<String, Object> values(Software software) {
         var values = new LinkedHashMap<String, Object>();
         software.settings().entries().forEach((name, value) -> values.put(name, ((Value.Scalar) value).value()));
