@@ -65,12 +65,12 @@ public final class LocalizationMap {
         return new OccupancyGrid(width, height, map.resolution() / parts, map.originX(), map.originY(), cells);
     }
 
-    /// A map of larger cells, occupied where any of theirs is.
+    /// A map of larger cells, occupied where any of theirs is; of the others nothing is told.
     private static OccupancyGrid pooled(OccupancyGrid grid, int factor) {
         int width = Math.ceilDiv(grid.width(), factor);
         int height = Math.ceilDiv(grid.height(), factor);
         var cells = new byte[width * height];
-        Arrays.fill(cells, OccupancyGrid.FREE);
+        Arrays.fill(cells, OccupancyGrid.UNKNOWN);
         for (int i = 0; i < grid.cells().length; i++) {
             if (grid.cells()[i] == OccupancyGrid.OCCUPIED) {
                 cells[i / grid.width() / factor * width + i % grid.width() / factor] = OccupancyGrid.OCCUPIED;
