@@ -142,7 +142,7 @@ public final class Amcl {
     }
 
     /// Starts again from a belief, drawn as KLD-sampling does: as many particles as the bins they fall into ask
-    /// for.
+    /// for. One place is believed at once; where several are, it must turn out first that no other is as good.
     ///
     /// @throws IllegalArgumentException when any of the belief is not finite
     public void start(PoseEstimate belief) {
@@ -150,6 +150,7 @@ public final class Amcl {
             throw new IllegalArgumentException("Nobody can believe (%s).".formatted(belief));
         }
         restart(false);
+        trusted = isSingle(belief);
         List<Hypothesis> hypotheses = belief.hypotheses();
         bins.clear();
         particles.count = 0;
@@ -161,6 +162,16 @@ public final class Amcl {
             wanted = bounded(settings.kld().particles(bins.count()));
         }
         particles.weighEqually();
+    }
+
+    private static boolean isSingle(PoseEstimate belief) {
+        double sum = 0;
+        double heaviest = 0;
+        for (Hypothesis hypothesis : belief.hypotheses()) {
+            sum += hypothesis.weight();
+            heaviest = Math.max(heaviest, hypothesis.weight());
+        }
+        return belief.quality() == Quality.LOCALIZED && heaviest >= SURE * sum;
     }
 
     /// Starts again knowing nothing.

@@ -24,6 +24,20 @@ class AmclTest {
     private static final Seen SEEN = new Seen(Seen.ROOM);
     private static final Pose2d STEP = new Pose2d(0.15, 0, 0.1);
 
+    /// Half a turn makes it the same.
+    private static final DrawnMap SYMMETRIC = Seen.fine("""
+            ########################################
+            #......................................#
+            #..a...................................#
+            #......................................#
+            #...................................####
+            ####...................................#
+            #......................................#
+            #......................................#
+            #......................................#
+            ########################################
+            """);
+
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6})
     void findsItselfWithoutBeingToldWhereItIs(long seed) {
@@ -97,23 +111,11 @@ class AmclTest {
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6})
     void saysThatASymmetricPlaceIsAmbiguous(long seed) {
-        DrawnMap symmetric = Seen.fine("""
-                ########################################
-                #......................................#
-                #..a...................................#
-                #......................................#
-                #...................................####
-                ####...................................#
-                #......................................#
-                #......................................#
-                #......................................#
-                ########################################
-                """);
-        var map = new LocalizationMap(symmetric.grid(), 0.1, 0.05);
+        var map = new LocalizationMap(SYMMETRIC.grid(), 0.1, 0.05);
         var amcl = new Amcl(map, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
         Pose2d there = new Pose2d(0.15, 0, 0);
-        var seen = new Seen(symmetric);
-        Pose2d truth = symmetric.pose('a', 0);
+        var seen = new Seen(SYMMETRIC);
+        Pose2d truth = SYMMETRIC.pose('a', 0);
         Pose2d odometry = Pose2d.ORIGIN;
         var told = new ArrayList<PoseEstimate>();
         for (int i = 0; i < 30; i++) {
@@ -126,10 +128,58 @@ class AmclTest {
         assertThat(told.getLast().confidence()).isLessThan(0.9);
         assertThat(told).allSatisfy(AmclTest::holdsTogether);
         Pose2d last = truth.compose(there.inverse());
-        Pose2d mirrored = new Pose2d(10 - last.x(), 2.5 - last.y(), last.theta() + Math.PI);
+        Pose2d mirrored = mirrored(last);
         assertThat(told.getLast().hypotheses())
                 .anyMatch(h -> h.weight() > 0.1 && h.mapFromBase().isNear(last, 0.2, 0.2))
                 .anyMatch(h -> h.weight() > 0.1 && h.mapFromBase().isNear(mirrored, 0.2, 0.2));
+    }
+
+    private static Pose2d mirrored(Pose2d pose) {
+        return new Pose2d(10 - pose.x(), 2.5 - pose.y(), pose.theta() + Math.PI);
+    }
+
+    /// Of two places that look the same, particles sooner or later leave one by chance.
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    void aBeliefInTwoPlacesStaysAmbiguousWhereTheyLookTheSame(long seed) {
+        var amcl = new Amcl(
+                new LocalizationMap(SYMMETRIC.grid(), 0.1, 0.05),
+                Amcl.Settings.of(150, 3000),
+                new SplittableRandom(seed));
+        var seen = new Seen(SYMMETRIC);
+        Pose2d there = new Pose2d(0.15, 0, 0);
+        Pose2d truth = SYMMETRIC.pose('a', 0);
+        Covariance2d known = Covariance2d.ofDeviations(0.1, 0.1, 0.05);
+        amcl.start(new PoseEstimate(
+                truth,
+                known,
+                List.of(new Hypothesis(0.6, truth, known), new Hypothesis(0.4, mirrored(truth), known)),
+                0.6,
+                Quality.AMBIGUOUS));
+        Pose2d odometry = Pose2d.ORIGIN;
+        for (int i = 0; i < 40; i++) {
+            assertThat(amcl.update(odometry, seen.beams(truth, 60)).quality())
+                    .as("update %d", i)
+                    .isEqualTo(Quality.AMBIGUOUS);
+            truth = truth.compose(there);
+            odometry = odometry.compose(there);
+        }
+    }
+
+    @Test
+    void aBeliefInTwoPlacesIsSettledWhereTheyLookDifferent() {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
+        Pose2d truth = Seen.ROOM.pose('b', 90);
+        Covariance2d known = Covariance2d.ofDeviations(0.1, 0.1, 0.05);
+        amcl.start(new PoseEstimate(
+                Seen.ROOM.pose('a', 0),
+                known,
+                List.of(new Hypothesis(0.6, Seen.ROOM.pose('a', 0), known), new Hypothesis(0.4, truth, known)),
+                0.6,
+                Quality.AMBIGUOUS));
+        List<PoseEstimate> told = drive(amcl, SEEN, truth, Pose2d.ORIGIN, 8);
+        assertThat(told.getLast().quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(told.getLast().mapFromBase().distanceTo(after(truth, 8))).isLessThan(0.06);
     }
 
     private static void holdsTogether(PoseEstimate told) {
