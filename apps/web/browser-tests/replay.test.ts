@@ -152,6 +152,26 @@ describe.skipIf(!chromium)('looking back', () => {
     }
   });
 
+  it('tells whoever looks back that motors are off now, and arms them', async () => {
+    await running.post('restart', { configuration: 'virtual', seed: '5' });
+    await look(running.url);
+    await eventually(async () => (await time()) > 4, 'it has run a while');
+    await cursor().fill('2');
+    await shows(1.9, 2.1);
+    await running.post('motors', { robot: 'hunter-1', on: false }); // by somebody else
+    const banner = page.getByRole('status').filter({ hasText: 'In the present' });
+    await banner.getByText('Motors of hunter-1 are off.').waitFor();
+    await running.post('estop');
+    await banner.getByText('Motors are off: no robot moves until they are armed.').waitFor();
+    expect(await time()).toBeLessThan(2.2);
+    await picture(page, 'live-back-stopped');
+    await expectAccessible(page);
+    await button('Arm').click();
+    await button('Arm').waitFor({ state: 'detached' });
+    await eventually(async () => (await time()) > 4, 'what moves is seen');
+    await page.getByText('no robot moves until').waitFor({ state: 'hidden' });
+  });
+
   it('looks back in a run that goes on, and to the present again', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });
     await look(running.url);

@@ -30,7 +30,15 @@ export const commands = {
     });
     commands.toPresent(); // where what became of it is seen, and armed again
   },
-  rearm: () => act(api.rearm),
+  /** As they are now, also for who looks back, and sees then what moves. */
+  rearm: () => {
+    if (live.past && live.recording === null && access.mayArm) {
+      void attempt(api.rearm());
+      commands.toPresent();
+    } else {
+      act(api.rearm);
+    }
+  },
   /** Whether the run can be changed from here; if not, says why. */
   mayAct: (): boolean => {
     if (access.allowed && live.frame !== null && !live.over) {

@@ -35,6 +35,8 @@ export const texts = {
         ? `Motors of ${robots.join(', ')} are off.`
         : `Motors of ${robots.length} robots are off.`,
     rearmAll: 'Arm all',
+    rearmHint: 'Arm them, and look at the present again',
+    meanwhile: (motors: string) => `In the present: ${motors}`,
     stoppedOver: 'This run is over: its robots stand. Motors of any that go on beside it were switched off.',
     help: 'Keys',
   },

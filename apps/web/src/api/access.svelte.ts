@@ -20,7 +20,12 @@ class Access {
   }
 
   get allowed(): boolean {
-    return this.operator && !this.past && this.elsewhere === null;
+    return this.mayArm && !this.past;
+  }
+
+  /** Whether it may arm motors, which are those of the present wherever it looks. */
+  get mayArm(): boolean {
+    return this.operator && this.elsewhere === null;
   }
 
   /** Whether it has the token. */

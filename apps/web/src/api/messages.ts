@@ -329,6 +329,11 @@ export interface Motors {
 }
 
 export interface NewAgent {
+export interface MotorsOff {
+  all: boolean;
+  of: string[];
+}
+
   type: string;
   robot: string;
   arguments: Record<string, string>;
@@ -391,6 +396,7 @@ export interface ReadingInfo {
 export interface Readings {
   readings: ReadingInfo[];
 }
+  motors: MotorsOff;
 
 export interface RealDetails {
   proxy: boolean;

@@ -64,6 +64,9 @@ import rsal.server.Messages.MailInfo;
 import rsal.server.Messages.MapInfo;
 import rsal.server.Messages.MeasureInfo;
 import rsal.server.Messages.MindInfo;
+import rsal.server.Messages.MotorsOff;
+import rsal.server.Messages.PlanInfo;
+import rsal.server.Messages.ProgramInfo;
 import rsal.server.Messages.RealDetails;
 import rsal.server.Messages.RecordingInfo;
 import rsal.server.Messages.RobotDetails;
@@ -352,7 +355,20 @@ final class Descriptions {
     }
 
     private static String clip(String words) {
-        return words.length() <= MOST_WORDS ? words : words.substring(0, MOST_WORDS) + "…";
+        return clip(words, MOST_WORDS);
+    }
+
+    private static String clip(String words, int most) {
+        return words.length() <= most ? words : words.substring(0, most) + "…";
+    }
+
+    static MotorsOff motorsOff(Snapshot now) {
+        return new MotorsOff(
+                now.stopped(),
+                now.robots().stream()
+                        .filter(robot -> robot.stopped())
+                        .map(robot -> robot.id())
+                        .toList());
     }
 
     static Details details(int number, Snapshot snapshot, CompletableFuture<RunResult> result) {

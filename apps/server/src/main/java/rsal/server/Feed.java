@@ -2,6 +2,7 @@ package rsal.server;
 
 import java.util.List;
 import rsal.scenario.run.RunEvent;
+import rsal.server.Messages.MotorsOff;
 
 /// What viewers are shown of a run at one moment.
 interface Feed {
@@ -35,6 +36,11 @@ interface Feed {
 
     /// Of the frame, from 1 in each run; grows when the frame or the details are new.
     long sequence();
+
+    /// Whose motors are off now; nobody's in a run that is over, or of the past, where nobody can arm them.
+    default MotorsOff motorsOff() {
+        return MotorsOff.NONE;
+    }
 
     /// What has happened after an event, oldest first.
     ///

@@ -84,7 +84,14 @@ final class Messages {
     ///
     /// @param from when the first moment was [s of the run]
     /// @param until when the newest was [s of the run]
-    record Reach(int run, double from, double until) {}
+    /// @param motors as they are now, wherever the viewer looks
+    record Reach(int run, double from, double until, MotorsOff motors) {}
+
+    /// @param all whether no robot moves until all are armed
+    /// @param of ids of robots whose motors are off, all of them then
+    record MotorsOff(boolean all, List<String> of) {
+        static final MotorsOff NONE = new MotorsOff(false, List.of());
+    }
 
     /// What stays the same during a run.
     ///

@@ -6,6 +6,7 @@ import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
 import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.MotorsOff;
 import rsal.server.Messages.Newcomers;
 import rsal.server.Messages.ServerMessage;
 
@@ -122,6 +123,11 @@ final class RunFeed implements Feed {
     @Override
     public long sequence() {
         return sequence;
+    }
+
+    @Override
+    public MotorsOff motorsOff() {
+        return isLast() ? MotorsOff.NONE : Descriptions.motorsOff(seen);
     }
 
     @Override

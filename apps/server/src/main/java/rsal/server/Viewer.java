@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import rsal.scenario.run.RunEvent;
 import rsal.server.Messages.Events;
 import rsal.server.Messages.LookBack;
+import rsal.server.Messages.MotorsOff;
 import rsal.server.Messages.Reach;
 import rsal.server.Messages.Receipt;
 import rsal.server.Messages.ServerMessage;
@@ -82,7 +83,7 @@ final class Viewer {
         Feed feed = looking == null ? live : looking;
         if (feed != null) {
             offer(feed);
-            tellReach(past);
+            tellReach(past, live == null ? MotorsOff.NONE : live.motorsOff());
         }
     }
 
@@ -107,9 +108,12 @@ final class Viewer {
         }
     }
 
-    private void tellReach(Past past) {
-        var now = new Reach(run, past.from().toNanos() / 1e9, past.until().toNanos() / 1e9);
-        boolean due = reach == null || reach.run() != run || offers % OFFERS_PER_REACH == 0;
+    private void tellReach(Past past, MotorsOff motors) {
+        var now = new Reach(run, past.from().toNanos() / 1e9, past.until().toNanos() / 1e9, motors);
+        boolean due = reach == null
+                || reach.run() != run
+                || !reach.motors().equals(motors)
+                || offers % OFFERS_PER_REACH == 0;
         offers++;
         if (due && run == past.number() && !now.equals(reach) && line.isClear()) {
             reach = now;

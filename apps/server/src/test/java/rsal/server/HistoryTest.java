@@ -12,6 +12,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.scenario.run.RunEvent;
 import rsal.server.Messages.LookBack;
+import rsal.server.Messages.MotorsOff;
 import rsal.server.Messages.Receipt;
 
 class HistoryTest {
@@ -128,6 +129,23 @@ class HistoryTest {
     }
 
     @Test
+    void whoLooksBackIsToldWhoseMotorsAreOffNow() {
+        var history = new History(feed);
+        var line = new Times();
+        var viewer = new Viewer(line, new ViewerCounts());
+        keep(history, 0);
+        keep(history, 50);
+        viewer.received(look(new LookBack(
+                Optional.of(false), Optional.of(0.0), Optional.of(0), Optional.of(false), Optional.empty())));
+        offer(viewer, history);
+        assertThat(line.texts.getLast()).contains("\"motors\":{\"all\":false,\"of\":[]}");
+        feed.motorsOff = new MotorsOff(false, List.of("prey-1"));
+        offer(viewer, history); // at once, though nothing else is new
+        assertThat(line.newest()).isEqualTo("0.0 past");
+        assertThat(line.texts.getLast()).contains("\"motors\":{\"all\":false,\"of\":[\"prey-1\"]}");
+    }
+
+    @Test
     void whoLooksBackSeesTheNextRunWhenThatBegins() {
         var history = new History(feed);
         var line = new Times();
@@ -163,6 +181,12 @@ class HistoryTest {
     private static final class FakeFeed implements Feed {
         private int number = 1;
         private int tenth;
+        private MotorsOff motorsOff = MotorsOff.NONE;
+
+        @Override
+        public MotorsOff motorsOff() {
+            return motorsOff;
+        }
 
         @Override
         public int number() {
@@ -219,16 +243,19 @@ class HistoryTest {
         }
     }
 
-    /// Notes of which times it is sent frames.
+    /// Notes of which times it is sent frames, and what else.
     private static final class Times implements Viewer.Line {
         private final List<String> times = new ArrayList<>();
+        private final List<String> texts = new ArrayList<>();
 
         String newest() {
             return times.getLast();
         }
 
         @Override
-        public void send(String text) {}
+        public void send(String text) {
+            texts.add(text);
+        }
 
         @Override
         public void send(byte[] bytes) {
