@@ -328,7 +328,13 @@ export const texts = {
     ended: (state: string) => (state === '' ? 'ended' : `ended; at last: ${state}`),
     believes: 'What it believes',
     urgency: 'How urgent it is',
-    ways: (plans: string[]) => `ways: ${plans.join(', ')}`,
+    plans: (plans: string[]) => `plans: ${plans.join(', ')}`,
+    plansHint: (written: boolean) =>
+      written
+        ? 'By which it is pursued, from the goal inward: their labels, or the file and the line where they begin'
+        : 'Ways to reach it, in the order in which they are tried',
+    program: (rules: number, plans: number) => `What it goes by (rules: ${rules}, plans: ${plans})`,
+    programLabel: 'Its rules and plans',
     failed: (why: string) => `failed: ${why}`,
     left: (count: number) => `and ${count} more`,
     wanted: {

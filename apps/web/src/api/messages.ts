@@ -45,6 +45,7 @@ export interface AgentInside {
   state: string;
   shown: BeliefInfo[];
   mind: MindInfo | null;
+  program: ProgramInfo | null;
   history: ChangeInfo[];
   mail: MailInfo[] | null;
   talks: TalkInfo[];
@@ -328,12 +329,12 @@ export interface Motors {
   on: boolean;
 }
 
-export interface NewAgent {
 export interface MotorsOff {
   all: boolean;
   of: string[];
 }
 
+export interface NewAgent {
   type: string;
   robot: string;
   arguments: Record<string, string>;
@@ -374,8 +375,19 @@ export interface Plan {
   arguments: ArgumentInfo[];
 }
 
+export interface PlanInfo {
+  name: string;
+  text: string;
+}
+
 export interface PlottedNumbers {
   devices: DeviceNumbers[];
+}
+
+export interface ProgramInfo {
+  rules: string[];
+  plans: PlanInfo[];
+  left: number;
 }
 
 export type PropKind = 'BOX' | 'BALL';
@@ -384,6 +396,7 @@ export interface Reach {
   run: number;
   from: number;
   until: number;
+  motors: MotorsOff;
 }
 
 export interface ReadingInfo {
@@ -396,7 +409,6 @@ export interface ReadingInfo {
 export interface Readings {
   readings: ReadingInfo[];
 }
-  motors: MotorsOff;
 
 export interface RealDetails {
   proxy: boolean;

@@ -10,6 +10,7 @@ import jason.asSyntax.Literal;
 import jason.asSyntax.Plan;
 import jason.asSyntax.PlanBody;
 import jason.asSyntax.Pred;
+import jason.asSyntax.Rule;
 import jason.asSyntax.SourceInfo;
 import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
@@ -17,6 +18,7 @@ import jason.bb.BeliefBase;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,10 +29,13 @@ import rsal.agent.bdi.Mind;
 import rsal.agent.bdi.Mind.GoalState;
 import rsal.agent.bdi.Mind.GoalView;
 
-/// What is in an agent's mind, for people: its beliefs by name, and its intentions as goals with the plans and steps by
-/// which it pursues them.
+/// What is in an agent's mind, for people: its beliefs by name, each as it is written and with who told it, its
+/// intentions
+/// as goals with the plans and steps by which it pursues them, and the rules and plans that it has.
 final class Thoughts {
     private static final int MOST_BELIEFS = 20; // of one name
+
+    private static final String KQML = "kqmlPlans.asl:";
 
     private Thoughts() {}
 
@@ -43,12 +48,7 @@ final class Thoughts {
         var all = new TreeMap<String, List<String>>();
         for (Literal belief : reasoner.getBB()) {
             if (!belief.isRule() && belief.getNS().equals(Literal.DefaultNS)) {
-                String terms = belief.hasTerm()
-                        ? String.join(
-                                ", ",
-                                belief.getTerms().stream().map(Terms::words).toList())
-                        : "true";
-                all.computeIfAbsent(belief.getFunctor(), _ -> new ArrayList<>()).add(terms);
+                all.computeIfAbsent(belief.getFunctor(), _ -> new ArrayList<>()).add(Terms.written(belief));
             }
         }
         var words = new TreeMap<String, String>();
@@ -60,6 +60,22 @@ final class Thoughts {
                                 .formatted(
                                         String.join("; ", each.subList(0, MOST_BELIEFS)), each.size() - MOST_BELIEFS)));
         return Collections.unmodifiableMap(words);
+    }
+
+    static Mind.Program program(Reasoner reasoner) {
+        var rules = new ArrayList<String>();
+        for (Literal belief : reasoner.getBB()) {
+            if (belief instanceof Rule rule && belief.getNS().equals(Literal.DefaultNS)) {
+                rules.add(Written.typed(rule));
+            }
+        }
+        var plans = new LinkedHashMap<String, String>();
+        for (Plan plan : reasoner.getPL().getPlans()) {
+            if (!isJasons(plan)) {
+                plans.put(name(plan), Written.typed(plan));
+            }
+        }
+        return new Mind.Program(rules, plans);
     }
 
     /// Jason goes on to hold the intention that it did a step of last, even one that has failed by that.
@@ -108,6 +124,11 @@ final class Thoughts {
         return names.reversed();
     }
 
+    /// Whether it is one of those by which all agents take messages.
+    private static boolean isJasons(Plan plan) {
+        return place(plan).filter(place -> place.startsWith(KQML)).isPresent();
+    }
+
     /// Its label; where its author gave it none, where it is written.
     private static String name(Plan plan) {
         Optional<Pred> label = Optional.ofNullable(plan.getLabel());
@@ -133,18 +154,14 @@ final class Thoughts {
                     step == null || step.getBodyTerm() == null
                             ? goal
                             : "%s: %s%s"
-                                    .formatted(
-                                            goal,
-                                            step.getBodyType(),
-                                            Terms.written(bound(step.getBodyTerm(), means.getUnif()))));
+                                    .formatted(goal, step.getBodyType(), bound(step.getBodyTerm(), means.getUnif())));
         }
         return steps.reversed();
     }
 
-    /// A term with what its variables stand for; as it is written where something is computed, which would take from
-    /// the agent's chance.
-    private static Term bound(Term term, Unifier unifier) {
-        return isComputed(term) ? term : term.capply(unifier);
+    /// A term with what its variables stand for. Where something is computed, it is left to be.
+    private static String bound(Term term, Unifier unifier) {
+        return isComputed(term) ? Written.of(term, unifier) : Terms.written(term.capply(unifier));
     }
 
     private static boolean isComputed(Term term) {

@@ -1,5 +1,6 @@
 package rsal.jason;
 
+import jason.asSemantics.Unifier;
 import jason.asSyntax.ArithExpr;
 import jason.asSyntax.Atom;
 import jason.asSyntax.BinaryStructure;
@@ -16,6 +17,7 @@ import jason.asSyntax.Structure;
 import jason.asSyntax.Term;
 import jason.asSyntax.Trigger;
 import jason.asSyntax.VarTerm;
+import jason.bb.BeliefBase;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -31,12 +33,36 @@ final class Written {
 
     private final StringBuilder text = new StringBuilder();
     private final Map<String, String> variables = new LinkedHashMap<>();
+    private final Unifier values;
+    private final boolean named; // whether variables keep the names that were typed, and own sources are left out
 
-    private Written() {}
+    private Written(Unifier values, boolean named) {
+        this.values = values;
+        this.named = named;
+    }
 
     static String of(Term term) {
-        var written = new Written();
+        return of(term, new Unifier());
+    }
+
+    /// With what its variables stand for. Nothing is computed, which could take from the agent's chance.
+    static String of(Term term, Unifier values) {
+        var written = new Written(values, false);
         written.write(term);
+        return written.text.toString();
+    }
+
+    /// As its author typed it, for people.
+    static String typed(Rule rule) {
+        var written = new Written(new Unifier(), true);
+        written.clause(rule);
+        return written.text.toString();
+    }
+
+    /// As its author typed it, for people.
+    static String typed(Plan plan) {
+        var written = new Written(new Unifier(), true);
+        written.inner(plan);
         return written.text.toString();
     }
 
@@ -81,12 +107,21 @@ final class Written {
     }
 
     private void variable(VarTerm variable) {
+        Term value = values.get(variable);
+        if (value != null && !variable.negated() && !variable.hasAnnot()) {
+            write(value);
+            return;
+        }
         namespace(variable);
         if (variable.negated()) {
             text.append('~');
         }
-        String name = "V" + (variables.size() + 1);
-        text.append(variables.computeIfAbsent(variable.getFunctor(), _ -> name));
+        if (named) {
+            text.append(variable.isUnnamedVar() ? "_" : variable.getFunctor());
+        } else {
+            String name = "V" + (variables.size() + 1);
+            text.append(variables.computeIfAbsent(variable.getFunctor(), _ -> name));
+        }
         annotations(variable);
     }
 
@@ -98,8 +133,12 @@ final class Written {
     }
 
     private void annotations(Literal literal) {
-        if (literal.hasAnnot()) {
-            list(literal.getAnnots());
+        List<Term> shown = literal.hasAnnot() ? literal.getAnnots().getAsList() : List.of();
+        List<Term> others = shown.stream()
+                .filter(each -> !named || !each.equals(BeliefBase.TSelf))
+                .toList();
+        if (!others.isEmpty()) {
+            all(others, "[", "]");
         }
     }
 
@@ -168,10 +207,14 @@ final class Written {
 
     private void rule(Rule rule) {
         text.append("{ ");
+        clause(rule);
+        text.append(" }");
+    }
+
+    private void clause(Rule rule) {
         structure(rule);
         text.append(" :- ");
         write(rule.getBody());
-        text.append(" }");
     }
 
     // ── Plans ────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -209,18 +252,21 @@ final class Written {
     }
 
     private void label(Pred label) {
-        boolean named = !label.getFunctor().equals(UNNAMED) && !Plans.isCounted(label);
+        boolean labelled = !label.getFunctor().equals(UNNAMED) && !Plans.isCounted(label);
         List<Term> annotations =
                 new ArrayList<>(label.hasAnnot() ? label.getAnnots().getAsList() : List.of());
         annotations.removeIf(
                 each -> each instanceof Literal about && about.getFunctor().equals("url"));
         if (named) {
+            annotations.removeIf(BeliefBase.TSelf::equals);
+        }
+        if (labelled) {
             text.append('@').append(label.getFunctor());
         }
         if (!annotations.isEmpty()) {
-            all(annotations, named ? "[" : "@[", "]");
+            all(annotations, labelled ? "[" : "@[", "]");
         }
-        if (named || !annotations.isEmpty()) {
+        if (labelled || !annotations.isEmpty()) {
             text.append(' ');
         }
     }

@@ -77,6 +77,7 @@ final class WrittenAgent implements Agent {
         know(self);
         begin(reasoner);
         self.reveal(Mind.View.class, () -> Thoughts.of(reasoner, complaints.last()));
+        self.reveal(Mind.Program.class, () -> Thoughts.program(reasoner));
         self.robot().ifPresent(robot -> perceive(self, robot, review));
         review.topics().forEach(topic -> listen(self, topic));
         post.begin();

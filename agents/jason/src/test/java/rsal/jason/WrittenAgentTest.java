@@ -1017,12 +1017,42 @@ class WrittenAgentTest extends RobotBench {
                 """);
         advance(1);
         Mind.View mind = society.look("a", Mind.View.class).orElseThrow();
-        assertThat(mind.beliefs()).containsEntry("likes", "tea; milk").containsEntry("robot", "r1, tested");
+        assertThat(mind.beliefs())
+                .containsEntry("likes", "likes(tea)[source(self)]; likes(milk)[source(self)]")
+                .containsEntry("robot", "robot(r1,tested)[source(percept)]");
         assertThat(mind.goals()).hasSize(1);
         assertThat(mind.goals().getFirst().state()).isEqualTo(Mind.GoalState.SUSPENDED);
         assertThat(mind.goals().getFirst().steps())
                 .anySatisfy(step -> assertThat(step).contains("drink(tea)", ".wait(5000)"));
         assertThat(mind.goals().getFirst().plans()).containsExactly("a.asl:3", "a.asl:4");
+    }
+
+    @Test
+    void whatVariablesStandForIsSeenWhereSomethingIsComputed() {
+        start("a", """
+                !go(2.5).
+                +!go(Seconds) <- .wait(Seconds*1000).
+                """);
+        advance(1);
+        Mind.View mind = society.look("a", Mind.View.class).orElseThrow();
+        assertThat(mind.goals().getFirst().steps()).containsExactly("+!go(2.5): .wait((2.5*1000))");
+    }
+
+    @Test
+    void itsRulesAndPlansCanBeRead() {
+        start("a", """
+                post(1, 2).
+                near(Post) :- post(Post, X) & X < 3.
+                @home[atomic] +!go(_) : near(Post) & not tired <- .print(Post); !!go(Post).
+                +!rest.
+                """);
+        advance(0);
+        Mind.Program program = society.look("a", Mind.Program.class).orElseThrow();
+        assertThat(program.rules()).containsExactly("near(Post) :- (post(Post,X) & (X < 3))");
+        assertThat(program.plans())
+                .hasSize(2)
+                .containsEntry("home", "@home[atomic] +!go(_) : (near(Post) & not (tired)) <- .print(Post); !!go(Post)")
+                .containsEntry("a.asl:4", "+!rest");
     }
 
     @Test

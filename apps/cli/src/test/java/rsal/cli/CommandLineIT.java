@@ -576,7 +576,7 @@ class CommandLineIT {
     @Test
     void aMindInAgentSpeakIsLookedIntoFromOutside() throws Exception {
         assertThat(mind("follow-1", "prey-1 is at ", "hunt-and-prey:jason"))
-                .containsPattern("\nBelieves\n(  .+\n)*  me +follow-1, follow\n")
+                .containsPattern("\nBelieves\n(  .+\n)*  me +me\\('follow-1',follow\\)\\[source\\(percept\\)]\n")
                 .containsPattern("\nWants\n(  .+\n)*  [a-z]+ +hunt \\(0\\)\n")
                 .containsPattern("\n +does: \\+!hunt: .+\n +ways: hunter\\.asl:\\d+")
                 .containsPattern("\nMailbox\n(  .+\n)*  [0-9.]+ s +escape-1 → all +pose +prey-1 is at ")

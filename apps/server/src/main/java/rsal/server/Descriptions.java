@@ -90,7 +90,9 @@ final class Descriptions {
     private static final Duration TOO_SILENT = Duration.ofSeconds(1);
     private static final int MOST_OF_A_MIND = 50; // beliefs, and goals
     private static final int MOST_OF_A_GOAL = 20; // plans, and steps
+    private static final int MOST_OF_A_PROGRAM = 100; // rules, and plans
     private static final int MOST_WORDS = 200; // characters
+    private static final int MOST_CODE = 1000; // characters of a rule, or of a plan
 
     /// Of no other server at the same address, before or after.
     private static final String PROCESS = ProcessHandle.current().pid()
@@ -269,6 +271,7 @@ final class Descriptions {
                 agent.shown().map(Society.View::state).orElse(""),
                 beliefs(agent.shown().map(Society.View::beliefs).orElse(Map.of())),
                 agent.mind().map(Descriptions::mind),
+                agent.program().map(Descriptions::program),
                 agent.history().stream().map(Descriptions::change).toList(),
                 agent.mail().map(all -> all.stream().map(Descriptions::mail).toList()),
                 agent.talks().stream()
@@ -335,6 +338,20 @@ final class Descriptions {
                         .toList(),
                 Math.max(0, mind.beliefs().size() - MOST_OF_A_MIND)
                         + Math.max(0, mind.goals().size() - MOST_OF_A_MIND));
+    }
+
+    private static ProgramInfo program(Mind.Program program) {
+        return new ProgramInfo(
+                program.rules().stream()
+                        .limit(MOST_OF_A_PROGRAM)
+                        .map(rule -> clip(rule, MOST_CODE))
+                        .toList(),
+                program.plans().entrySet().stream()
+                        .limit(MOST_OF_A_PROGRAM)
+                        .map(plan -> new PlanInfo(clip(plan.getKey()), clip(plan.getValue(), MOST_CODE)))
+                        .toList(),
+                Math.max(0, program.rules().size() - MOST_OF_A_PROGRAM)
+                        + Math.max(0, program.plans().size() - MOST_OF_A_PROGRAM));
     }
 
     private static GoalInfo goal(Mind.GoalView goal) {

@@ -80,7 +80,7 @@ final class Messages {
             Optional<Boolean> playing,
             Optional<String> speed) {}
 
-    /// How far back one can look.
+    /// How far back one can look, and what whoever does must know of the present nevertheless.
     ///
     /// @param from when the first moment was [s of the run]
     /// @param until when the newest was [s of the run]
@@ -697,6 +697,7 @@ final class Messages {
             String state,
             List<BeliefInfo> shown,
             Optional<MindInfo> mind,
+            Optional<ProgramInfo> program,
             List<ChangeInfo> history,
             Optional<List<MailInfo>> mail,
             List<TalkInfo> talks,
@@ -710,6 +711,16 @@ final class Messages {
 
     /// @param left how many beliefs and goals there are besides
     record MindInfo(List<BeliefInfo> beliefs, List<GoalInfo> goals, int left) {}
+
+    /// What an agent goes by that is written in AgentSpeak.
+    ///
+    /// @param rules as they are written
+    /// @param left how many rules and plans there are besides
+    record ProgramInfo(List<String> rules, List<PlanInfo> plans, int left) {}
+
+    /// @param name as [GoalInfo] has it: its label, or the file and the line where it begins
+    /// @param text as it is written
+    record PlanInfo(String name, String text) {}
 
     /// @param time since the run's start [s]
     /// @param name of the belief or goal; empty of what it does

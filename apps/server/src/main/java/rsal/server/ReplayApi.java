@@ -98,6 +98,7 @@ final class ReplayApi {
                         planned,
                         shown,
                         playback.mind(time, name),
+                        Optional.empty(),
                         history(name, time),
                         Optional.empty(),
                         List.of(),

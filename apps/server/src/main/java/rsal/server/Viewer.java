@@ -110,10 +110,8 @@ final class Viewer {
 
     private void tellReach(Past past, MotorsOff motors) {
         var now = new Reach(run, past.from().toNanos() / 1e9, past.until().toNanos() / 1e9, motors);
-        boolean due = reach == null
-                || reach.run() != run
-                || !reach.motors().equals(motors)
-                || offers % OFFERS_PER_REACH == 0;
+        boolean due =
+                reach == null || reach.run() != run || !reach.motors().equals(motors) || offers % OFFERS_PER_REACH == 0;
         offers++;
         if (due && run == past.number() && !now.equals(reach) && line.isClear()) {
             reach = now;

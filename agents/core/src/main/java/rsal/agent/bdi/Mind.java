@@ -248,6 +248,17 @@ public final class Mind {
     /// @param goals in the order in which they were declared
     public record View(Map<String, String> beliefs, List<GoalView> goals) {}
 
+    /// What an agent goes by that is written in a language for agents, as it is written there.
+    ///
+    /// @param rules by which it believes more than it is told
+    /// @param plans by name, as [GoalView#plans] has them
+    public record Program(List<String> rules, Map<String, String> plans) {
+        public Program {
+            rules = List.copyOf(rules);
+            plans = Collections.unmodifiableMap(new LinkedHashMap<>(plans));
+        }
+    }
+
     /// @param plans names of the ways to reach it, in the order in which they are tried
     /// @param steps what is or was done for it, from the goal inward: `collect: fetch`, `open the door: push`
     /// @param failure which plan failed last, and why; empty when none has

@@ -327,6 +327,7 @@ final class Agents implements AutoCloseable {
                 agent,
                 shown,
                 mind,
+                society.orElseThrow().look(name, Mind.Program.class),
                 diaries.of(name),
                 Optional.of(mailboxes.of(name)),
                 talks.of(name),

@@ -11,6 +11,7 @@ import rsal.scenario.RunPlan.PlannedAgent;
 ///
 /// @param shown how it is and what it shows of itself, which any agent may; empty when it has not started
 /// @param mind empty when it has none, or has ended
+/// @param program the rules and plans that it goes by, where it is written in a language for agents
 /// @param history what it did, believed and wanted lately, oldest first: see [LiveRun#inside]
 /// @param mail what reached it lately, oldest first, of each topic the newest; empty where that is not known
 /// @param talks what it and its partners said in conversations lately, oldest first
@@ -19,6 +20,7 @@ public record Inside(
         PlannedAgent agent,
         Optional<Society.View> shown,
         Optional<Mind.View> mind,
+        Optional<Mind.Program> program,
         List<MindChange> history,
         Optional<List<Mail>> mail,
         List<Spoken> talks,
