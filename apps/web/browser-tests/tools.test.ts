@@ -58,7 +58,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     await page.getByText('Plots', { exact: true }).click();
     const numbers = page.getByLabel('Plot a number…');
     await eventually(
-      async () => (await numbers.locator('option', { hasText: 'ranges.least' }).count()) > 0,
+      async () => (await numbers.locator('option', { hasText: 'distance, least [m]' }).count()) > 0,
       'there are numbers of the laser',
     );
     await numbers.selectOption('laser ranges.least');
@@ -67,7 +67,9 @@ describe.skipIf(!chromium)('what people work with', () => {
       async () => ((await plot.locator('.box path').getAttribute('d')) ?? '').includes('L'),
       'a line is drawn',
     );
-    await page.getByLabel('Plot another number beside laser ranges.least').selectOption('base velocity.vx');
+    await page
+      .getByLabel('Plot another number beside laser distance, least')
+      .selectOption('base velocity.vx');
     await eventually(
       async () => ((await plot.locator('.box path').nth(1).getAttribute('d')) ?? '').includes('L'),
       'and another line',
@@ -77,9 +79,33 @@ describe.skipIf(!chromium)('what people work with', () => {
     await plot.scrollIntoViewIfNeeded();
     await picture(page, 'plots');
     await expectAccessible(page);
-    await plot.getByRole('button', { name: 'Plot base velocity.vx no more' }).click();
+
+    const value = plot.locator('[data-value="laser ranges.least"]');
+    expect(await value.innerText()).toMatch(/^\d\.\d\d+ m$/);
+    const turn = page.locator('[data-plot="base velocity.omega"]');
+    expect(await turn.locator('[data-value]').innerText()).toMatch(/ °\/s$/);
+    await page.getByLabel('Plot another number beside base turn').selectOption({ label: 'prey' });
+    await turn.getByText('prey: base turn').waitFor();
+    await eventually(
+      async () => ((await turn.locator('.box path').nth(1).getAttribute('d')) ?? '').includes('L'),
+      'a line of another robot is drawn',
+    );
+    await turn.locator('.box svg').hover({ position: { x: 100, y: 20 } });
+    await turn.getByText(/^−\d+\.\d s$/).waitFor();
+    await picture(page, 'plots-pointed');
+    await page.mouse.move(400, 300);
+    await turn.getByText('now').waitFor();
+    const slider = turn.getByRole('slider');
+    await slider.press('ArrowLeft');
+    expect(await slider.getAttribute('aria-valuetext')).toMatch(
+      /^0\.[25] s ago: courier-1: base turn -?[\d.]+ °\/s, prey/,
+    );
+    await expectAccessible(page);
+    await turn.getByRole('button', { name: 'Plot prey: base turn no more' }).click();
+
+    await plot.getByRole('button', { name: 'Plot base speed ahead no more' }).click();
     expect(await plot.locator('.box path').count()).toBe(1);
-    await plot.getByRole('button', { name: 'Plot laser ranges.least no more' }).click();
+    await plot.getByRole('button', { name: 'Plot laser distance, least no more' }).click();
     expect(await plot.count()).toBe(0);
   });
 

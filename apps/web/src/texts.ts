@@ -283,6 +283,9 @@ export const texts = {
     now: 'now',
     before: (seconds: string) => `−${seconds} s`,
     nothing: 'nothing to plot',
+    option: (title: string, unit: string) => (unit === '' ? title : `${title} [${unit}]`),
+    same: (name: string) => `${name}, of other robots`,
+    at: (seconds: string, values: string[]) => `${seconds} s ago: ${values.join(', ')}`,
     label: (names: string[], least: string, greatest: string, span: number) =>
       `${names.join(' and ')} over the last ${span} s: from ${least} to ${greatest}`,
   },

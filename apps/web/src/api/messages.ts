@@ -347,6 +347,8 @@ export interface Newcomers {
 
 export interface NumberInfo {
   name: string;
+  title: string;
+  unit: string;
   value: number | null;
 }
 

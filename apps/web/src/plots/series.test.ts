@@ -13,6 +13,13 @@ it('the newest is at the right, the greatest at the top', () =>
 it('what does not change is in the middle', () =>
   expect(series([0, 7], [60, 7]).path(100, 10)).toBe('M0.0 5.0L100.0 5.0'));
 
+it('tells what it was', () => {
+  const all = series([10, 1], [20, null], [30, 3]);
+  expect([0, 5, 10, 15, 20].map((ago) => all.at(ago))).toEqual([3, null, null, 1, 1]);
+  expect(all.at(21)).toBeNull();
+  expect(new Series().at(0)).toBeNull();
+});
+
 it('there is a gap where there was nothing', () =>
   expect(series([0, 0], [15, 1], [30, null], [45, 1], [60, 0]).path(100, 10)).toBe(
     'M0.0 10.0L25.0 0.0M75.0 0.0L100.0 10.0',

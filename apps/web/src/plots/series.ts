@@ -28,6 +28,13 @@ export class Series {
     return this.values.at(-1) ?? null;
   }
 
+  /** What it was so long before the newest [s]; null when there was nothing. */
+  at(ago: number): number | null {
+    const then = (this.times.at(-1) ?? 0) - ago;
+    const last = this.times.findLastIndex((time) => time <= then + 1e-6);
+    return last === -1 ? null : (this.values[last] ?? null);
+  }
+
   /** The least and the greatest of what is kept; null when there is nothing. */
   get range(): [number, number] | null {
     const there = this.values.filter((value) => value !== null);

@@ -411,8 +411,11 @@ final class Messages {
 
     record DeviceNumbers(String device, List<NumberInfo> numbers) {}
 
-    /// @param value empty when it is not finite now; angles in degrees
-    record NumberInfo(String name, Optional<Double> value) {}
+    /// @param name of no other number of the device
+    /// @param title for people; empty where the device's name says it all
+    /// @param unit `m/s`, `°`; empty when it has none, or nobody knows
+    /// @param value in that unit; empty when it is not finite now
+    record NumberInfo(String name, String title, String unit, Optional<Double> value) {}
 
     /// Switches the motors of one robot.
     ///

@@ -4,21 +4,24 @@ import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.function.DoubleUnaryOperator;
+import rsal.data.ActuatorState;
 import rsal.scenario.run.Reading;
 import rsal.server.Messages.DeviceNumbers;
 import rsal.server.Messages.NumberInfo;
 import rsal.server.Messages.PlottedNumbers;
+import rsal.server.Quantity.Words;
 
 /// Numbers in what devices tell, of whatever kind that is: to be plotted. Records are looked through, in the order of
 /// their components; of arrays it is the least, the mean and the greatest of what is finite. Angles become degrees.
+/// [Quantity] says what people call them.
 final class Numbers {
     /// Of one device.
     static final int MOST = 40;
 
     private static final int DEEPEST = 4; // records within records
+
+    private final List<NumberInfo> found = new ArrayList<>();
 
     private Numbers() {}
 
@@ -32,27 +35,40 @@ final class Numbers {
 
     /// Each with its name: `velocity.vx`.
     static List<NumberInfo> of(Object value) {
-        var numbers = new ArrayList<NumberInfo>();
-        look("", value, 0, numbers);
-        return numbers.stream().limit(MOST).toList();
+        var numbers = new Numbers();
+        numbers.look("", Words.NONE, value, 0);
+        return numbers.found.stream().limit(MOST).toList();
     }
 
-    private static void look(String name, Object value, int depth, List<NumberInfo> found) {
+    private void look(String name, Words words, Object value, int depth) {
         switch (value) {
-            case Boolean flag -> found.add(new NumberInfo(name, Optional.of(flag ? 1.0 : 0.0)));
-            case Number number -> found.add(number(name, number.doubleValue()));
-            case float[] all when all.length > 0 -> found.addAll(summary(name, all));
-            case Optional<?> some -> some.ifPresent(inner -> look(name, inner, depth, found));
-            case List<?> all -> found.add(number(name + ".count", all.size()));
+            case Boolean flag -> add(name, words, flag ? 1 : 0);
+            case Number number -> add(name, words, number.doubleValue());
+            case float[] all when all.length > 0 -> summary(name, words, all);
+            case Optional<?> some -> some.ifPresent(inner -> look(name, words, inner, depth));
+            case List<?> all -> add(name + ".count", words.and("how many").in(""), all.size());
+            case ActuatorState actuator
+            when depth < DEEPEST -> {
+                for (RecordComponent component : ActuatorState.class.getRecordComponents()) {
+                    look(
+                            inner(name, component),
+                            words.and(Quantity.of(actuator, component)),
+                            read(actuator, component),
+                            depth + 1);
+                }
+            }
             case Record record
             when depth < DEEPEST -> {
                 for (RecordComponent component : record.getClass().getRecordComponents()) {
-                    String inner = name.isEmpty() ? component.getName() : name + "." + component.getName();
-                    look(inner, read(record, component), depth + 1, found);
+                    look(inner(name, component), words.and(Quantity.of(component)), read(record, component), depth + 1);
                 }
             }
             default -> {} // words, and what nobody can plot
         }
+    }
+
+    private static String inner(String name, RecordComponent component) {
+        return name.isEmpty() ? component.getName() : name + "." + component.getName();
     }
 
     private static Object read(Record record, RecordComponent component) {
@@ -63,16 +79,17 @@ final class Numbers {
         }
     }
 
-    private static NumberInfo number(String name, double value) {
-        String last = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        boolean angle =
-                last.equals("theta") || last.equals("omega") || last.contains("angle") || last.equals("bearing");
-        DoubleUnaryOperator shown = angle ? Math::toDegrees : DoubleUnaryOperator.identity();
-        return new NumberInfo(
-                name, Double.isFinite(value) ? Optional.of(shown.applyAsDouble(value)) : Optional.empty());
+    private void add(String name, Words words, double value) {
+        boolean angle = words.unit().equals(Quantity.ANGLE) || words.unit().equals(Quantity.TURN);
+        double shown = angle ? Math.toDegrees(value) : value;
+        found.add(new NumberInfo(
+                name,
+                words.title(),
+                words.unit().replace("rad", "°"),
+                Double.isFinite(shown) ? Optional.of(shown) : Optional.empty()));
     }
 
-    private static List<NumberInfo> summary(String name, float[] all) {
+    private void summary(String name, Words words, float[] all) {
         double least = Double.POSITIVE_INFINITY;
         double greatest = Double.NEGATIVE_INFINITY;
         double sum = 0;
@@ -85,9 +102,8 @@ final class Numbers {
                 finite++;
             }
         }
-        return List.of(
-                number(name + ".least", least),
-                number(name + ".mean", sum / finite),
-                number(name + ".greatest", greatest));
+        add(name + ".least", words.and("least"), least);
+        add(name + ".mean", words.and("mean"), sum / finite);
+        add(name + ".greatest", words.and("greatest"), greatest);
     }
 }

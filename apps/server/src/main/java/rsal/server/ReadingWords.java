@@ -167,11 +167,15 @@ final class ReadingWords {
     /// One of a device that nobody thought of here.
     private static Fact number(NumberInfo number) {
         return fact(
-                number.name(),
+                number.title(),
                 number.value()
-                        .map(value -> new BigDecimal(value, FOUR_DIGITS)
-                                .stripTrailingZeros()
-                                .toPlainString())
+                        .map(value -> "%s %s"
+                                .formatted(
+                                        new BigDecimal(value, FOUR_DIGITS)
+                                                .stripTrailingZeros()
+                                                .toPlainString(),
+                                        number.unit())
+                                .strip())
                         .orElse("none"));
     }
 

@@ -7,6 +7,9 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import rsal.data.ActuatorState;
+import rsal.data.BatteryState;
+import rsal.data.Interval;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
@@ -45,6 +48,39 @@ class NumbersTest {
     }
 
     @Test
+    void theyHaveTheNamesAndUnitsThatPeopleUse() {
+        assertThat(titles(new Odometry(new Pose2d(1, 2, 3), new Twist2d(0.5, 0, -1), true)))
+                .containsExactly(
+                        "odometry x [m]",
+                        "odometry y [m]",
+                        "odometry heading [°]",
+                        "speed ahead [m/s]",
+                        "speed to the left [m/s]",
+                        "turn [°/s]",
+                        "stalled []");
+        assertThat(titles(new LaserScan(Pose2d.ORIGIN, -1, 0.5, 0.02, 5, new float[] {1})))
+                .contains("first beam [°]", "distance, least [m]", "distance, mean [m]", "distance, greatest [m]");
+        assertThat(titles(BatteryState.of(10, 100, -2, BatteryState.Charging.DISCHARGING)))
+                .contains("charge [J]", "power [W]", "voltage [V]", "level []");
+    }
+
+    @Test
+    void whatTurnsIsAnAngleAndWhatSlidesALength() {
+        var limits = new Interval(0, Math.PI);
+        assertThat(titles(
+                        new ActuatorState(ActuatorState.Joint.ROTATIONAL, 1, 0.5, limits, ActuatorState.Motion.MOVING)))
+                .containsExactly("position [°]", "speed [°/s]", "limit, least [°]", "limit, greatest [°]");
+        assertThat(titles(new ActuatorState(ActuatorState.Joint.LINEAR, 1, 0.5, limits, ActuatorState.Motion.MOVING)))
+                .containsExactly("position [m]", "speed [m/s]", "limit, least [m]", "limit, greatest [m]");
+    }
+
+    private static List<String> titles(Object value) {
+        return Numbers.of(value).stream()
+                .map(number -> "%s [%s]".formatted(number.title(), number.unit()))
+                .toList();
+    }
+
+    @Test
     void whatNobodyKnowsIsToldAsWell() {
         var weather = new Weather(new Wind(3.5, 7, Math.PI), Double.NaN, "fair", List.of("cirrus", "cumulus"));
         assertThat(words(weather))
@@ -75,7 +111,7 @@ class NumbersTest {
     void devicesWithoutANumberAreLeftOut() {
         assertThat(Numbers.of(List.of(reading("speech", "hello"), reading("scale", 3)))
                         .devices())
-                .containsExactly(new DeviceNumbers("scale", List.of(new NumberInfo("", Optional.of(3.0)))));
+                .containsExactly(new DeviceNumbers("scale", List.of(new NumberInfo("", "", "", Optional.of(3.0)))));
     }
 
     private static Reading reading(String device, Object value) {

@@ -1,0 +1,115 @@
+package rsal.server;
+
+import java.lang.reflect.RecordComponent;
+import java.util.Locale;
+import java.util.Map;
+import rsal.data.ActuatorState;
+
+/// What people call the numbers in what devices tell, and the units these have: the only place that says so, as a
+/// number
+/// in Java has its unit in a comment. Parts that nobody thought of here are called as in Java.
+final class Quantity {
+    /// Shown in degrees.
+    static final String ANGLE = "rad";
+    /// Likewise, per second.
+    static final String TURN = "rad/s";
+
+    private static final Map<String, Words> KNOWN = Map.ofEntries(
+            known("Pose2d.x", "x", "m"),
+            known("Pose2d.y", "y", "m"),
+            known("Pose2d.theta", "heading", ANGLE),
+            known("Point2d.x", "x", "m"),
+            known("Point2d.y", "y", "m"),
+            known("Twist2d.vx", "speed ahead", "m/s"),
+            known("Twist2d.vy", "speed to the left", "m/s"),
+            known("Twist2d.omega", "turn", TURN),
+            known("Odometry.odomFromBase", "odometry", ""),
+            known("Odometry.velocity", "", ""),
+            known("PoseEstimate.mapFromBase", "estimate", ""),
+            known("PoseEstimate.covariance", "estimate", ""),
+            known("PoseEstimate.confidence", "confidence", ""),
+            known("Covariance2d.xx", "variance of x", "m²"),
+            known("Covariance2d.xy", "covariance of x and y", "m²"),
+            known("Covariance2d.xTheta", "covariance of x and heading", "m·rad"),
+            known("Covariance2d.yy", "variance of y", "m²"),
+            known("Covariance2d.yTheta", "covariance of y and heading", "m·rad"),
+            known("Covariance2d.thetaTheta", "variance of the heading", "rad²"),
+            known("LaserScan.baseFromLaser", "where it is mounted,", ""),
+            known("LaserScan.angleMin", "first beam", ANGLE),
+            known("LaserScan.angleIncrement", "between beams", ANGLE),
+            known("LaserScan.rangeMin", "shortest range", "m"),
+            known("LaserScan.rangeMax", "longest range", "m"),
+            known("LaserScan.ranges", "distance,", "m"),
+            known("RangeArray.baseFromSensors", "sensors,", ""),
+            known("RangeArray.fieldOfView", "field of view", ANGLE),
+            known("RangeArray.rangeMin", "shortest range", "m"),
+            known("RangeArray.rangeMax", "longest range", "m"),
+            known("RangeArray.ranges", "distance,", "m"),
+            known("BatteryState.charge", "charge", "J"),
+            known("BatteryState.capacity", "capacity", "J"),
+            known("BatteryState.level", "level", ""),
+            known("BatteryState.power", "power", "W"),
+            known("BatteryState.voltage", "voltage", "V"),
+            known("ActuatorState.limits", "limit,", ""),
+            known("Interval.least", "least", ""),
+            known("Interval.most", "greatest", ""),
+            known("Blobs.baseFromCamera", "where it is mounted,", ""),
+            known("Blobs.fieldOfView", "field of view", ANGLE),
+            known("Blobs.width", "width", "px"),
+            known("Blobs.height", "height", "px"),
+            known("Blobs.blobs", "blobs,", ""),
+            known("Fiducials.baseFromFinder", "where it is mounted,", ""),
+            known("Fiducials.fieldOfView", "field of view", ANGLE),
+            known("Fiducials.rangeMax", "longest range", "m"),
+            known("Fiducials.fiducials", "markers,", ""),
+            known("Decision.twist", "", ""),
+            known("NavigatorState.mapFromGoal", "goal", ""),
+            known("NavigatorState.remaining", "way left", "m"));
+
+    private Quantity() {}
+
+    /// @param title of the number, a few words; empty where its device says it all
+    /// @param unit of SI; empty where it has none, or nobody knows
+    record Words(String title, String unit) {
+        static final Words NONE = new Words("", "");
+
+        /// Of something in it; what has no unit of its own has that of what it is in.
+        Words and(Words inner) {
+            return new Words((title + " " + inner.title).strip(), inner.unit.isEmpty() ? unit : inner.unit);
+        }
+
+        Words and(String inner) {
+            return and(new Words(inner, ""));
+        }
+
+        Words in(String other) {
+            return new Words(title, other);
+        }
+    }
+
+    private static Map.Entry<String, Words> known(String where, String title, String unit) {
+        return Map.entry(where, new Words(title, unit));
+    }
+
+    static Words of(RecordComponent component) {
+        Words known = KNOWN.get(component.getDeclaringRecord().getSimpleName() + "." + component.getName());
+        return known == null ? guessed(component.getName()) : known;
+    }
+
+    /// What a joint turns is an angle, else it is a length.
+    static Words of(ActuatorState actuator, RecordComponent component) {
+        boolean turns = actuator.joint() == ActuatorState.Joint.ROTATIONAL;
+        return switch (component.getName()) {
+            case "speed" -> new Words("speed", turns ? TURN : "m/s");
+            case "joint", "motion" -> Words.NONE;
+            default -> new Words(of(component).title(), turns ? ANGLE : "m");
+        };
+    }
+
+    /// `leftContact` → `left contact`.
+    private static Words guessed(String name) {
+        String title = name.replaceAll("(?<=[a-z0-9])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+        boolean angle = name.equals("theta") || title.contains("angle") || name.equals("bearing");
+        return new Words(title, angle ? ANGLE : name.equals("omega") ? TURN : "");
+    }
+}
