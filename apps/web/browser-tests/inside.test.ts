@@ -206,4 +206,22 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await picture(page, 'arguments-light');
     await isAccessible(page);
   });
+
+  it('stays known when the run is over, with what devices told last', async () => {
+    await rsal.post('stop');
+    const page = await opened(1400, 900, 'light');
+    await page.getByTestId('outcome').waitFor();
+    await page.locator('tr[data-robot="prey"]').first().click();
+    await agent(page, 'evade').getByRole('list', { name: 'What it wants' }).waitFor();
+    await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
+    await look(page, 'spread');
+    await agent(page, 'spread')
+      .getByRole('list', { name: 'What it talks about' })
+      .locator('li')
+      .first()
+      .waitFor();
+    await page.getByRole('button', { name: 'By topic' }).click();
+    await page.locator('[data-topic="pose"]').waitFor();
+    await picture(page, 'over');
+  });
 });

@@ -1,21 +1,29 @@
 import { live } from './live.svelte';
 
+/** Of what is asked, what more is known than what is now. */
+interface Known {
+  /** Whether recordings answer it, too; what is now answers nothing about what has been. */
+  recorded?: boolean;
+  /** Whether a run that is over goes on answering what it answered last. */
+  atTheEnd?: boolean;
+}
+
 /**
- * Asks again and again while a component is there and the run goes on, each time a pause after the answer. To be called
- * while the component is made.
+ * Asks again and again while a component is there and the run goes on, each time a pause after the answer; of a run that
+ * is over, once more, where that is known. To be called while the component is made.
  *
  * @param question its answer is null when there is none now
  * @param told is told each other answer
- * @param recorded whether recordings answer it, too; what is now answers nothing about what has been
  */
 export function keepAsking<T>(
   question: () => Promise<T | null>,
   pauseMillis: number,
   told: (answer: T) => void,
-  recorded = false,
+  { recorded = false, atTheEnd = false }: Known = {},
 ): void {
   $effect(() => {
-    if (live.past ? !(recorded && live.recording) : live.over) {
+    const over = live.over;
+    if (live.past ? !(recorded && live.recording) : over && !atTheEnd) {
       return;
     }
     let timer: number | undefined;
@@ -28,7 +36,9 @@ export function keepAsking<T>(
       if (answer !== null) {
         told(answer);
       }
-      timer = window.setTimeout(() => void ask(), pauseMillis);
+      if (live.past || !over) {
+        timer = window.setTimeout(() => void ask(), pauseMillis);
+      }
     }
     void ask();
     return () => {

@@ -114,14 +114,14 @@ final class Api {
             answerWhenDone(request, running(request).abilities(asked(request, "robot")));
         });
         routes.get("/api/readings", request -> {
-            answerWhenDone(request, running(request).readings(asked(request, "robot")));
+            answerWhenDone(request, seen(request).readings(asked(request, "robot")));
         });
         routes.get("/api/numbers", request -> {
-            answerWhenDone(request, running(request).readings(asked(request, "robot")), Numbers::of);
+            answerWhenDone(request, seen(request).readings(asked(request, "robot")), Numbers::of);
         });
         routes.get(
                 "/api/communication",
-                request -> answerWhenDone(request, running(request).communication()));
+                request -> answerWhenDone(request, seen(request).communication()));
         routes.get("/api/links", request -> {
             answerWhenDone(request, running(request).links(asked(request, "robot")));
         });
@@ -133,10 +133,9 @@ final class Api {
         });
         routes.get("/api/sayable", request -> answer(request, Descriptions.sayable(LiveRun.sayable())));
         routes.get(
-                "/api/topics",
-                request -> answerWhenDone(request, running(request).topics()));
+                "/api/topics", request -> answerWhenDone(request, seen(request).topics()));
         routes.get("/api/agent", request -> {
-            answerWhenDone(request, running(request).inside(asked(request, "name")));
+            answerWhenDone(request, seen(request).inside(asked(request, "name")));
         });
 
         command(routes, "pause", request -> running(request).pause());
@@ -358,6 +357,11 @@ final class Api {
                 .substring(Seats.BESIDE
                         .replace("{seat}", Integer.toString(seat.number()))
                         .length());
+    }
+
+    /// Also when it is over: it remembers what it was asked then.
+    private LiveRun seen(Context request) {
+        return seats.find(request).now().run();
     }
 
     private LiveRun running(Context request) {

@@ -73,6 +73,7 @@ final class CurrentRun implements AutoCloseable {
 
     private Numbered begin(int number, RunPlan plan, Metrics before) {
         LiveRun run = starter.apply(plan);
+        run.rememberItsEnd();
         onStart.accept(run);
         return new Numbered(number, run, before);
     }

@@ -274,11 +274,24 @@ class CommunicationApiTest {
     void refusedWhenTheRunIsOver() throws Exception {
         server.run().stop();
         server.run().result().toCompletableFuture().join();
-        for (String path : new String[] {"/api/communication", "/api/topics", "/api/links", "/api/agent?name=evade"}) {
-            Response response = RawHttp.get(port, path, host);
-            assertThat(response.status()).isEqualTo(409);
-            assertThat(response.body()).contains("The run is over.");
-        }
+        Response response = RawHttp.get(port, "/api/links", host);
+        assertThat(response.status()).isEqualTo(409);
+        assertThat(response.body()).contains("The run is over.");
+    }
+
+    @Test
+    void whatWasKnownAtTheEndIsToldAfterwards() throws Exception {
+        get("/api/agent?name=evade");
+        server.run().stop();
+        server.run().result().toCompletableFuture().join();
+        JsonNode evade = get("/api/agent?name=evade");
+        assertThat(evade.get("mind").get("goals").size()).isPositive();
+        assertThat(evade.get("mail").size()).isPositive();
+        assertThat(get("/api/agent?name=spread").get("talks").size()).isPositive();
+        assertThat(get("/api/readings?robot=prey").get("readings").size()).isPositive();
+        assertThat(get("/api/numbers?robot=prey").get("devices").size()).isPositive();
+        assertThat(get("/api/topics").get("topics").size()).isPositive();
+        assertThat(RawHttp.get(port, "/api/agent?name=nobody", host).status()).isEqualTo(409);
     }
 
     @Test

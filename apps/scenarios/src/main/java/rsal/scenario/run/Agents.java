@@ -334,6 +334,11 @@ final class Agents implements AutoCloseable {
                 traffic.hearings(name)));
     }
 
+    /// Of all that ever were.
+    List<String> names() {
+        return List.copyOf(started.keySet());
+    }
+
     private static Diaries.Held held(Optional<Society.View> shown, Optional<Mind.View> mind) {
         return Diaries.Held.of(
                 mind.map(Mind.View::beliefs)

@@ -82,6 +82,8 @@ public final class LiveRun implements AutoCloseable {
 
     // of the run's thread
     private @Nullable Stage stage;
+    private volatile boolean remembers;
+    private volatile @Nullable LastLook lastLook;
     private @Nullable String outcome;
     private boolean over;
     private boolean paused;
@@ -263,7 +265,7 @@ public final class LiveRun implements AutoCloseable {
     /// What a robot's devices have told last, as [Answer.Read]; nothing of one that is gone, or from where it was
     /// before it was placed elsewhere.
     public CompletionStage<Answer> readings(String robot) {
-        return ask(stage -> stage.readings(robot));
+        return askOrRecall(stage -> stage.readings(robot), last -> last.readings(robot));
     }
 
     /// What places cost a robot's navigator, as [Answer.Costed].
@@ -273,18 +275,18 @@ public final class LiveRun implements AutoCloseable {
 
     /// Who heard what so far, as [Answer.Heard]; afterwards the result tells.
     public CompletionStage<Answer> communication() {
-        return ask(stage -> new Answer.Heard(stage.hearings()));
+        return askOrRecall(stage -> new Answer.Heard(stage.hearings()), LastLook::communication);
     }
 
     /// How much was said so far, and what became of it, as [Answer.Counted]; afterwards the result tells.
     public CompletionStage<Answer> topics() {
-        return ask(stage -> new Answer.Counted(stage.topics()));
+        return askOrRecall(stage -> new Answer.Counted(stage.topics()), LastLook::topics);
     }
 
     /// What an agent believes, wants and says now, as [Answer.Seen]. Looking changes nothing in the run, but costs it a
     /// little for the seconds after: what changes in the agent meanwhile is noted at each step.
     public CompletionStage<Answer> inside(String agent) {
-        return ask(stage -> stage.inside(agent, handClock.getAsLong()));
+        return askOrRecall(stage -> stage.inside(agent, handClock.getAsLong()), last -> last.agent(agent));
     }
 
     /// Which robots' agents hear each other now, as [Answer.Linked]. Looking changes nothing in the run, but costs it a
@@ -433,9 +435,17 @@ public final class LiveRun implements AutoCloseable {
         return eventViewers.add(listener);
     }
 
+    /// Has the run remember, once it ends, what [#readings], [#inside], [#topics] and [#communication] answered then:
+    /// they
+    /// go on answering that. Otherwise they are refused when it is over.
+    public void rememberItsEnd() {
+        remembers = true;
+    }
+
     /// Ends the run, if it has not ended, and waits up to a second until it has.
     @Override
     public void close() {
+        remembers = false; // nobody looks at it any more
         stop();
         if (Thread.currentThread().equals(thread)) {
             return;
@@ -513,6 +523,12 @@ public final class LiveRun implements AutoCloseable {
         CompletionStage<Answer> answer = requests.ask(() -> answer(order));
         wake();
         return answer;
+    }
+
+    /// @param recalled what is answered once the run has ended, if it remembers that
+    private CompletionStage<Answer> askOrRecall(Function<Stage, Answer> order, Function<LastLook, Answer> recalled) {
+        LastLook last = lastLook;
+        return last == null ? ask(order) : CompletableFuture.completedStage(recalled.apply(last));
     }
 
     private Answer answer(Function<Stage, Answer> order) {
@@ -637,6 +653,7 @@ public final class LiveRun implements AutoCloseable {
         witness.filter(Witness::looks).ifPresent(seen -> seen.sees(snapshot(witnessed++), journal.hashSoFar()));
         snapshots.make();
         RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) / 1e9);
+        remember();
         letGo();
         over = true;
         result.complete(ended);
@@ -660,7 +677,7 @@ public final class LiveRun implements AutoCloseable {
         var broken = cause instanceof RunBroken known ? known : new RunBroken("The run", cause);
         journal.event("fault", "", String.valueOf(broken.getMessage()));
         end("broken");
-        for (Runnable rest : List.<Runnable>of(snapshots::make, this::letGo)) {
+        for (Runnable rest : List.<Runnable>of(snapshots::make, this::remember, this::letGo)) {
             try {
                 rest.run();
             } catch (RuntimeException | Error e) {
@@ -668,6 +685,12 @@ public final class LiveRun implements AutoCloseable {
             }
         }
         result.completeExceptionally(broken);
+    }
+
+    private void remember() {
+        if (remembers && stage != null) {
+            lastLook = stage.lastLook(handClock.getAsLong());
+        }
     }
 
     private void letGo() {

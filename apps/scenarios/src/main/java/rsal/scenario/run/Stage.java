@@ -253,6 +253,11 @@ final class Stage implements AutoCloseable {
         return agents.links(chosen, now);
     }
 
+    /// @param now in real time [ns]
+    LastLook lastLook(long now) {
+        return LastLook.at(this, team.robots().values(), agents.names(), now);
+    }
+
     /// Looks after what people began and did not end.
     ///
     /// @param now in real time [ns]
