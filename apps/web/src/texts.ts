@@ -351,6 +351,8 @@ export const texts = {
     history: 'What changed in it, the newest first',
     noHistory:
       'Nothing yet. Of what it believes and wants, what changes while somebody looks into it is noted, step by step.',
+    often: (times: number) => `It changed ${times} times lately; this is the newest`,
+    eachChange: 'also each time of what always changes',
     changed: { DOES: 'does', BELIEVES: 'believes', WANTS: 'wants' },
     noMore: 'no more',
     talks: 'What it talks about',
