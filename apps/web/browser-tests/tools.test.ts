@@ -127,6 +127,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     await page.locator('tr[data-robot="courier-1"]').click();
     await page.getByRole('button', { name: 'Motors off', exact: true }).click();
     await told('Motors of courier-1 are off.');
+    expect(await page.locator('tr[data-robot]', { hasText: 'motors are off' }).count()).toBe(1);
     await page.getByRole('button', { name: 'Motors on', exact: true }).click(); // which leaves it without the focus
     await eventually(async () => !(await page.locator('.banner').innerText()).includes('off'), 'all are on');
     const map = await page.locator('#map').boundingBox();

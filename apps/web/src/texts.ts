@@ -214,6 +214,7 @@ export const texts = {
     silentHint: 'Nobody tells where it is: maybe it is out of reach, or off',
     goneHint: 'A fault has taken it away: it senses nothing, hears nobody and can be told nothing',
     unknown: '–',
+    off: 'motors are off',
     stop: 'Motors off',
     stopHint: 'Switch off its motors until somebody arms it',
     arm: 'Motors on',
