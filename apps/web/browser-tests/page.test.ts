@@ -298,6 +298,21 @@ describe.skipIf(!chromium)('the page', () => {
     }
   });
 
+  it('keeps what is selected when Esc empties and leaves a filter', async () => {
+    await page.locator('tr[data-robot="prey-1"]').click();
+    const card = page.getByText('Place, copy, remove');
+    await card.waitFor();
+    const filter = page.getByPlaceholder('Filter');
+    await filter.fill('hunter');
+    await page.keyboard.press('Escape');
+    expect(await filter.inputValue()).toBe('');
+    await page.keyboard.press('Escape');
+    expect(await filter.evaluate((field) => field === document.activeElement)).toBe(false);
+    expect(await card.count()).toBe(1);
+    await page.keyboard.press('Escape');
+    await card.waitFor({ state: 'detached' });
+  });
+
   it('makes an enlarged panel small again by Esc, however it was enlarged', async () => {
     const enlarge = page.getByRole('button', { name: 'Enlarge' }).first();
     await enlarge.click();

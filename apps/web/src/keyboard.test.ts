@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { actionOf, isModified, keys } from './keyboard';
+import { actionOf, isModified, keys, isWritten } from './keyboard';
 
 function press(key: string, more: object = {}) {
   return actionOf({
@@ -101,6 +101,14 @@ describe('a key', () => {
     expect(press('ArrowLeft', slider)).toBeNull();
     expect(press('-', slider)).toEqual({ kind: 'slower' });
   });
+});
+
+it('is known where somebody writes', () => {
+  const at = (tagName: string, type = '') => isWritten({ tagName, type } as unknown as EventTarget);
+  expect([at('INPUT', 'search'), at('INPUT', 'text'), at('TEXTAREA')]).toEqual([true, true, true]);
+  expect([at('INPUT', 'range'), at('INPUT', 'checkbox'), at('SELECT'), at('BODY'), isWritten(null)]).toEqual(
+    Array(5).fill(false),
+  );
 });
 
 it('the documentation has the keys that the help has', () => {

@@ -145,6 +145,12 @@ export function isModified(event: Pick<Pressed, 'ctrlKey' | 'metaKey' | 'altKey'
   return event.ctrlKey || event.metaKey || event.altKey;
 }
 
+/** Whether somebody writes there: Esc leaves it, or empties it, and nothing else. */
+export function isWritten(target: EventTarget | null): target is HTMLInputElement | HTMLTextAreaElement {
+  const { tagName, type } = (target ?? {}) as Partial<Focused>;
+  return tagName === 'TEXTAREA' || (tagName === 'INPUT' && type !== 'range' && type !== 'checkbox');
+}
+
 interface Focused {
   tagName: string;
   type: string;
