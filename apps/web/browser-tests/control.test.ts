@@ -59,7 +59,11 @@ describe.skipIf(!chromium)('control, of several who have the token', () => {
   });
 
   it('is given back, also by closing the page', async () => {
+    await ann.keyboard.press('p');
+    const why = ann.getByText('Bob has control: all you may do is to watch');
+    await why.waitFor();
     await bob.close();
+    await why.waitFor({ state: 'detached', timeout: 6000 }); // sooner than it goes by itself
     await eventually(() => pause(ann).isEnabled(), 'all may act again');
     await ann.getByRole('button', { name: 'Take control', exact: true }).waitFor();
   });

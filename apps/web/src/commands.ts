@@ -1,6 +1,7 @@
 import { access } from './api/access.svelte';
 import { api } from './api/client';
 import type { LookBack, RobotPose } from './api/messages';
+import { ABOUT_CONTROL } from './control/control.svelte';
 import { driving } from './driving/driving.svelte';
 import { look } from './live/connection';
 import { live } from './live/live.svelte';
@@ -46,7 +47,7 @@ export const commands = {
     }
     const why = whyNot();
     if (why !== null) {
-      notices.add(why);
+      notices.add(why, false, access.elsewhere === null ? null : ABOUT_CONTROL);
     }
     return false;
   },

@@ -4,16 +4,24 @@ const SHOWN_MILLIS = 8000;
 
 /** Refusals and failures, each shown for a while. */
 class Notices {
-  list = $state<{ id: number; text: string }[]>([]);
+  list = $state<{ id: number; text: string; about: string | null }[]>([]);
   private next = 1;
 
-  /** @param lasting until somebody puts it away */
-  add(text: string, lasting = false) {
+  /**
+   * @param lasting until somebody puts it away
+   * @param about what it tells of: to be put away when that has changed
+   */
+  add(text: string, lasting = false, about: string | null = null) {
     const id = this.next++;
-    this.list = [...this.list.filter((notice) => notice.text !== text), { id, text }];
+    this.list = [...this.list.filter((notice) => notice.text !== text), { id, text, about }];
     if (!lasting) {
       setTimeout(() => this.dismiss(id), SHOWN_MILLIS);
     }
+  }
+
+  /** What is told of it is true no more. */
+  dismissAbout(what: string) {
+    this.list = this.list.filter(({ about }) => about !== what);
   }
 
   dismiss(id: number) {

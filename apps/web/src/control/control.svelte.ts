@@ -11,6 +11,9 @@ const FIRST_PAUSE_MILLIS = 200;
 const NAME = 'rsal.name';
 const HAD = 'rsal.control';
 
+/** What notices are about that tell who has control. */
+export const ABOUT_CONTROL = 'control';
+
 /** Who alone may change anything for now, of all who have the token. */
 class Control {
   /** Whoever has it; null when all who have the token may act. */
@@ -74,8 +77,11 @@ class Control {
   }
 
   private learn({ holder, mine }: Told) {
+    if (this.holder !== holder || this.mine !== mine) {
+      notices.dismissAbout(ABOUT_CONTROL);
+    }
     if (this.mine && !mine && holder !== null) {
-      notices.add(texts.control.lost(holder));
+      notices.add(texts.control.lost(holder), false, ABOUT_CONTROL);
     }
     this.holder = holder;
     this.mine = mine;
