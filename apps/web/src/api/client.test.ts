@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { api, RefusedError } from './client';
+import { api, RefusedError, seats } from './client';
 
 /** What was asked, and never answered unless it is given up. */
 const asked = new Map<string, AbortSignal>();
@@ -72,6 +72,14 @@ it('gives way to the emergency stop of another page, and has others give way to 
   } finally {
     other.close();
   }
+});
+
+it('knows a look that was given up from a server that does not answer', async () => {
+  const look = seats.all();
+  void api.emergencyStop();
+  await expect(look).resolves.toBeUndefined();
+  vi.stubGlobal('fetch', () => Promise.reject(new Error('refused')));
+  await expect(seats.all()).resolves.toBeNull();
 });
 
 it('looks and acts again after it', () => {

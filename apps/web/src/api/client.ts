@@ -140,7 +140,11 @@ export const api = {
 export const seats = {
   /** Where its page is. */
   address: (number: number) => home(number) || './',
-  all: () => found<SideBySide>('beside'),
+  /** Undefined when nobody waited for the answer, as an emergency stop came first. */
+  all: async () => {
+    const stop = patience.signal;
+    return (await found<SideBySide>('beside')) ?? (stop.aborted ? undefined : null);
+  },
   info: (number: number) => found<RunInfo>('run', home(number)),
   tell: (number: number, command: string, body: object = {}) =>
     send('POST', `run/${command}`, body, false, home(number)),

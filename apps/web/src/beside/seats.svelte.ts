@@ -10,7 +10,6 @@ const PERIOD_MILLIS = 500;
 class Seats {
   private told = $state.raw<SideBySide | null>(null);
   connection = $state<'connecting' | 'open' | 'gone'>('connecting');
-  private missed = false;
 
   get runs(): readonly SeatInfo[] {
     return this.told?.runs ?? [];
@@ -51,10 +50,9 @@ class Seats {
     if (told) {
       this.connection = 'open';
       this.told = told;
-    } else if (this.missed) {
+    } else if (told === null) {
       this.connection = 'gone';
     }
-    this.missed = told === null; // one alone may have been given up for an emergency stop
   }
 
   /** Tells some of them, all at once; what one refuses is shown. */
