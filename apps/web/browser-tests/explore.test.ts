@@ -46,4 +46,18 @@ describe.skipIf(!chromium)('robots that explore', () => {
         .toString(),
     ).toBe('PK');
   });
+
+  it('are asked for ever more seldom where there is none', async () => {
+    const page = await open('about:blank', { mayFail: true });
+    let asked = 0;
+    await page.route(/\/api\/drawn\//, (route) => {
+      asked++;
+      return route.fulfill({ status: 409, body: '{}' });
+    });
+    await rsal.post('pause'); // so that none that is newer is told of
+    await page.goto(rsal.url);
+    await eventually(() => Promise.resolve(asked > 0), 'it is asked for');
+    await page.waitForTimeout(8000);
+    expect(asked).toBeLessThanOrEqual(4); // at once, and after 1, 3 and 7 s
+  });
 });
