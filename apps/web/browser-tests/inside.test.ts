@@ -126,9 +126,17 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     const page = await opened(1400, 900, 'light');
     await look(page, 'evade');
     await agent(page, 'evade').getByRole('button', { name: 'Say…' }).click();
+    const words = page.getByLabel('words', { exact: true });
+    await page.getByRole('button', { name: 'Say it' }).click();
+    expect(await words.evaluate((field) => field.matches(':invalid'))).toBe(true); // an empty text is none
     await page.getByLabel('Topic', { exact: true }).selectOption('pose');
     await page.getByLabel('mapFromBase').fill('1 2');
-    await page.getByLabel('robot', { exact: true }).fill('courier-1');
+    const robot = page.getByLabel('robot', { exact: true });
+    const names = page.locator(`datalist[id="${await robot.getAttribute('list')}"] option`);
+    expect(await names.evaluateAll((all) => all.map((one) => one.getAttribute('value')))).toEqual(
+      expect.arrayContaining(['courier-1', 'courier', 'spread']),
+    );
+    await robot.fill('courier-1');
     await page.getByLabel('role', { exact: true }).fill('courier');
     await page.getByRole('button', { name: 'Say it' }).click();
     await page.getByText('Field (mapFromBase) takes x, y [m] and heading [°]').waitFor();

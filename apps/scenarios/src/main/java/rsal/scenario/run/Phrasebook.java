@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import rsal.agent.Topic;
 import rsal.agent.message.Topics;
 import rsal.data.Point2d;
@@ -99,6 +100,13 @@ final class Phrasebook {
 
     private static <M> Phrase<M> phrase(Topic<M> topic, Map<String, String> typed) {
         Class<M> type = topic.type();
+        List<String> words = components(type)
+                .filter(field -> field.getType() == String.class)
+                .map(RecordComponent::getName)
+                .toList();
+        if (!words.isEmpty() && words.stream().allMatch(name -> isEmpty(typed.get(name)))) {
+            throw new IllegalArgumentException("Field (%s) takes words, and is empty.".formatted(words.getFirst()));
+        }
         Class<?>[] types = components(type).map(RecordComponent::getType).toArray(Class<?>[]::new);
         Object[] values = components(type)
                 .map(field -> value(
@@ -118,6 +126,10 @@ final class Phrasebook {
         } catch (ReflectiveOperationException e) {
             throw new LinkageError("A message's record has a constructor for all of it.", e);
         }
+    }
+
+    private static boolean isEmpty(@Nullable String typed) {
+        return typed == null || typed.isBlank();
     }
 
     private static Object value(RecordComponent field, String typed) {
