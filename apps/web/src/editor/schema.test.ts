@@ -40,6 +40,10 @@ group('what is offered', () => {
 
   it('are values: enumerated, usual, yes or no, arguments, roles', () => {
     expect(labels('world: {map: |')).toEqual(expect.arrayContaining(['office', 'cave']));
+    expect(labels('robots: {one: {devices: {laser: |')).toEqual(
+      expect.arrayContaining(['urg04lx', 'utm30lx', 'front8', 'amcl']),
+    );
+    expect(labels('configurations: {more: {robots: {one: {devices: {laser: |')).toContain('utm30lx');
     expect(labels('run: {clock: {mode: |')).toEqual(['simulated', 'wall']);
     expect(labels('robots: {one: {proxy: |')).toEqual(expect.arrayContaining(['true', 'false']));
     expect(labels('arguments: {many: {type: integer, default: 1}}\nrobots: {one: {count: |')).toContain(
@@ -47,6 +51,17 @@ group('what is offered', () => {
     );
     expect(labels('robots: {hunter: {}}\nagents:\n  a: {type: nav, robot: |')).toContain('hunter');
     expect(labels('faults: [{kind: |')).toEqual(expect.arrayContaining(['dead', 'frozen']));
+  });
+
+  it('are names of what a configuration lays over', () => {
+    const text =
+      'arguments: {many: {type: integer, default: 1}}\nrobots:\n  prey: {devices: {laser: urg04lx}}\n  hunter: {}\nagents: {escape: {type: nav, robot: prey}}\nconfigurations:\n  more:\n    ';
+    expect(labels(`${text}robots:\n      |`)).toEqual(['prey', 'hunter']);
+    expect(labels(`${text}robots:\n      prey: {}\n      |`)).toEqual(['hunter']);
+    expect(labels(`${text}robots: {prey: {devices: {|`)).toContain('laser');
+    expect(labels(`${text}agents: {|`)).toEqual(['escape']);
+    expect(labels(`${text}args: {|`)).toEqual(['many']);
+    expect(labels('robots: {prey: {}}\nagents: {|')).toEqual([]);
   });
 
   it('are told with range, default and meaning', () => {

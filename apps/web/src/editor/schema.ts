@@ -32,6 +32,7 @@ export interface Offer {
 
 /** Where names are declared that other places refer to, by the key that refers. */
 const DECLARED: Record<string, string> = { robot: 'robots' };
+const CONFIGURATIONS = 'configurations';
 const ARGUMENT = '#/$defs/argument';
 
 /** What may be written at a place, and where the word begins that it would replace. */
@@ -51,7 +52,8 @@ export function offersAt(
     const used = inside(entries, place.path)
       .filter(({ from }) => from !== place.from)
       .map(({ path }) => path.at(-1));
-    offers.push(...keys(schema, schemas).filter(({ label }) => !used.includes(label)));
+    const all = [...keys(schema, schemas), ...overlaid(place.path, entries)];
+    offers.push(...all.filter(({ label }) => !used.includes(label)));
   }
   if (place.kind === 'value' || typeof place.path.at(-1) === 'number') {
     offers.push(...values(schemas), ...declared(schemas, place.path, entries));
@@ -145,6 +147,19 @@ function values(schemas: readonly Schema[]): Offer[] {
 
 const isWord = (value: unknown): value is string | number | boolean =>
   ['string', 'number', 'boolean'].includes(typeof value) && value !== '';
+
+/** What a configuration may say anew: the names of roles, agents, devices and whatever else is there without it. */
+function overlaid(path: readonly Step[], entries: readonly Entry[]): Offer[] {
+  const [group, , ...below] = path;
+  if (group !== CONFIGURATIONS || below.length === 0) {
+    return [];
+  }
+  const of = below.length === 1 && below[0] === 'args' ? ['arguments'] : below;
+  return inside(entries, of)
+    .map(({ path }) => path.at(-1))
+    .filter((name) => typeof name === 'string')
+    .map((name) => ({ ...written(name, ''), kind: 'key' }));
+}
 
 /** Names that are declared elsewhere: arguments, wherever they may stand for a value, and roles of robots. */
 function declared(schemas: readonly Schema[], path: readonly Step[], entries: readonly Entry[]): Offer[] {

@@ -77,7 +77,7 @@ public final class ScenarioSchema {
                         "description", "Stands for the value of an argument.",
                         "type", "string",
                         "pattern", "^\\$[A-Za-z][A-Za-z0-9_-]*$"));
-        var devices = new ArrayList<Object>(List.of(text()));
+        var devices = new ArrayList<Object>(List.of(knownDevices(), text()));
         catalog.drivers().forEach((key, driver) -> {
             definitions.put("driver-" + key, driver(key, driver));
             devices.add(fields("allOf", List.of(driver(key), fields("required", List.of("type")))));
@@ -339,7 +339,11 @@ public final class ScenarioSchema {
                 "Parts (laser: urg04lx) and drivers of software devices (localizer: {type: amcl}), in order.";
         if (partial) {
             return described(
-                    fields("type", "object", "additionalProperties", fields("type", List.of("string", "object"))),
+                    fields(
+                            "type",
+                            "object",
+                            "additionalProperties",
+                            anyOf(List.of(knownDevices(), fields("type", List.of("string", "object"))))),
                     description);
         }
         var byName = new LinkedHashMap<String, Object>();
@@ -347,6 +351,13 @@ public final class ScenarioSchema {
         return described(
                 fields("type", "object", "properties", byName, "additionalProperties", fields("$ref", DEVICE)),
                 description);
+    }
+
+    /// Words that name one by themselves: parts that come with the program, and drivers.
+    private Map<String, Object> knownDevices() {
+        var words = new ArrayList<>(catalog.parts());
+        words.addAll(catalog.drivers().keySet());
+        return enumeration(words);
     }
 
     private static Map<String, Object> driver(String key) {
