@@ -49,6 +49,10 @@ describe.skipIf(!chromium)('a sweep', () => {
     const page = await opened(rsal.url);
     await choose(page);
     await form(page).getByText('10 runs: 1 combination × 10 seeds').waitFor();
+    const real = form(page).getByLabel(
+      /^real: In real time \(goes in real time: such runs disturb each other/,
+    );
+    expect(await real.isDisabled()).toBe(true);
     await form(page).getByLabel('guards').fill('1,9');
     await form(page)
       .getByText(/must be.*not \(9\)/)
@@ -80,7 +84,7 @@ describe.skipIf(!chromium)('a sweep', () => {
     expect(seen.size).toBeGreaterThan(1);
     expect(await progress(page).innerText()).toBe('60 of 60 runs');
     const row = page.locator('[data-combination="guards=2"]');
-    expect(await row.innerText()).toMatch(/100 %[^]*±/);
+    expect(await row.innerText()).toMatch(/100 %[^]*±[^]*n = 30/);
     await row.getByRole('img', { name: /^way: quartiles/ }).waitFor();
     await picture(page, 'sweep-dark');
     await expectAccessible(page, 'dialog[open]');

@@ -483,6 +483,10 @@ export const texts = {
     nothing: '–',
     plot: (name: string, first: string, median: string, third: string) =>
       `${name}: quartiles ${first} and ${third}, median ${median}`,
+    realTime: (label: string) =>
+      `${label} (goes in real time: such runs disturb each other, and can’t be compared)`,
+    count: (n: number) => `n = ${n}`,
+    countHint: (n: number, ended: number) => `Measured in ${n} of ${ended} runs that have ended`,
     legend:
       'Means ± half of their 95 % confidence intervals. Boxes: quartiles and median; points lie beyond 1.5 boxes. Below them: mean and interval.',
   },

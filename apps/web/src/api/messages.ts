@@ -131,6 +131,7 @@ export type Condition = 'OK' | 'STALE' | 'LOST';
 export interface ConfigurationInfo {
   name: string;
   title: string;
+  realTime: boolean;
 }
 
 export interface Control {

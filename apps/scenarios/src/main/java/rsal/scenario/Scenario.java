@@ -341,6 +341,22 @@ public final class Scenario {
         return configurations;
     }
 
+    /// Whether runs of a configuration are to go in real time, as far as that is written: an argument may say so, too.
+    public boolean isInRealTime(String configuration) {
+        return clockMode(overlay(configuration))
+                .or(() -> clockMode(settings))
+                .filter("wall"::equals)
+                .isPresent();
+    }
+
+    private static Optional<Object> clockMode(Value.Mapping settings) {
+        Optional<Value> value = Optional.of(settings);
+        for (String key : List.of("run", "clock", "mode")) {
+            value = value.filter(Value.Mapping.class::isInstance).flatMap(all -> ((Value.Mapping) all).find(key));
+        }
+        return value.filter(Value.Scalar.class::isInstance).map(mode -> ((Value.Scalar) mode).value());
+    }
+
     /// Decides everything that is still open.
     ///
     /// @throws InvalidSettings with every mistake of the scenario and the options

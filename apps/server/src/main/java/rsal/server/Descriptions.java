@@ -132,7 +132,8 @@ final class Descriptions {
 
     static List<ConfigurationInfo> configurations(Scenario scenario) {
         return scenario.configurations().stream()
-                .map(configuration -> new ConfigurationInfo(configuration.name(), configuration.title()))
+                .map(configuration -> new ConfigurationInfo(
+                        configuration.name(), configuration.title(), scenario.isInRealTime(configuration.name())))
                 .toList();
     }
 

@@ -129,7 +129,8 @@ final class Messages {
     /// @param damage what is wrong with the file, a sentence each
     record RecordingInfo(String name, String started, boolean whole, List<String> damage) {}
 
-    record ConfigurationInfo(String name, String title) {}
+    /// @param realTime whether its runs go in real time, and can't be swept
+    record ConfigurationInfo(String name, String title, boolean realTime) {}
 
     /// @param value in this run, as one would type it
     /// @param typed whether somebody typed it; else it is the scenario's

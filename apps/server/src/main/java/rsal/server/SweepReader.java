@@ -28,6 +28,8 @@ final class SweepReader {
     private static final double LONGEST = 1e9; // [s], 31 years
     private static final Pattern ARGUMENT = Pattern.compile("--(?:set|vary) ([^=]+)=.*", Pattern.DOTALL);
 
+    private static final Pattern OF_OPTIONS = Pattern.compile("[^.]*--[a-z][^.]*\\.?");
+
     private final SweepWish wish;
     private final Scenario scenario;
     private final List<Mistake> mistakes = new ArrayList<>();
@@ -152,11 +154,16 @@ final class SweepReader {
         return new Refusal(422, "This can't be swept as it is.", List.copyOf(mistakes));
     }
 
+    /// Without the sentences that say which option of a command would help: the form has fields.
+    private static String inForm(String remedy) {
+        return OF_OPTIONS.matcher(remedy).replaceAll("").strip();
+    }
+
     private static Mistake mistake(Problem problem) {
         Matcher argument = ARGUMENT.matcher(problem.location().toString());
         String where = argument.matches()
                 ? "arguments." + argument.group(1)
                 : problem.location().toString();
-        return new Mistake(where, problem.message(), problem.remedy());
+        return new Mistake(where, problem.message(), inForm(problem.remedy()));
     }
 }
