@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { brief, clockTime, degrees, factor } from './format';
+import { brief, clockTime, degrees, factor, unsigned } from './format';
 
 it.each([
   [0, '0:00.0'],
@@ -32,3 +32,9 @@ it.each([
   ['1.2345e-7 and r1.12345a', '1.2345e-7 and r1.12345a'],
   ['prey-1', 'prey-1'],
 ])('%s is %s in brief', (words, text) => expect(brief(words)).toBe(text));
+
+it.each([
+  ['at (-0.00, 1.00, -0°)', 'at (0.00, 1.00, 0°)'],
+  ['-0.05 m, -0.5°, 10-0, r-0', '-0.05 m, -0.5°, 10-0, r-0'],
+  ['-0', '0'],
+])('%s is %s', (words, told) => expect(unsigned(words)).toBe(told));

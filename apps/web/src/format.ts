@@ -31,9 +31,14 @@ export function seconds(value: number): string {
   return `${value.toFixed(1)} s`;
 }
 
+/** Words in which nothing is less than nothing: `-0°`, `-0.00` are what is left of a small number when it is rounded. */
+export function unsigned(words: string): string {
+  return words.includes('-0') ? words.replace(/(?<![\w.])-(?=0(?:\.0+)?(?![\d.]))/g, '') : words;
+}
+
 /** Words with numbers as short as people read them: `0.46695204089382697` is `0.467`. */
 export function brief(words: string): string {
-  return words.replace(/(?<![\w.])-?\d+\.\d{4,}(?!\w)/g, (number) =>
-    String(Number(Number(number).toFixed(3))),
+  return unsigned(
+    words.replace(/(?<![\w.])-?\d+\.\d{4,}(?!\w)/g, (number) => String(Number(Number(number).toFixed(3)))),
   );
 }

@@ -260,7 +260,7 @@ final class ReadingWords {
     private static Fact actuator(ActuatorState state) {
         String position = switch (state.joint()) {
             case LINEAR -> String.format(Locale.ROOT, "%.2f m", state.position());
-            case ROTATIONAL -> String.format(Locale.ROOT, "%.0f°", Math.toDegrees(state.position()));
+            case ROTATIONAL -> degrees(state.position());
         };
         return fact("position", "%s, %s".formatted(position, word(state.motion())));
     }
