@@ -383,7 +383,13 @@ export const texts = {
     noneMatch: 'Nothing of this was said yet; choose something else above.',
     left: (count: number) => `${count} earlier ones are not shown.`,
   },
-  panel: { enlarge: 'Enlarge', reduce: 'Make small again' },
+  panel: {
+    enlarge: 'Enlarge',
+    reduce: 'Make small again',
+    border: 'Border between the map and the panels',
+    borderHint:
+      'Drag it, or press arrow keys, to make the panels larger or smaller; a double click, or Home, undoes that',
+  },
   topics: {
     show: 'By topic',
     hint: 'How much was said by topic, and what became of it',
