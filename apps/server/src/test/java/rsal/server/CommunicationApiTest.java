@@ -281,7 +281,7 @@ class CommunicationApiTest {
 
     @Test
     void whatWasKnownAtTheEndIsToldAfterwards() throws Exception {
-        get("/api/agent?name=evade");
+        advanceTo(5);
         server.run().stop();
         server.run().result().toCompletableFuture().join();
         JsonNode evade = get("/api/agent?name=evade");
