@@ -105,7 +105,8 @@ class ScenarioSchemaTest {
             "needs an error",
             "[least, most]",
             "must be at most (range)",
-            "must be an agent");
+            "must be an agent",
+            "can't work with these options"); // one against others
 
     static List<List<String>> wrong() {
         return ScenarioTest.wrong().stream()
