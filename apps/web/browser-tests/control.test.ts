@@ -51,6 +51,20 @@ describe.skipIf(!chromium)('control, of several who have the token', () => {
       .click();
   });
 
+  it('leaves it to all to stop one robot, but not to have it go on', async () => {
+    await bob.locator('tr[data-robot]').first().click();
+    await bob.getByRole('button', { name: 'Motors off', exact: true }).click();
+    await ann
+      .locator('.banner')
+      .getByText(/^Motors of .+ are off\.$/)
+      .waitFor();
+    const on = bob.getByRole('button', { name: 'Motors on', exact: true });
+    await on.waitFor();
+    expect(await on.isDisabled()).toBe(true);
+    await ann.getByRole('button', { name: 'Arm all' }).click();
+    await bob.getByRole('button', { name: 'Motors off', exact: true }).waitFor();
+  });
+
   it('is taken over, which whoever had it is told', async () => {
     await bob.getByRole('button', { name: 'Ann has control' }).click();
     await take(bob, 'Bob');
