@@ -74,7 +74,8 @@ final class March {
             int middle = (bunch * BUNCH + end(bunch, rays.count)) >>> 1;
             double x = rays.x[middle];
             double y = rays.y[middle];
-            boolean fromOnePlace = walls.isInside((x - walls.left) / walls.cellX, (y - walls.bottom) / walls.cellY);
+            boolean fromOnePlace = walls.isInside(
+                    (x - walls.left) * walls.columnsPerMeter, (y - walls.bottom) * walls.rowsPerMeter); // as in enter
             double widest = 0; // its square
             for (int i = bunch * BUNCH; i < end(bunch, rays.count); i++) {
                 enter(walls, rays, reach, i);
