@@ -16,6 +16,7 @@ import rsal.sim.stage.Findings;
 /// What Player's options for navigation are of ours: names, and units.
 final class Options {
     private static final String START = "init_pose";
+    private static final String DESIRED = "weight_desired_dir";
     private static final String CURRENT = "weight_current_dir";
     private static final Set<String> ELSEWHERE = Set.of(
             "distance_epsilon",
@@ -80,7 +81,7 @@ final class Options {
                     Map.entry("max_turnrate_0ms", List.of(Own.angle("maxTurnRate0ms"))),
                     Map.entry("max_turnrate_1ms", List.of(Own.angle("maxTurnRate1ms"))),
                     Map.entry("min_turn_radius_safety_factor", List.of(Own.of("minTurnRadiusSafetyFactor"))),
-                    Map.entry("weight_desired_dir", List.of(Own.of("weightDesiredDir"))),
+                    Map.entry(DESIRED, List.of(Own.of("weightDesiredDir"))),
                     Map.entry(CURRENT, List.of(Own.of("weightCurrentDir"))),
                     Map.entry("escape_speed", List.of(Own.length("escapeSpeed"))),
                     Map.entry("escape_time", List.of(Own.of("escapeTime")))),
@@ -124,7 +125,9 @@ final class Options {
             keys.put("initialDeviation", driver.location());
             keys.put("initialAngleDeviation", driver.location());
         }
-        if (known.containsKey(CURRENT) && driver.option(CURRENT).isPresent()) { // Player has no third weight
+        boolean weighs =
+                driver.option(DESIRED).isPresent() || driver.option(CURRENT).isPresent();
+        if (known.containsKey(CURRENT) && weighs) { // Player has no third weight
             entries.put("weightPreviousDir", new Value.Scalar(driver.location(), 0.0));
             keys.put("weightPreviousDir", driver.location());
         }

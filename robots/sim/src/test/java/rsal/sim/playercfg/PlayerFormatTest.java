@@ -226,19 +226,24 @@ class PlayerFormatTest {
                         entry("wallDistance", 0.3));
     }
 
-    /// Our third is 2: with it, Player's own two would be refused.
+    /// Our third is 2: with it, Player's own two would be refused, as would be a first of 4 alone.
     @Test
     void vfhHasNoMoreWeightsThanInPlayer() {
-        String weighed = PLANNER.replace("max_speed 0.4", "weight_desired_dir 5.0 weight_current_dir 3.0");
-        Software navigator = configs(UHH + weighed).read().services().stream()
-                .flatMap(service -> service.software().stream())
-                .toList()
-                .getLast();
-        assertThat(values(navigator))
+        assertThat(weighed("weight_desired_dir 5.0 weight_current_dir 3.0"))
                 .contains(
                         entry("weightDesiredDir", 5.0),
                         entry("weightCurrentDir", 3.0),
                         entry("weightPreviousDir", 0.0));
+        assertThat(weighed("weight_desired_dir 4.0"))
+                .contains(entry("weightDesiredDir", 4.0), entry("weightPreviousDir", 0.0));
+        assertThat(weighed("max_speed 0.4")).doesNotContainKey("weightPreviousDir");
+    }
+
+    private static Map<String, Object> weighed(String options) {
+        return values(configs(UHH + PLANNER.replace("max_speed 0.4", options)).read().services().stream()
+                .flatMap(service -> service.software().stream())
+                .toList()
+                .getLast());
     }
 
     private static Map<String, Object> values(Software software) {
