@@ -30,8 +30,7 @@ import rsal.agent.bdi.Mind.GoalState;
 import rsal.agent.bdi.Mind.GoalView;
 
 /// What is in an agent's mind, for people: its beliefs by name, each as it is written and with who told it, its
-/// intentions
-/// as goals with the plans and steps by which it pursues them, and the rules and plans that it has.
+/// intentions as goals with the plans and steps by which it pursues them, and the rules and plans that it has.
 final class Thoughts {
     private static final int MOST_BELIEFS = 20; // of one name
 
@@ -72,7 +71,7 @@ final class Thoughts {
         var plans = new LinkedHashMap<String, String>();
         for (Plan plan : reasoner.getPL().getPlans()) {
             if (!isJasons(plan)) {
-                plans.put(name(plan), Written.typed(plan));
+                plans.merge(name(plan), Written.typed(plan), "%s\n%s"::formatted); // several may begin in one line
             }
         }
         return new Mind.Program(rules, plans);

@@ -1,6 +1,7 @@
 package rsal.jason;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.entry;
 import static org.assertj.core.api.Assertions.within;
 
 import jason.architecture.MindInspectorWeb;
@@ -1053,6 +1054,14 @@ class WrittenAgentTest extends RobotBench {
                 .hasSize(2)
                 .containsEntry("home", "@home[atomic] +!go(_) : (near(Post) & not (tired)) <- .print(Post); !!go(Post)")
                 .containsEntry("a.asl:4", "+!rest");
+    }
+
+    @Test
+    void plansThatBeginInOneLineCanAllBeRead() {
+        start("a", "+!rest. +!go <- .print(go).");
+        advance(0);
+        assertThat(society.look("a", Mind.Program.class).orElseThrow().plans())
+                .containsExactly(entry("a.asl:1", "+!rest\n+!go <- .print(go)"));
     }
 
     @Test

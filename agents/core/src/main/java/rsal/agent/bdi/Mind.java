@@ -251,7 +251,7 @@ public final class Mind {
     /// What an agent goes by that is written in a language for agents, as it is written there.
     ///
     /// @param rules by which it believes more than it is told
-    /// @param plans by name, as [GoalView#plans] has them
+    /// @param plans by name, as [GoalView#plans] has them; of several with one name, one below the other
     public record Program(List<String> rules, Map<String, String> plans) {
         public Program {
             rules = List.copyOf(rules);
