@@ -11,8 +11,7 @@ import rsal.navigation.grid.DistanceField;
 /// by what is not free all around, it is as unlikely as what is far from any wall. Of a map that was cut off, nobody
 /// knows: what ends there counts as what the others of a scan say on average, or poses would be pulled away from the
 /// edge; but of no more beams than end on the map. The share of random readings (z_rand) bounds how much one beam can
-/// say, so that
-/// people and robots who are not on the map do little harm.
+/// say, so that people and robots who are not on the map do little harm.
 public final class LikelihoodField implements SensorModel {
     private static final double FARTHEST = 8; // deviations, where the density has no weight left
 
