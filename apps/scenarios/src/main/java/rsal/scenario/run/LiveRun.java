@@ -79,11 +79,11 @@ public final class LiveRun implements AutoCloseable {
     private final Turns turns = new Turns();
     private final Optional<Witness> witness;
     private volatile @Nullable Thread thread;
+    private volatile boolean remembers;
+    private volatile @Nullable LastLook lastLook;
 
     // of the run's thread
     private @Nullable Stage stage;
-    private volatile boolean remembers;
-    private volatile @Nullable LastLook lastLook;
     private @Nullable String outcome;
     private boolean over;
     private boolean paused;
@@ -273,12 +273,12 @@ public final class LiveRun implements AutoCloseable {
         return ask(stage -> stage.costs(robot));
     }
 
-    /// Who heard what so far, as [Answer.Heard]; afterwards the result tells.
+    /// Who heard what so far, as [Answer.Heard]; afterwards the result tells, too.
     public CompletionStage<Answer> communication() {
         return askOrRecall(stage -> new Answer.Heard(stage.hearings()), LastLook::communication);
     }
 
-    /// How much was said so far, and what became of it, as [Answer.Counted]; afterwards the result tells.
+    /// How much was said so far, and what became of it, as [Answer.Counted]; afterwards the result tells, too.
     public CompletionStage<Answer> topics() {
         return askOrRecall(stage -> new Answer.Counted(stage.topics()), LastLook::topics);
     }
@@ -436,8 +436,7 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// Has the run remember, once it ends, what [#readings], [#inside], [#topics] and [#communication] answered then:
-    /// they
-    /// go on answering that. Otherwise they are refused when it is over.
+    /// they go on answering that. Otherwise they are refused when it is over.
     public void rememberItsEnd() {
         remembers = true;
     }
@@ -688,8 +687,13 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private void remember() {
-        if (remembers && stage != null) {
+        if (!remembers || stage == null) {
+            return;
+        }
+        try {
             lastLook = stage.lastLook(handClock.getAsLong());
+        } catch (RuntimeException e) { // of a device or an agent: to look must not change how the run ended
+            LOG.log(Level.WARNING, "What was known at the end of the run is not remembered.", e);
         }
     }
 

@@ -70,6 +70,18 @@ class LiveRunTest {
     }
 
     @Test
+    void rememberingItsEndDoesNotChangeARun() {
+        try (var run = LiveRun.start(slow())) {
+            run.rememberItsEnd();
+            run.speed(Double.POSITIVE_INFINITY);
+            assertThat(Runs.result(run).eventHash())
+                    .isEqualTo(Runs.result(plan()).eventHash());
+            assertThat(run.topics().toCompletableFuture().join()).isInstanceOf(Answer.Counted.class);
+            assertThat(run.readings("nobody").toCompletableFuture().join()).isInstanceOf(Answer.Refused.class);
+        }
+    }
+
+    @Test
     void countsWhatItHasDone() {
         try (var run = LiveRun.start(plan())) {
             RunResult result = Runs.result(run);
