@@ -82,11 +82,9 @@ final class Numbers {
     private void add(String name, Words words, double value) {
         boolean angle = words.unit().equals(Quantity.ANGLE) || words.unit().equals(Quantity.TURN);
         double shown = angle ? Math.toDegrees(value) : value;
+        String unit = angle ? words.unit().replace("rad", "°") : words.unit();
         found.add(new NumberInfo(
-                name,
-                words.title(),
-                words.unit().replace("rad", "°"),
-                Double.isFinite(shown) ? Optional.of(shown) : Optional.empty()));
+                name, words.title(), unit, Double.isFinite(shown) ? Optional.of(shown) : Optional.empty()));
     }
 
     private void summary(String name, Words words, float[] all) {

@@ -6,8 +6,7 @@ import java.util.Map;
 import rsal.data.ActuatorState;
 
 /// What people call the numbers in what devices tell, and the units these have: the only place that says so, as a
-/// number
-/// in Java has its unit in a comment. Parts that nobody thought of here are called as in Java.
+/// number in Java has its unit in a comment. Parts that nobody thought of here are called as in Java.
 final class Quantity {
     /// Shown in degrees.
     static final String ANGLE = "rad";

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.data.ActuatorState;
 import rsal.data.BatteryState;
+import rsal.data.Covariance2d;
 import rsal.data.Interval;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
@@ -62,6 +63,16 @@ class NumbersTest {
                 .contains("first beam [°]", "distance, least [m]", "distance, mean [m]", "distance, greatest [m]");
         assertThat(titles(BatteryState.of(10, 100, -2, BatteryState.Charging.DISCHARGING)))
                 .contains("charge [J]", "power [W]", "voltage [V]", "level []");
+    }
+
+    /// A square of degrees is nobody's unit, and would have to be computed.
+    @Test
+    void variancesStayInRadians() {
+        var covariance = new Covariance2d(1, 0, 0.5, 1, 0.5, 2);
+        assertThat(Numbers.of(covariance))
+                .contains(
+                        new NumberInfo("xTheta", "covariance of x and heading", "m·rad", Optional.of(0.5)),
+                        new NumberInfo("thetaTheta", "variance of the heading", "rad²", Optional.of(2.0)));
     }
 
     @Test
