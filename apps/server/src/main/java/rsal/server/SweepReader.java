@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import rsal.experiment.Design;
 import rsal.experiment.Factor;
 import rsal.experiment.SeedRange;
@@ -28,7 +29,8 @@ final class SweepReader {
     private static final double LONGEST = 1e9; // [s], 31 years
     private static final Pattern ARGUMENT = Pattern.compile("--(?:set|vary) ([^=]+)=.*", Pattern.DOTALL);
 
-    private static final Pattern OF_OPTIONS = Pattern.compile("[^.]*--[a-z][^.]*\\.?");
+    private static final Pattern OPTION = Pattern.compile("--[a-z]");
+    private static final Pattern BETWEEN_SENTENCES = Pattern.compile("(?<=\\.)\\s+");
 
     private final SweepWish wish;
     private final Scenario scenario;
@@ -155,8 +157,11 @@ final class SweepReader {
     }
 
     /// Without the sentences that say which option of a command would help: the form has fields.
-    private static String inForm(String remedy) {
-        return OF_OPTIONS.matcher(remedy).replaceAll("").strip();
+    static String inForm(String remedy) {
+        return BETWEEN_SENTENCES
+                .splitAsStream(remedy)
+                .filter(sentence -> !OPTION.matcher(sentence).find())
+                .collect(Collectors.joining(" "));
     }
 
     private static Mistake mistake(Problem problem) {

@@ -339,6 +339,14 @@ class SweepApiTest {
     }
 
     @Test
+    void sentencesAboutOptionsOfACommandAreLeftOutWhole() {
+        assertThat(SweepReader.inForm("Maybe 0.5. Set (run.clock.mode) to wall, as --clock wall does. Or a.yaml."))
+                .isEqualTo("Maybe 0.5. Or a.yaml.");
+        assertThat(SweepReader.inForm("Say how long by --for SECONDS.")).isEmpty();
+        assertThat(SweepReader.inForm("")).isEmpty();
+    }
+
+    @Test
     void takesNoOtherScenariosAndNoMoreCoresThanAreLeft() throws IOException {
         var foreign = new SweepWish("/etc/passwd", List.of("a"), Map.of(), "1", "", Optional.empty());
         assertThat(post("", foreign).status()).isEqualTo(404);
