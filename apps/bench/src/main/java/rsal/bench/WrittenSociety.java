@@ -34,8 +34,13 @@ record WrittenSociety(BenchedSociety society, Map<Program, AgentType> types) imp
     public long count(String agent) {
         return society.look(agent, Mind.View.class)
                 .flatMap(mind -> Optional.ofNullable(mind.beliefs().get(BareLanguage.COUNT)))
-                .map(words -> (long) Double.parseDouble(words))
+                .map(WrittenSociety::number)
                 .orElse(0L); // it has not begun
+    }
+
+    /// Of a belief as it is written: `count(3)[source(self)]`.
+    private static long number(String belief) {
+        return (long) Double.parseDouble(belief.substring(belief.indexOf('(') + 1, belief.indexOf(')')));
     }
 
     @Override

@@ -282,7 +282,7 @@ class CommandLineIT {
             run --set speed     | (NAME=VALUE): (speed) is not a name and its value
             run --set =2        | (=2)
             run a b             | (b)
-            validate            | FILE
+            validate            | SCENARIO
             list things         | things
             bench sin           | Maybe (sim)
             bench sim --only x9 | (x9)
