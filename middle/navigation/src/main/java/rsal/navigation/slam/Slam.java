@@ -30,6 +30,10 @@ import rsal.navigation.scanmatch.Match;
 public final class Slam {
     private static final double LEAST_SCORE = 0.35; // of a search, to be worth refining
     private static final double LEAST_PAIRS = 0.35; // of a scan, to be believed
+    private static final double WELL = 0.5; // likewise, to look no farther than wheels err as a rule
+    private static final double BETTER = 0.1; // that one farther off scores more, to be believed instead
+    private static final double WIDE = 0.6; // rad; searched then
+    private static final double DOUBTED = 3; // times what wheels err as a rule, when what is seen fits nowhere
     private static final int FEWEST = 15; // points of a scan, to be missed on the map
     private static final double TRUST = 0.15; // in odometry; see Window
     private static final double SEARCHED = 0.12; // m; cells in which scans are thinned for the search
@@ -153,11 +157,12 @@ public final class Slam {
             relations.add(new Relation(base, number, told, wheels, Relation.Source.ODOMETRY));
             match.ifPresent(m -> relations.add(
                     new Relation(base, number, m.aFromB(), honest(m.covariance()), Relation.Source.SCANS)));
+            Covariance2d doubted = isComparable(cloud) ? wheels.times(DOUBTED * DOUBTED) : wheels;
             loops.step(
                     base,
                     number,
                     frameFromBase,
-                    match.map(m -> Gauss.joined(wheels, honest(m.covariance()))).orElse(wheels));
+                    match.map(m -> Gauss.joined(wheels, honest(m.covariance()))).orElse(doubted));
             keep(new Frame(odomFromBase, traveled, scan, cloud));
             if (match.isEmpty()) {
                 tracking = tracking.mappedBlindly();
@@ -175,7 +180,12 @@ public final class Slam {
         Tracking moved = tracking.moved(way);
         tracking = match.map(m -> moved.matched(
                         honest(m.covariance()).turned(axes), settings.odometry().covariance(Pose2d.ORIGIN), m.score()))
-                .orElseGet(() -> moved.missed(lines.isPresent() && cloud.count() >= FEWEST));
+                .orElseGet(() -> moved.missed(isComparable(cloud)));
+    }
+
+    /// Whether a scan shows something, and there is something to match it with.
+    private boolean isComparable(Cloud cloud) {
+        return lines.isPresent() && cloud.count() >= FEWEST;
     }
 
     /// How sure it is of where the last scan was taken.
@@ -199,21 +209,32 @@ public final class Slam {
                 c.thetaTheta() + OWN_RADIANS * OWN_RADIANS);
     }
 
+    /// Where a scan that matches badly, or not, would match well though wheels hardly ever err so much, it does: a
+    /// turn that they mistake once, by more than loops are searched for, would bend the map behind it for good.
     private Optional<Match> match(Cloud cloud, Pose2d guess, Pose2d way) {
         if (lines.isEmpty() || search.isEmpty()) {
             return Optional.empty();
         }
-        var window = new Window(
-                Math.min(1.5, 0.1 + 3 * settings.odometry().metersPerMeter() * Math.hypot(way.x(), way.y())),
-                Math.min(0.8, 3 * settings.odometry().radians(way)),
-                TRUST);
-        Pose2d found = search.get()
+        double meters = 0.1 + 3 * settings.odometry().metersPerMeter() * Math.hypot(way.x(), way.y());
+        double radians = 3 * settings.odometry().radians(way);
+        var window = new Window(Math.min(1.5, meters), Math.min(0.8, radians), TRUST);
+        Optional<Match> match = match(cloud, guess, window, LEAST_PAIRS);
+        if (match.isPresent() && match.get().score() >= WELL) {
+            return match;
+        }
+        var wide = new Window(window.meters(), Math.max(WIDE, window.radians()), TRUST);
+        double better = match.map(m -> m.score() + BETTER).orElse(0.0);
+        return match(cloud, guess, wide, Math.max(WELL, better)).or(() -> match);
+    }
+
+    private Optional<Match> match(Cloud cloud, Pose2d guess, Window window, double leastScore) {
+        Pose2d found = search.orElseThrow()
                 .match(cloud.thinned(SEARCHED), guess, window, LEAST_SCORE)
                 .map(Match::aFromB)
                 .orElse(guess);
-        return lines.get()
+        return lines.orElseThrow()
                 .match(cloud, found)
-                .filter(m -> m.score() >= LEAST_PAIRS && m.aFromB().isNear(found, APART, TURNED));
+                .filter(m -> m.score() >= leastScore && m.aFromB().isNear(found, APART, TURNED));
     }
 
     private void keep(Frame frame) {

@@ -140,6 +140,24 @@ class SlamTest {
     }
 
     @Test
+    void findsATurnAgainThatTheWheelsMistakeByFar() {
+        var random = new SplittableRandom(5);
+        Drive drive = part(drive(random), 0, 55, Pose2d.ORIGIN);
+        Pose2d before = drive.odometry().get(40); // in the middle of a turn
+        Pose2d shift = before.compose(new Pose2d(0, 0, Math.toRadians(17))).compose(before.inverse());
+        var odometry = new ArrayList<Pose2d>(drive.odometry().subList(0, 41));
+        odometry.addAll(part(drive, 41, 55, shift).odometry());
+
+        List<Pose2d> poses = run(Slam.Settings.DEFAULT, new Drive(drive.truth(), odometry), random)
+                .poses();
+
+        Pose2d turned = poses.get(40).inverse().compose(poses.get(41));
+        Pose2d right = drive.truth().get(40).inverse().compose(drive.truth().get(41));
+        assertThat(turned.isNear(right, 0.05, 0.02)).isTrue();
+        assertThat(worst(drive.truth(), poses)).isLessThan(0.3);
+    }
+
+    @Test
     void isLessSureTheFartherItDrivesBlindly() {
         var random = new SplittableRandom(5);
         Drive drive = part(drive(random), 0, 20, Pose2d.ORIGIN);
