@@ -147,6 +147,18 @@ describe.skipIf(!chromium)('a world of things', () => {
     expect(((await answer.json()) as { robots: unknown[] }).robots).toHaveLength(3);
   });
 
+  it('takes robots of models, also where there is none', async () => {
+    for (const id of ['a', 'b']) {
+      await rsal.post('remove', { name: id });
+      await robot(id).waitFor({ state: 'detached' });
+    }
+    await page.locator('#map').focus();
+    await page.keyboard.press('m');
+    await page.getByRole('menuitem', { name: 'Add a Pioneer 2-DX here' }).click();
+    await robot('pioneer2dx-1').waitFor();
+    await eventually(() => isNear(robot('pioneer2dx-1'), { x: 0, y: 0 }), 'it is in the middle');
+  });
+
   it('may only be watched without the token', async () => {
     const late = await openRun(rsal.origin);
     expect(await late.getByRole('button', { name: 'Add…' }).isDisabled()).toBe(true);

@@ -341,6 +341,13 @@ export interface NewAgent {
   arguments: Record<string, string>;
 }
 
+export interface NewRobot {
+  model: string;
+  x: number;
+  y: number;
+  heading: number;
+}
+
 export interface Newcomers {
   run: number;
   robots: RobotInfo[];
@@ -477,6 +484,15 @@ export interface RobotInfo {
   pieces: PieceInfo[];
   gripper: GripperInfo | null;
   light: LightInfo | null;
+}
+
+export interface RobotModelInfo {
+  model: string;
+  title: string;
+}
+
+export interface RobotModels {
+  models: RobotModelInfo[];
 }
 
 export interface RobotPose {

@@ -39,10 +39,13 @@ import rsal.device.SimulationControl.Standing;
 import rsal.recording.Held.Raw;
 import rsal.recording.Held.Speech;
 import rsal.recording.proto.MessageType;
+import rsal.robot.RobotColors;
+import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.DeviceView;
+import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
@@ -76,6 +79,12 @@ final class Decoder {
     private static Teammate mate(RunPlan plan, RobotSpec spec) {
         Entity body = plan.scene().robotBodies().get(spec.id());
         return new Teammate(spec, body == null ? Optional.of(spec.model().body()) : Entity.look(body.blocks()));
+    }
+
+    /// A robot of a model that nobody planned.
+    private static Teammate mate(RobotModel model) {
+        var spec = new RobotSpec(model.name(), model.name(), model, Optional.empty(), RobotColors.of(0));
+        return new Teammate(spec, Optional.of(model.body()));
     }
 
     /// Where messages about the devices of a robot are held.
@@ -176,7 +185,7 @@ final class Decoder {
         }
     }
 
-    /// What it looks like is planned: by its name, else as the others of its model.
+    /// What it looks like is planned: by its name, else as the others of its model, else as the program has that.
     private Teammate mate(Fields fields) {
         String id = fields.text("id");
         if (UNFIT.matcher(id).find()) { // it becomes the name of files
@@ -191,7 +200,11 @@ final class Decoder {
                         .findFirst())
                 .or(() -> planned.stream()
                         .filter(mate -> mate.spec().model().name().equals(fields.text("model")))
-                        .findFirst());
+                        .findFirst())
+                .or(() -> LiveRun.robotModels().stream()
+                        .filter(model -> model.name().equals(fields.text("model")))
+                        .findFirst()
+                        .map(Decoder::mate));
         Teammate like = same.orElseThrow(() -> new IllegalArgumentException("No robot is like it."));
         String color = Rgb.parse(fields.text("color"))
                 .map(Rgb::toString)

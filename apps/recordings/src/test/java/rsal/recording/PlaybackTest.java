@@ -15,7 +15,11 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.agent.bdi.Mind;
+import rsal.data.Pose2d;
+import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.scenario.Scenario;
+import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
@@ -71,6 +75,27 @@ class PlaybackTest {
                             .isEqualTo(then.robots());
                 }
             }
+        }
+    }
+
+    @Test
+    void aRobotOfAModelThatNobodyPlannedIsSeenAgain() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        RunPlan plan = Scenario.load(HUNT)
+                .plan(RunOptions.NONE.withSeed(7).withSpeed(50).withLimit(Duration.ofSeconds(30)));
+        try (Recorder recorder = Recorded.begin(plan, file);
+                LiveRun run = LiveRun.start(plan, recorder.witness())) {
+            while (run.snapshot().robots().isEmpty()) {
+                Thread.onSpinWait();
+            }
+            var added = run.newRobot("pioneer2dx", new Pose2d(-8, -1, 0)).toCompletableFuture();
+            assertThat(added.get(30, TimeUnit.SECONDS)).isEqualTo(new Answer.Added("pioneer2dx-1"));
+            recorder.ended(run.result().toCompletableFuture().get(60, TimeUnit.SECONDS));
+        }
+        try (Playback playback = open(file)) {
+            Snapshot end = playback.at(playback.until());
+            assertThat(end.team().getLast().spec().model().title()).isEqualTo("Pioneer 2-DX");
+            assertThat(end.robots().getLast().id()).isEqualTo("pioneer2dx-1");
         }
     }
 

@@ -41,6 +41,7 @@ import rsal.server.Messages.ControlWish;
 import rsal.server.Messages.Drive;
 import rsal.server.Messages.Motors;
 import rsal.server.Messages.NewAgent;
+import rsal.server.Messages.NewRobot;
 import rsal.server.Messages.Order;
 import rsal.server.Messages.Plan;
 import rsal.server.Messages.Refused;
@@ -164,6 +165,12 @@ final class Api {
         command(routes, "add-robot", request -> {
             RobotPose wish = read(request, RobotPose.class);
             answerWhenDone(request, running(request).addRobot(wish.robot(), pose(wish)));
+        });
+        routes.get("/api/robots/models", request -> answer(request, Descriptions.robotModels(LiveRun.robotModels())));
+        command(routes, "new-robot", request -> {
+            NewRobot wish = read(request, NewRobot.class);
+            Pose2d there = pose(wish.x(), wish.y(), wish.heading());
+            answerWhenDone(request, running(request).newRobot(wish.model(), there));
         });
         command(
                 routes,

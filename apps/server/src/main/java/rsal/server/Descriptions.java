@@ -18,6 +18,7 @@ import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.device.Health;
+import rsal.robot.RobotModel;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.Scenario;
@@ -70,6 +71,8 @@ import rsal.server.Messages.ProgramInfo;
 import rsal.server.Messages.RealDetails;
 import rsal.server.Messages.RecordingInfo;
 import rsal.server.Messages.RobotDetails;
+import rsal.server.Messages.RobotModelInfo;
+import rsal.server.Messages.RobotModels;
 import rsal.server.Messages.RobotStatus;
 import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.SaidInfo;
@@ -148,6 +151,12 @@ final class Descriptions {
                 parameter,
                 String.valueOf(plan.arguments().get(parameter.name())),
                 plan.options().arguments().containsKey(parameter.name()));
+    }
+
+    static RobotModels robotModels(List<RobotModel> models) {
+        return new RobotModels(models.stream()
+                .map(model -> new RobotModelInfo(model.name(), model.title()))
+                .toList());
     }
 
     static AgentTypes agentTypes(List<AgentType> types) {

@@ -811,6 +811,19 @@ final class Messages {
         }
     }
 
+    /// Models of robots that [NewRobot] can name.
+    record RobotModels(List<RobotModelInfo> models) {}
+
+    /// @param model `pioneer2dx`
+    /// @param title for people: `Pioneer 2-DX`
+    record RobotModelInfo(String model, String title) {}
+
+    /// Asks for a robot of a model in the simulated world.
+    ///
+    /// @param x in the map frame [m]
+    /// @param heading [rad]
+    record NewRobot(String model, Double x, Double y, Double heading) {}
+
     /// @param name that what was added has
     record Added(String name) {}
 

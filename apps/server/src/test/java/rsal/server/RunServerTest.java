@@ -311,6 +311,7 @@ class RunServerTest {
                     "say",
                     "add",
                     "add-robot",
+                    "new-robot",
                     "remove",
                     "estop",
                     "rearm",
@@ -456,6 +457,18 @@ class RunServerTest {
             await(server.run(), snapshot -> snapshot.robots().size() == 1);
         }
 
+        @Test
+        void addRobotsOfModels() throws Exception {
+            await(server.run(), snapshot -> !snapshot.robots().isEmpty());
+            assertThat(get("/api/robots/models").body())
+                    .contains("{\"model\":\"pioneer2dx\",\"title\":\"Pioneer 2-DX\"}");
+            assertThat(post("new-robot", "{\"model\":\"pioneer2dx\",\"x\":3,\"y\":-1,\"heading\":0}")
+                            .body())
+                    .isEqualTo("{\"name\":\"pioneer2dx-1\"}");
+            await(server.run(), snapshot -> snapshot.robots().size() == 2);
+            assertThat(get("/api/run").body()).contains("\"id\":\"pioneer2dx-1\"");
+        }
+
         @ParameterizedTest
         @CsvSource(delimiter = '|', textBlock = """
                 add       | {"kind":"BOX","x":900,"y":-1,"heading":0}           | 409 | outside
@@ -464,6 +477,9 @@ class RunServerTest {
                 add       | {"kind":"BALL","x":1e9,"y":-1,"heading":0}          | 400 | is not a place
                 add-robot | {"robot":"nobody","x":3,"y":-1,"heading":0}         | 409 | There is no (nobody)
                 add-robot | {"robot":"courier-1","x":900,"y":-1,"heading":0}    | 409 | outside
+                new-robot | {"model":"pioneer2","x":3,"y":-1,"heading":0}       | 409 | Maybe (pioneer2dx) was meant?
+                new-robot | {"model":"pioneer2dx","x":900,"y":-1,"heading":0}   | 409 | outside
+                new-robot | {"x":3,"y":-1,"heading":0}                          | 400 | model
                 remove    | {"name":"nobody"}                                   | 409 | There is no (nobody)
                 remove    | {}                                                  | 400 | name
                 motors    | {"robot":"nobody","on":true}                        | 409 | There is no (nobody)
@@ -680,6 +696,7 @@ class RunServerTest {
                 "restart",
                 "add",
                 "add-robot",
+                "new-robot",
                 "remove"
             };
             for (int i = 0; i < 300; i++) {

@@ -5,9 +5,11 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Placement;
 import rsal.device.Subscription;
 import rsal.fault.FaultInjection;
 import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
 
 /// Where robots come from: a simulated world, a set of Player servers, a ROS 2 domain.
 public interface RobotSystem extends AutoCloseable {
@@ -23,6 +25,13 @@ public interface RobotSystem extends AutoCloseable {
     /// where nobody knows. A world that this program does not simulate takes no things, and may be late.
     default Optional<SimulationControl> truth() {
         return simulation();
+    }
+
+    /// Puts a robot into the simulated world, whether or not there is another one like it; tells that it has appeared.
+    ///
+    /// @param robot with an id unique among the world's entities, and a pose
+    default Placement addRobot(RobotSpec robot) {
+        return new Placement.Refused("(%s) can't be added: there is no world that takes it.".formatted(robot.id()));
     }
 
     /// Breaks robots on purpose; empty where that can't be done.

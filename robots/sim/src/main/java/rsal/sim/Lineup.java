@@ -87,7 +87,8 @@ final class Lineup {
         return chunks.computeIfAbsent(blocks, Chunk::of);
     }
 
-    private static List<Block> blocks(RobotSpec robot) {
+    /// What the body of a robot is made of that looks as its model says.
+    static List<Block> blocks(RobotSpec robot) {
         Rgb color = Rgb.parse(robot.color()).orElse(Surface.PLAIN.color());
         List<Block> plain = Entity.blocks(robot.model().body(), color);
         return robot.marker().isEmpty() ? plain : marked(plain, robot.marker().getAsInt());

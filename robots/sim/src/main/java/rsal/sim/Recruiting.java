@@ -13,8 +13,8 @@ import rsal.sim.world.Body;
 import rsal.sim.world.Chunk;
 import rsal.sim.world.World;
 
-/// Makes robots while the world goes on, each after one that the world has or began with; but no two wear the same
-/// marker.
+/// Makes robots while the world goes on, of any model, or after one that the world has or began with; but no two of
+/// these wear the same marker.
 final class Recruiting {
     private final World world;
     private final Assembly assembly;
@@ -25,7 +25,12 @@ final class Recruiting {
     /// @param blocks of its body
     /// @param height of its base above the floor [m]
     /// @param odometryKnowsMap whether its odometry begins with where it is in the map, else at the origin
-    record Kind(RobotSpec spec, List<Block> blocks, double height, boolean odometryKnowsMap) {}
+    record Kind(RobotSpec spec, List<Block> blocks, double height, boolean odometryKnowsMap) {
+        /// That of a robot that stands on the floor and looks as its model says.
+        static Kind of(RobotSpec spec) {
+            return new Kind(spec, Lineup.blocks(spec), 0, false);
+        }
+    }
 
     Recruiting(World world, Assembly assembly, List<Kind> kinds) {
         this.world = world;
@@ -42,25 +47,28 @@ final class Recruiting {
         return kinds.keySet();
     }
 
+    /// A robot's kind, but for another robot.
+    static Kind like(Kind example, String id, Pose2d mapFromBase) {
+        RobotSpec like = example.spec();
+        List<Block> blocks = like.marker().isEmpty() ? example.blocks() : Lineup.marked(example.blocks(), 0);
+        var spec = new RobotSpec(id, like.role(), like.model(), Optional.of(mapFromBase), like.color());
+        return new Kind(spec, blocks, example.height(), example.odometryKnowsMap());
+    }
+
+    /// @param mapFromBase where it is to be
     /// @return empty when there is no room for it; [World#obstacle] says why
-    Optional<SimRobot> recruit(String id, Kind like, Pose2d mapFromBase) {
-        List<Block> blocks = like.spec().marker().isEmpty() ? like.blocks() : Lineup.marked(like.blocks(), 0);
-        List<Chunk> body = chunks.computeIfAbsent(blocks, Chunk::of);
-        if (!world.hasRoom(body, mapFromBase, like.height(), 0)) {
+    Optional<SimRobot> recruit(Kind kind, Pose2d mapFromBase) {
+        List<Chunk> body = chunks.computeIfAbsent(kind.blocks(), Chunk::of);
+        if (!world.hasRoom(body, mapFromBase, kind.height(), 0)) {
             return Optional.empty();
         }
-        var spec = new RobotSpec(
-                id,
-                like.spec().role(),
-                like.spec().model(),
-                Optional.of(mapFromBase),
-                like.spec().color());
-        Body added = world.add(id, body, mapFromBase, like.height());
-        SimRobot robot = assembly.robot(spec, added);
-        if (like.odometryKnowsMap()) {
+        String id = kind.spec().id();
+        Body added = world.add(id, body, mapFromBase, kind.height());
+        SimRobot robot = assembly.robot(kind.spec(), added);
+        if (kind.odometryKnowsMap()) {
             robot.drive().resetOdometry(mapFromBase);
         }
-        kinds.putIfAbsent(id, new Kind(spec, blocks, like.height(), like.odometryKnowsMap()));
+        kinds.putIfAbsent(id, kind);
         return Optional.of(robot);
     }
 }

@@ -15,6 +15,7 @@ import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.Health;
 import rsal.device.SimulationControl;
+import rsal.robot.RobotSpec;
 import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.Surface;
@@ -264,30 +265,52 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     @Override
     public Placement addRobot(String id, String like, Pose2d mapFromBase) {
+        Optional<Recruiting.Kind> kind = recruiting.kind(like);
+        if (kind.isEmpty()) {
+            return refusal(id)
+                    .orElseGet(() -> new Placement.Refused("There never was a robot (%s) to add one like. %s"
+                            .formatted(like, Suggestion.among(like, recruiting.known()))));
+        }
+        return recruit(Recruiting.like(kind.get(), id, mapFromBase), mapFromBase);
+    }
+
+    /// As [RobotSystem#addRobot].
+    Placement addRobot(RobotSpec robot) {
+        List<String> problems = Ability.problems(robot.model());
+        if (!problems.isEmpty()) {
+            return new Placement.Refused(String.join(" ", problems));
+        }
+        return robot.mapFromBase()
+                .map(there -> recruit(Recruiting.Kind.of(robot), there))
+                .orElseGet(() -> new Placement.Refused("Robot (%s) has no pose.".formatted(robot.id())));
+    }
+
+    /// Why no robot of an id can be added.
+    private Optional<Placement> refusal(String id) {
         if (closed) {
-            return new Placement.Refused("The simulation was closed.");
+            return Optional.of(new Placement.Refused("The simulation was closed."));
         }
         Optional<Placement> misnamed = misnamed(id);
         if (misnamed.isPresent()) {
-            return misnamed.get();
+            return misnamed;
         }
         if (recruiting.kind(id).isPresent()) {
-            return new Placement.Refused("A robot was called (%s) before; ids are used once.".formatted(id));
+            return Optional.of(
+                    new Placement.Refused("A robot was called (%s) before; ids are used once.".formatted(id)));
         }
-        if (id.indexOf('/') >= 0) {
-            return new Placement.Refused(
-                    "A slash sets devices off from robots; no robot can be called (%s).".formatted(id));
+        return id.indexOf('/') < 0
+                ? Optional.empty()
+                : Optional.of(new Placement.Refused(
+                        "A slash sets devices off from robots; no robot can be called (%s).".formatted(id)));
+    }
+
+    private Placement recruit(Recruiting.Kind kind, Pose2d mapFromBase) {
+        String id = kind.spec().id();
+        Optional<Placement> refusal = refusal(id).or(() -> outside(mapFromBase));
+        if (refusal.isPresent()) {
+            return refusal.get();
         }
-        Optional<Recruiting.Kind> kind = recruiting.kind(like);
-        if (kind.isEmpty()) {
-            return new Placement.Refused("There never was a robot (%s) to add one like. %s"
-                    .formatted(like, Suggestion.among(like, recruiting.known())));
-        }
-        Optional<Placement> outside = outside(mapFromBase);
-        if (outside.isPresent()) {
-            return outside.get();
-        }
-        Optional<SimRobot> robot = recruiting.recruit(id, kind.get(), mapFromBase);
+        Optional<SimRobot> robot = recruiting.recruit(kind, mapFromBase);
         if (robot.isEmpty()) {
             return inTheWay(id, mapFromBase);
         }

@@ -15,6 +15,7 @@ import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.fault.FaultInjection;
 import rsal.robot.Robot;
+import rsal.robot.RobotSpec;
 import rsal.scene.Touch;
 import rsal.sim.world.World;
 import rsal.system.RobotSystem;
@@ -88,6 +89,11 @@ final class SimSystem implements RobotSystem {
     @Override
     public Optional<SimulationControl> simulation() {
         return Optional.of(control);
+    }
+
+    @Override
+    public SimulationControl.Placement addRobot(RobotSpec robot) {
+        return control.addRobot(robot);
     }
 
     @Override

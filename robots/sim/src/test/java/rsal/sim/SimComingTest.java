@@ -132,6 +132,28 @@ class SimComingTest {
     }
 
     @Test
+    void aRobotOfAnyModelComesIntoAWorldWithoutAny() {
+        SimRun empty = SimRun.of(ROOM);
+        empty.system.onChange(changes::add);
+        assertThat(empty.simulation.addRobot("c", "a", THERE))
+                .isEqualTo(
+                        new Placement.Refused("There never was a robot (a) to add one like. Nothing is known here."));
+        assertThat(empty.system.addRobot(SimRun.robot("c", MODEL, THERE))).isEqualTo(PLACED);
+        Robot came = ((Change.Appeared) changes.getFirst()).robot();
+        assertThat(came.model()).isEqualTo(MODEL);
+        empty.advance(0.3);
+        assertThat(came.require(LaserScanner.class).latest()).isPresent();
+        assertThat(empty.truth("c")).isEqualTo(THERE);
+        assertThat(empty.simulation.addRobot("d", "c", new Pose2d(7, 3, 0))).isEqualTo(PLACED);
+        assertThat(empty.system.addRobot(SimRun.robot("e", MODEL, THERE)))
+                .isEqualTo(new Placement.Refused("(e) does not fit at (5.00, 3.00): (c) is in the way."));
+        assertThat(empty.system.addRobot(SimRun.robot("c", MODEL, new Pose2d(2, 3, 0))))
+                .isInstanceOf(Placement.Refused.class);
+        assertThat(empty.system.addRobot(SimRun.anywhere("e", MODEL)))
+                .isEqualTo(new Placement.Refused("Robot (e) has no pose."));
+    }
+
+    @Test
     void saysWhyARobotCantCome() {
         refuses("a", "b", THERE, "Something else is called (a)");
         refuses("wall", "b", THERE, "Something else is called (wall)");

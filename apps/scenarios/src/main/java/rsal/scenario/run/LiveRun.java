@@ -33,7 +33,11 @@ import rsal.agent.Turns;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.Subscription;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModels;
 import rsal.scenario.RunPlan;
+import rsal.settings.FileSource;
+import rsal.settings.Location;
 import rsal.system.BridgeProvider;
 import rsal.time.AllowedToReadWallClock;
 import rsal.time.LockstepScheduler;
@@ -236,6 +240,22 @@ public final class LiveRun implements AutoCloseable {
     /// @return [Answer.Added] when it is there
     public CompletionStage<Answer> addRobot(String like, Pose2d mapFromBase) {
         return ask(stage -> stage.world().addRobot(like, mapFromBase));
+    }
+
+    /// Puts a robot of one of the [#robotModels] into the simulated world. It is named after its model, and has no
+    /// agents.
+    ///
+    /// @return [Answer.Added] when it is there
+    public CompletionStage<Answer> newRobot(String model, Pose2d mapFromBase) {
+        return ask(stage -> stage.world().newRobot(model, mapFromBase));
+    }
+
+    /// Models of robots that people can add: the same in all runs.
+    public static List<RobotModel> robotModels() {
+        var models = new RobotModels(FileSource.resources(LiveRun.class, "/"));
+        return RobotModels.builtIn().stream()
+                .map(name -> models.read(name, Location.of(name)))
+                .toList();
     }
 
     /// Takes a robot with its agents, or a thing, out of the simulated world.

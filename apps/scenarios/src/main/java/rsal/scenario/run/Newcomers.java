@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -8,8 +9,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import rsal.data.Pose2d;
 import rsal.robot.Robot;
+import rsal.robot.RobotColors;
+import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
@@ -26,10 +31,13 @@ final class Newcomers {
     private final Map<String, List<PlannedAgent>> agents = new HashMap<>(); // by robot
     private final Set<String> agentNames = new HashSet<>();
     private final Map<String, String> expected = new HashMap<>(); // whom those who are to come are made after
+    private final Map<String, PlannedRobot> ordered = new HashMap<>(); // who is to come, and is made after nobody
+    private final RunPlan plan;
     private final List<PlannedRobot> planned;
     private final RunPlan.Mrs scenarios;
 
     Newcomers(RunPlan plan) {
+        this.plan = plan;
         scenarios = plan.mrs();
         planned = plan.robots();
         for (PlannedRobot robot : planned) {
@@ -49,28 +57,63 @@ final class Newcomers {
     /// @param taken by others
     /// @return empty when there never was that other one
     Optional<String> expect(String example, Set<String> taken) {
-        Optional<String> id = idLike(example, taken);
+        Optional<String> id = Optional.ofNullable(robots.get(example))
+                .map(like -> free(like.spec().role(), taken));
         id.ifPresent(free -> expected.put(free, example));
         return id;
     }
 
-    boolean isExpected(String robot) {
-        return expected.containsKey(robot);
+    /// A robot of a model is to come, which has the model's name for its role.
+    ///
+    /// @param taken ids by others
+    RobotSpec expect(RobotModel model, Pose2d mapFromBase, Set<String> taken) {
+        String role = model.name();
+        String color = robots.values().stream()
+                .map(PlannedRobot::spec)
+                .filter(spec -> spec.role().equals(role))
+                .map(RobotSpec::color)
+                .min(Comparator.naturalOrder())
+                .orElseGet(this::freshColor);
+        var spec = new RobotSpec(free(role, taken), role, model, Optional.of(mapFromBase), color);
+        ordered.put(spec.id(), plan.newcomer(spec));
+        return spec;
     }
 
-    private Optional<String> idLike(String robot, Set<String> taken) {
-        return Optional.ofNullable(robots.get(robot)).map(like -> {
-            String role = like.spec().role();
-            int number = 1;
-            while (robots.containsKey(role + "-" + number) || taken.contains(role + "-" + number)) {
-                number++;
-            }
-            return role + "-" + number;
-        });
+    private String freshColor() {
+        Set<String> worn =
+                robots.values().stream().map(robot -> robot.spec().color()).collect(Collectors.toSet());
+        return IntStream.rangeClosed(0, worn.size())
+                .mapToObj(RobotColors::of)
+                .filter(color -> !worn.contains(color))
+                .findFirst()
+                .orElse(RobotColors.of(worn.size()));
+    }
+
+    /// One that was expected does not come.
+    void dismiss(String robot) {
+        expected.remove(robot);
+        ordered.remove(robot);
+    }
+
+    boolean isExpected(String robot) {
+        return expected.containsKey(robot) || ordered.containsKey(robot);
+    }
+
+    private String free(String role, Set<String> taken) {
+        int number = 1;
+        while (robots.containsKey(role + "-" + number) || taken.contains(role + "-" + number)) {
+            number++;
+        }
+        return role + "-" + number;
     }
 
     /// Plans a robot that is there already. When nobody expected it, it is made after one of its role and model.
     PlannedRobot plan(Robot robot, Optional<Pose2d> mapFromBase) {
+        PlannedRobot wanted = ordered.remove(robot.id());
+        if (wanted != null) {
+            robots.put(robot.id(), wanted);
+            return wanted;
+        }
         Optional<PlannedRobot> example = Optional.ofNullable(expected.remove(robot.id()))
                 .map(robots::get)
                 .or(() -> planned.stream().filter(one -> isLike(one, robot)).findFirst());

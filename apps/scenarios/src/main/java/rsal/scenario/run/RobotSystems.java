@@ -14,6 +14,7 @@ import java.util.random.RandomGenerator;
 import rsal.data.Pose2d;
 import rsal.data.Solid;
 import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Placement;
 import rsal.device.Subscription;
 import rsal.fault.Fault;
 import rsal.fault.FaultInjection;
@@ -124,6 +125,17 @@ final class RobotSystems implements RobotSystem {
     @Override
     public Optional<SimulationControl> simulation() {
         return parts.stream().flatMap(part -> part.system.simulation().stream()).findFirst();
+    }
+
+    /// In the one that simulates.
+    @Override
+    public Placement addRobot(RobotSpec robot) {
+        return parts.stream()
+                .map(part -> part.system)
+                .filter(system -> system.simulation().isPresent())
+                .findFirst()
+                .map(system -> system.addRobot(robot))
+                .orElseGet(() -> RobotSystem.super.addRobot(robot));
     }
 
     /// That of the world in which a robot is simulated; empty for one that is real.

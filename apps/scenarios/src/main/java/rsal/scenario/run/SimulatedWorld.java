@@ -16,7 +16,11 @@ import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Standing;
 import rsal.robot.Robot;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModels;
+import rsal.robot.RobotSpec;
 import rsal.scenario.RunPlan;
+import rsal.settings.Suggestion;
 import rsal.time.Scheduler;
 
 /// The world of a run as people see and change it, if it is simulated. Where there is only reality nobody knows the
@@ -191,7 +195,7 @@ final class SimulatedWorld {
         return answer;
     }
 
-    /// Puts another robot into the world.
+    /// Puts a robot into the world that is like one that is or was there.
     Answer addRobot(String example, Pose2d mapFromBase) {
         Optional<SimulationControl> simulation = systems.simulation();
         if (simulation.isEmpty()) {
@@ -201,19 +205,49 @@ final class SimulatedWorld {
             return isReal(example, "no other like it can be added");
         }
         if (robotsAdded == MOST_ADDED) {
-            return new Answer.Refused("%d robots were added already; that is enough for a run.".formatted(MOST_ADDED));
+            return enough();
         }
         Optional<String> id =
                 newcomers.expect(example, new HashSet<>(simulation.get().entities()));
-        if (id.isEmpty()) {
-            return unknown(example);
+        return id.map(free -> added(free, mapFromBase, simulation.get().addRobot(free, example, mapFromBase)))
+                .orElseGet(() -> unknown(example));
+    }
+
+    /// Puts a robot into the world that is of a model that comes with the program.
+    ///
+    /// @param model its name
+    Answer newRobot(String model, Pose2d mapFromBase) {
+        Optional<SimulationControl> simulation = systems.simulation();
+        if (simulation.isEmpty()) {
+            return nothingSimulated();
         }
-        Answer answer = answer(
-                simulation.get().addRobot(id.get(), example, mapFromBase),
-                id.get(),
-                "added at " + Words.of(mapFromBase),
-                new Answer.Added(id.get()));
-        robotsAdded += answer instanceof Answer.Added ? 1 : 0;
+        Optional<RobotModel> known = LiveRun.robotModels().stream()
+                .filter(one -> one.name().equals(model))
+                .findFirst();
+        if (known.isEmpty()) {
+            return new Answer.Refused("There is no robot model (%s). %s"
+                    .formatted(model, Suggestion.among(model, RobotModels.builtIn())));
+        }
+        if (robotsAdded == MOST_ADDED) {
+            return enough();
+        }
+        RobotSpec wanted = newcomers.expect(
+                known.get(), mapFromBase, new HashSet<>(simulation.get().entities()));
+        return added(wanted.id(), mapFromBase, systems.addRobot(wanted));
+    }
+
+    private static Answer enough() {
+        return new Answer.Refused("%d robots were added already; that is enough for a run.".formatted(MOST_ADDED));
+    }
+
+    /// @param robot that was expected
+    private Answer added(String robot, Pose2d mapFromBase, Placement placement) {
+        Answer answer = answer(placement, robot, "added at " + Words.of(mapFromBase), new Answer.Added(robot));
+        if (answer instanceof Answer.Added) {
+            robotsAdded++;
+        } else {
+            newcomers.dismiss(robot);
+        }
         return answer;
     }
 

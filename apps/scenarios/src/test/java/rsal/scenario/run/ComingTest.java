@@ -21,6 +21,8 @@ import rsal.agent.Society;
 import rsal.data.Pose2d;
 import rsal.device.SimulationControl.Standing;
 import rsal.robot.Robot;
+import rsal.robot.RobotModel;
+import rsal.robot.RobotModels;
 import rsal.scenario.RunOptions;
 import rsal.system.Bridge;
 import rsal.system.BridgeProvider;
@@ -174,6 +176,27 @@ class ComingTest {
                 .filteredOn(event -> event.subject().equals("box-1"))
                 .extracting(RunEvent::text)
                 .containsExactly("added at (-8.00, -1.00, 0°)", "placed at (-10.00, -1.00, 57°)", "removed");
+    }
+
+    @Test
+    void aRobotOfAModelComesAndDoesWhatPeopleTellIt() throws InterruptedException {
+        assertThat(LiveRun.robotModels()).extracting(RobotModel::name).containsExactlyElementsOf(RobotModels.builtIn());
+        assertThat(answer(run.newRobot("pioneer3at", THERE))).isEqualTo(new Answer.Added("pioneer3at-1"));
+        Snapshot snapshot = await(now -> has(now, "pioneer3at-1"));
+        assertThat(snapshot.agents()).hasSize(2);
+        assertThat(snapshot.robots().getLast().truth()).isPresent();
+        assertThat(answer(run.behave("pioneer3at-1", "wander"))).isEqualTo(DONE);
+        await(now -> now.robots().getLast().truth().orElseThrow().distanceTo(THERE) > 0.3);
+        assertThat(answer(run.goTo("pioneer3at-1", THERE))).isEqualTo(DONE);
+        assertThat(answer(run.addRobot("pioneer3at-1", new Pose2d(-4, -1, 0))))
+                .isEqualTo(new Answer.Added("pioneer3at-2"));
+        assertThat(run.events(0))
+                .filteredOn(event -> event.subject().equals("pioneer3at-1"))
+                .extracting(RunEvent::text)
+                .startsWith("added at (-8.00, -1.00, 0°)")
+                .doesNotContain("is there");
+        refuses(run.newRobot("pioneer3at", new Pose2d(-4, -1, 0)), "(pioneer3at-2) is in the way");
+        refuses(run.newRobot("pioneer", THERE), "There is no robot model (pioneer).");
     }
 
     @Test
