@@ -115,6 +115,15 @@ export interface Cameras {
   cameras: CameraView[];
 }
 
+export interface CarriedInfo {
+  devices: string[];
+  pieces: number[];
+  x: number;
+  y: number;
+  heading: number;
+  rise: number;
+}
+
 export interface ChangeInfo {
   time: number;
   kind: Kind;
@@ -234,6 +243,7 @@ export interface GoalInfo {
 }
 
 export interface GripperInfo {
+  name: string;
   x: number;
   y: number;
   heading: number;
@@ -241,6 +251,9 @@ export interface GripperInfo {
   width: number;
   paddleLength: number;
   paddleWidth: number;
+  low: number;
+  high: number;
+  lift: number;
 }
 
 export interface HearingInfo {
@@ -260,6 +273,7 @@ export interface HostInfo {
 export type Kind = 'DOES' | 'BELIEVES' | 'WANTS';
 
 export interface LightInfo {
+  name: string;
   x: number;
   y: number;
   color: string;
@@ -470,6 +484,7 @@ export interface RobotDetails {
   driver: string;
   stopped: boolean;
   quality: string;
+  carried: CarriedInfo[];
   real: RealDetails | null;
   devices: DeviceDetails[];
   map: DrawnMap | null;

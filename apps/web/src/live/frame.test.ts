@@ -63,6 +63,7 @@ describe('a frame', () => {
 
   it('has gripper and light', () => {
     expect(full?.gripper?.closed).toBeCloseTo(0.25, 4);
+    expect(full?.gripper?.raised).toBeCloseTo(0.5, 4);
     expect(full).toMatchObject({ gripper: { holding: true }, lit: true });
     expect(bare).toMatchObject({ gripper: null, lit: false });
   });

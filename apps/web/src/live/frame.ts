@@ -80,6 +80,8 @@ export interface Particles {
 export interface Gripper {
   /** How far the paddles are: 0 open, 1 closed. */
   closed: number;
+  /** Its lift: 0 down, 1 up. */
+  raised: number;
   holding: boolean;
 }
 
@@ -245,7 +247,9 @@ function particles(reader: Reader): Particles {
 }
 
 function gripper(reader: Reader): Gripper {
-  return { closed: reader.uint16() / 0xffff, holding: (reader.uint16() & HOLDING) !== 0 };
+  const closed = reader.uint16() / 0xffff;
+  const rest = reader.uint16();
+  return { closed, raised: (rest >> 1) / 0x7fff, holding: (rest & HOLDING) !== 0 };
 }
 
 /** Reads little-endian values one after the other; arrays are views, which every browser's byte order allows. */

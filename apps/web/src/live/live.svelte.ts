@@ -1,6 +1,7 @@
 import { access } from '../api/access.svelte';
 import { api } from '../api/client';
 import type {
+  CarriedInfo,
   Details,
   EventInfo,
   Reach,
@@ -175,6 +176,11 @@ class Live implements Listener {
   /** What there is to say of those that are real, by index. */
   readonly real: ReadonlyMap<number, RealDetails> = $derived(
     new Map([...this.said].flatMap(([i, { real }]) => (real ? [[i, real]] : []))),
+  );
+
+  /** What actuators of robots have carried elsewhere, by index. */
+  readonly carried: ReadonlyMap<number, readonly CarriedInfo[]> = $derived(
+    new Map([...this.said].flatMap(([i, { carried }]) => (carried.length > 0 ? [[i, carried]] : []))),
   );
 
   /** Whether a robot is there: it may have been removed, and keeps its index. */

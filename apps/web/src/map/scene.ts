@@ -1,4 +1,4 @@
-import type { CameraView, LinkInfo, RealDetails, RunInfo } from '../api/messages';
+import type { CameraView, CarriedInfo, LinkInfo, RealDetails, RunInfo } from '../api/messages';
 import type { Frame, MovedThing, Pose } from '../live/frame';
 import type { Things } from '../live/things';
 import type { Trails } from '../live/trails';
@@ -23,6 +23,8 @@ export interface Scene {
   faded: ReadonlySet<number>;
   /** What there is to say of robots that are real. */
   real: ReadonlyMap<number, RealDetails>;
+  /** What their actuators have carried elsewhere, of those of which that is told. */
+  carried: ReadonlyMap<number, readonly CarriedInfo[]>;
   things: Things;
   /** Things that are elsewhere than was told, by number. */
   moved: ReadonlyMap<number, MovedThing>;

@@ -1,5 +1,6 @@
-import type { RobotInfo } from '../api/messages';
+import type { CarriedInfo, RobotInfo } from '../api/messages';
 import type { Pose } from '../live/frame';
+import { carriedPieces } from '../map/layers/carried';
 import { piecesOf } from '../map/layers/robots';
 import { uprightsOf, type Standing } from '../map/layers/uprights';
 import { channelsOf } from '../shades';
@@ -20,8 +21,14 @@ export function eyeOf(robot: RobotInfo): number {
   return Math.max(LOWEST_EYE, topOf(robot) + ABOVE);
 }
 
-export function robotPrisms(robot: RobotInfo, pose: Pose, color: string): Prism[] {
-  return prismsOf({ pose, pieces: piecesOf(robot), height: 0 }, color);
+/** @param carried what its actuators have carried elsewhere */
+export function robotPrisms(
+  robot: RobotInfo,
+  pose: Pose,
+  color: string,
+  carried: readonly CarriedInfo[] | undefined,
+): Prism[] {
+  return prismsOf({ pose, pieces: carriedPieces(piecesOf(robot), carried), height: 0 }, color);
 }
 
 /** @param plain color of pieces that have none */

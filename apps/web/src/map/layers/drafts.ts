@@ -4,7 +4,7 @@ import { drawRobot } from './robots';
 import { drawThing } from './things';
 
 /** What a person is about to ask for. */
-export const drawDraft: Layer = (context, { info, things, draft, view, palette }) => {
+export const drawDraft: Layer = (context, { info, frame, carried, things, draft, view, palette }) => {
   if (draft === null) {
     return;
   }
@@ -18,7 +18,8 @@ export const drawDraft: Layer = (context, { info, things, draft, view, palette }
   } else if (draft.kind === 'goal') {
     drawGoal(context, pose, info.robots[target.robot]!.color, view.scale);
   } else {
-    drawRobot(context, pose, info.robots[target.robot]!, view, palette);
+    const i = target.robot;
+    drawRobot(context, pose, info.robots[i]!, view, palette, frame.robots[i], carried.get(i));
   }
   context.globalAlpha = 1;
 };

@@ -1,10 +1,11 @@
-import type { GripperInfo, LightInfo, PieceInfo, RobotInfo } from '../../api/messages';
+import type { CarriedInfo, LightInfo, PieceInfo, RobotInfo } from '../../api/messages';
 import type { Pose, RobotState } from '../../live/frame';
 import type { Context, Layer, Scene } from '../scene';
 import type { Point, View } from '../view';
 import { toOklab } from '../../shades';
 import type { Palette } from '../palette';
 import { drawBody } from './bodies';
+import { carriedPieces, carrierOf, movedTo, withPaddles } from './carried';
 import { enter } from './frames';
 import { ROBOT_HEIGHT } from './heights';
 import { Sprites } from './sprites';
@@ -13,7 +14,6 @@ import { Sprites } from './sprites';
 const LEAST_PIXELS = 18;
 /** Of robots that nobody hears of. */
 export const FADED = '#8a93a1';
-const PADDLES = '#5b6576';
 /** Radius of a light, and of its shine [m]. */
 const LAMP = 0.05;
 const GLOW = 0.3;
@@ -62,7 +62,8 @@ export function drawerOf(context: CanvasRenderingContext2D, scene: Scene): (i: n
     const pose = scene.poses[i];
     const robot = info.robots[i]!;
     const reach = radius(robot.footprint, view.scale) * view.scale + LINES;
-    if (!pose || reach > SMALL || robot.gripper || robot.light || scene.faded.has(i)) {
+    const changes = robot.gripper !== null || robot.light !== null || scene.carried.has(i);
+    if (!pose || reach > SMALL || changes || scene.faded.has(i)) {
       drawInState(context, scene, i); // something on it changes, or it is large enough to be looked at
       return false;
     }
@@ -84,7 +85,7 @@ export function drawerOf(context: CanvasRenderingContext2D, scene: Scene): (i: n
 
 /** A robot, if it is there, as it is now. */
 export function drawInState(context: CanvasRenderingContext2D, scene: Scene, i: number) {
-  const { info, frame, poses, faded, view, palette } = scene;
+  const { info, frame, poses, faded, carried, view, palette } = scene;
   const pose = poses[i];
   const robot = info.robots[i]!;
   if (!pose) {
@@ -95,7 +96,7 @@ export function drawInState(context: CanvasRenderingContext2D, scene: Scene, i: 
     drawRobot(context, pose, { ...robot, color: FADED, pieces: [] }, view, palette);
     context.globalAlpha = 1;
   } else {
-    drawRobot(context, pose, robot, view, palette, frame.robots[i]);
+    drawRobot(context, pose, robot, view, palette, frame.robots[i], carried.get(i));
   }
 }
 
@@ -128,68 +129,35 @@ export function drawRobot(
   view: View,
   { halo, edge }: Palette,
   state?: RobotState,
+  carried?: readonly CarriedInfo[],
 ) {
   const { scale } = view;
   const grown = magnification(footprint, scale);
-  const shape = piecesOf({ footprint, pieces });
-  const drawGripper = () => {
-    if (gripper) {
-      context.save();
-      enter(context, pose);
-      context.scale(grown, grown);
-      drawPaddles(context, gripper, state?.gripper?.closed ?? 0, { halo, edge }, 1 / (scale * grown));
-      context.restore();
-    }
-  };
+  const body = piecesOf({ footprint, pieces });
+  const shape = withPaddles(carriedPieces(body, carried), gripper, state?.gripper, carried);
   if (view.oblique) {
-    drawGripper(); // on the floor: nobody tells how high it is
     drawBody(context, pose, shape, { color, line: edge, lineWidth: 1 }, view, grown);
   } else {
     drawBody(context, pose, shape, { color, line: edge, lineWidth: 1.75 }, view, grown); // seen on floors of its color
     drawBody(context, pose, shape, { color, line: halo, lineWidth: 1 }, view, grown);
-    drawGripper();
   }
   context.save();
-  enter(context, view.raised(pose, shape.at(-1)!.high * grown));
+  enter(context, view.raised(pose, body.at(-1)!.high * grown));
   context.scale(grown, grown);
-  const front = Math.max(...footprint.map(([x]) => x!));
+  const side = Math.max(...footprint.map(([, y]) => Math.abs(y!)));
+  const front = Math.min(Math.max(...footprint.map(([x]) => x!)), 1.5 * side); // arms reach far out of a footprint
   context.beginPath(); // an arrow head
   context.moveTo(0.8 * front, 0);
   context.lineTo(-0.35 * front, 0.55 * front);
   context.lineTo(-0.1 * front, 0);
   context.lineTo(-0.35 * front, -0.55 * front);
   context.closePath();
-  context.fillStyle = toOklab(shape.at(-1)!.color ?? color)[0] > LIGHT ? '#10151d' : '#ffffff';
+  context.fillStyle = toOklab(body.at(-1)!.color ?? color)[0] > LIGHT ? '#10151d' : '#ffffff';
   context.fill();
   if (light) {
-    drawLight(context, light, state?.lit === true, edge, 1 / (scale * grown));
-  }
-  context.restore();
-}
-
-/** In the robot's frame. */
-function drawPaddles(
-  context: Context,
-  { x, y, heading, length, width, paddleLength, paddleWidth }: GripperInfo,
-  closed: number,
-  { halo, edge }: Pick<Palette, 'halo' | 'edge'>,
-  pixel: number,
-) {
-  const gap = (width / 2 - paddleWidth) * (1 - closed);
-  context.save();
-  enter(context, { x, y, heading });
-  context.fillStyle = PADDLES;
-  context.strokeStyle = edge;
-  for (const inside of [gap, -gap - paddleWidth]) {
-    context.beginPath();
-    context.rect(length / 2 - paddleLength, inside, paddleLength, paddleWidth);
-    context.lineWidth = 3 * pixel;
-    context.strokeStyle = edge;
-    context.stroke();
-    context.lineWidth = 1.5 * pixel;
-    context.strokeStyle = halo;
-    context.stroke();
-    context.fill();
+    const load = carrierOf(light.name, carried);
+    const [x, y] = load ? (movedTo([light.x, light.y], load) as [number, number]) : [light.x, light.y];
+    drawLight(context, { ...light, x, y }, state?.lit === true, edge, 1 / (scale * grown));
   }
   context.restore();
 }

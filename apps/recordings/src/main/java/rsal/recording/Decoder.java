@@ -6,6 +6,7 @@ import java.nio.ByteOrder;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
@@ -35,6 +36,7 @@ import rsal.data.Solid;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.Health;
+import rsal.device.SimulationControl.Carried;
 import rsal.device.SimulationControl.Standing;
 import rsal.recording.Held.Raw;
 import rsal.recording.Held.Speech;
@@ -248,6 +250,7 @@ final class Decoder {
                         .map(has -> new Stamped<>(when, id + "/gripper", gripper(has))),
                 robot.flag("stopped"),
                 robot.flag("lit"),
+                robot.all("carried").stream().map(Decoder::carried).toList(),
                 Optional.of(robot)
                         .filter(all -> all.flag("real") || all.pose("stand_in").isPresent())
                         .map(Decoder::real),
@@ -278,18 +281,28 @@ final class Decoder {
         return otherwise;
     }
 
-    /// Only how far it is closed and whether it holds something is recorded, which is what people see.
+    /// Only how far it is closed and raised and whether it holds something is recorded, which is what people see.
     private static GripperState gripper(Fields robot) {
         return new GripperState(
                 GripperState.Paddles.STOPPED,
                 robot.number("gripper_closed"),
                 GripperState.Lift.STOPPED,
-                Double.NaN,
+                robot.number("gripper_raised"),
                 false,
                 false,
                 false,
                 false,
                 robot.flag("gripper_holding"));
+    }
+
+    private static Carried carried(Fields load) {
+        return new Carried(
+                load.texts("devices"),
+                Arrays.stream(load.doubles("pieces"))
+                        .mapToObj(piece -> (int) piece)
+                        .toList(),
+                load.pose("pose").orElse(Pose2d.ORIGIN),
+                load.number("rise"));
     }
 
     private static RobotView.Real real(Fields robot) {

@@ -25,6 +25,7 @@ import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.data.Stamped;
 import rsal.device.Health;
+import rsal.device.SimulationControl.Carried;
 import rsal.device.SimulationControl.Standing;
 import rsal.recording.mcap.ByteSink;
 import rsal.recording.proto.MessageType;
@@ -217,6 +218,15 @@ public final class Encoder {
         lacks(robot.id(), Topics.RANGES, robot.ranges());
         lacks(robot.id(), Topics.PARTICLES, robot.particles());
         lacks(robot.id(), Topics.MAP, robot.map());
+        robot.gripper().ifPresent(gripper -> out.number(24, gripper.value().raised()));
+        for (Carried load : robot.carried()) {
+            int begun = out.begin(25);
+            pose(1, load.baseFromMoved());
+            out.number(2, load.rise());
+            out.numbers(3, load.pieces().stream().mapToDouble(piece -> piece).toArray());
+            load.devices().forEach(device -> out.string(4, device));
+            out.end(begun);
+        }
     }
 
     /// What was there once, and is no more.

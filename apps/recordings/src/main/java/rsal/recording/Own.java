@@ -18,6 +18,11 @@ final class Own {
             .with(6, "headings", Kind.DOUBLE)
             .with(7, "confidence", Kind.DOUBLE)
             .with(8, "quality", Kind.STRING);
+    static final MessageType CARRIED = MessageType.named("rsal.Carried")
+            .with(1, "pose", POSE)
+            .with(2, "rise", Kind.DOUBLE)
+            .withMany(3, "pieces", Kind.DOUBLE)
+            .withMany(4, "devices", Kind.STRING);
     static final MessageType ROBOT_STATE = MessageType.named("rsal.RobotState")
             .with(1, "id", Kind.STRING)
             .with(2, "gone", Kind.BOOL)
@@ -41,7 +46,9 @@ final class Own {
             .with(20, "real", Kind.BOOL)
             .with(21, "proxy", Kind.BOOL)
             .with(22, "silence", Kind.DOUBLE)
-            .withMany(23, "lacks", Kind.STRING);
+            .withMany(23, "lacks", Kind.STRING)
+            .with(24, "gripper_raised", Kind.DOUBLE)
+            .withMany(25, "carried", CARRIED);
     static final MessageType STATE = MessageType.named("rsal.State")
             .with(1, "timestamp", Foxglove.TIMESTAMP)
             .with(2, "hash", Kind.STRING)

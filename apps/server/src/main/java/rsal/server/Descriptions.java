@@ -447,6 +447,7 @@ final class Descriptions {
                 robot.estimate()
                         .map(estimate -> estimate.value().quality().name().toLowerCase(Locale.ROOT))
                         .orElse(""),
+                robot.carried().stream().map(Looks::carried).toList(),
                 robot.real().map(Descriptions::real),
                 robot.devices().stream().map(Descriptions::device).toList(),
                 robot.map().map(Descriptions::drawn));

@@ -294,7 +294,8 @@ final class FrameEncoder {
         reserve(4);
         double closed = gripper.closed() >= 0 ? Math.min(1, gripper.closed()) : 0; // open when it can't tell
         out.putShort((short) Math.round(0xffff * closed));
-        out.putShort((short) (gripper.holding() ? HOLDING : 0));
+        double raised = gripper.raised() >= 0 ? Math.min(1, gripper.raised()) : 0; // down when it can't tell
+        out.putShort((short) (Math.round(0x7fff * raised) << 1 | (gripper.holding() ? HOLDING : 0)));
     }
 
     /// 10 bytes.

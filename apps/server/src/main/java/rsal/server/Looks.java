@@ -4,15 +4,18 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
 import rsal.data.Prism;
 import rsal.data.Shape;
 import rsal.data.Solid;
+import rsal.device.SimulationControl.Carried;
 import rsal.device.SimulationControl.Standing;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.scenario.run.Teammate;
+import rsal.server.Messages.CarriedInfo;
 import rsal.server.Messages.GripperInfo;
 import rsal.server.Messages.LightInfo;
 import rsal.server.Messages.PieceInfo;
@@ -22,7 +25,7 @@ import rsal.server.Messages.ThingInfo;
 /// Puts what bodies look like into messages.
 final class Looks {
     private static final int MOST_CORNERS = 400; // of a robot
-    private static final double PLACES = 1e4; // tenths of millimetres
+    private static final double PLACES = 1e4; // tenths of millimetres, and of milliradians
 
     private Looks() {}
 
@@ -43,26 +46,49 @@ final class Looks {
                 spec.model().title(),
                 corners(spec.model().footprint()),
                 pieces,
-                part(spec.model(), Part.Gripper.class).map(Looks::gripper),
-                part(spec.model(), Part.Light.class).map(Looks::light));
+                part(spec.model(), Part.Gripper.class, (name, part) -> gripper(name, part, spec.model())),
+                part(spec.model(), Part.Light.class, Looks::light));
     }
 
-    private static <P extends Part> Optional<P> part(RobotModel model, Class<P> type) {
-        return model.sensors().values().stream()
-                .filter(type::isInstance)
-                .map(type::cast)
-                .findFirst();
+    private static <P extends Part, I> Optional<I> part(
+            RobotModel model, Class<P> type, BiFunction<String, P, I> describe) {
+        return model.sensors().entrySet().stream()
+                .filter(sensor -> type.isInstance(sensor.getValue()))
+                .findFirst()
+                .map(sensor -> describe.apply(sensor.getKey(), type.cast(sensor.getValue())));
     }
 
-    private static GripperInfo gripper(Part.Gripper part) {
+    private static GripperInfo gripper(String name, Part.Gripper part, RobotModel model) {
         var pose = part.baseFromGripper();
+        double low = model.level(name);
         return new GripperInfo(
-                pose.x(), pose.y(), pose.theta(), part.length(), part.width(), part.paddleLength(), part.paddleWidth());
+                name,
+                pose.x(),
+                pose.y(),
+                pose.theta(),
+                part.length(),
+                part.width(),
+                part.paddleLength(),
+                part.paddleWidth(),
+                rounded(low),
+                rounded(low + part.height()),
+                part.hasLift() ? part.height() : 0);
     }
 
-    private static LightInfo light(Part.Light part) {
+    private static LightInfo light(String name, Part.Light part) {
         var pose = part.baseFromLight();
-        return new LightInfo(pose.x(), pose.y(), part.color().toString());
+        return new LightInfo(name, pose.x(), pose.y(), part.color().toString());
+    }
+
+    static CarriedInfo carried(Carried load) {
+        var pose = load.baseFromMoved();
+        return new CarriedInfo(
+                load.devices(),
+                load.pieces(),
+                rounded(pose.x()),
+                rounded(pose.y()),
+                rounded(pose.theta()),
+                rounded(load.rise()));
     }
 
     static ThingInfo thing(Standing thing) {

@@ -188,15 +188,30 @@ final class Messages {
 
     /// Two paddles that close across, in the base frame [m, rad].
     ///
+    /// @param name of the device
     /// @param x of the middle of gripper and paddles together, open along its own x axis
     /// @param length of gripper and paddles together
     /// @param width from outside to outside, when they are open
+    /// @param low lower edge of the paddles above the floor, when they are not raised
+    /// @param high likewise, upper edge
+    /// @param lift how far it can raise them
     record GripperInfo(
-            double x, double y, double heading, double length, double width, double paddleLength, double paddleWidth) {}
+            String name,
+            double x,
+            double y,
+            double heading,
+            double length,
+            double width,
+            double paddleLength,
+            double paddleWidth,
+            double low,
+            double high,
+            double lift) {}
 
+    /// @param name of the device
     /// @param x in the base frame [m]
     /// @param color `#rrggbb`
-    record LightInfo(double x, double y, String color) {}
+    record LightInfo(String name, double x, double y, String color) {}
 
     /// A piece of a body as seen from above.
     ///
@@ -256,6 +271,7 @@ final class Messages {
     /// @param behavior what somebody told it to do, as an [Order] does; empty when nobody did
     /// @param driver who drives it, as [Drive] has it; empty when nobody does
     /// @param quality how sure its localizer is: `localized`, `ambiguous`, `lost`; empty when nothing tells
+    /// @param carried what its actuators have carried elsewhere
     /// @param real what there is to say of one that is not simulated
     /// @param map that it has drawn itself so far
     record RobotDetails(
@@ -266,9 +282,19 @@ final class Messages {
             String driver,
             boolean stopped,
             String quality,
+            List<CarriedInfo> carried,
             Optional<RealDetails> real,
             List<DeviceDetails> devices,
             Optional<DrawnMap> map) {}
+
+    /// What stands on one actuator, which is not at home.
+    ///
+    /// @param devices by name
+    /// @param pieces numbers of [RobotInfo#pieces], from 0; some may not have been told
+    /// @param x where the base would be, in the base frame, if all of the robot had moved like that [m]
+    /// @param heading likewise [rad]
+    /// @param rise likewise, upwards [m]
+    record CarriedInfo(List<String> devices, List<Integer> pieces, double x, double y, double heading, double rise) {}
 
     /// What a robot's cameras make out.
     record Cameras(List<CameraView> cameras) {}

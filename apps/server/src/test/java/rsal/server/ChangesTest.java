@@ -20,7 +20,8 @@ class ChangesTest {
     private static final int LOOKS = 200;
 
     private static RobotDetails robot(String id, String behavior) {
-        return new RobotDetails(id, false, "", behavior, "", false, "", Optional.empty(), List.of(), Optional.empty());
+        return new RobotDetails(
+                id, false, "", behavior, "", false, "", List.of(), Optional.empty(), List.of(), Optional.empty());
     }
 
     private static AgentDetails agent(String name, String state) {

@@ -140,6 +140,7 @@ class FrameEncoderTest {
                 Optional.empty(),
                 false,
                 false,
+                List.of(),
                 Optional.empty(),
                 List.of());
         byte[] frame = encode(List.of(robot));
@@ -215,9 +216,18 @@ class FrameEncoderTest {
                 "",
                 "",
                 Optional.of(stamped(new GripperState(
-                        GripperState.Paddles.CLOSED, 0.25, GripperState.Lift.DOWN, 0, false, false, true, true, true))),
+                        GripperState.Paddles.CLOSED,
+                        0.25,
+                        GripperState.Lift.STOPPED,
+                        0.5,
+                        false,
+                        false,
+                        true,
+                        true,
+                        true))),
                 false,
                 true,
+                List.of(),
                 Optional.empty(),
                 List.of());
     }
@@ -269,6 +279,7 @@ class FrameEncoderTest {
                 Optional.empty(),
                 false,
                 false,
+                List.of(),
                 Optional.empty(),
                 List.of());
     }

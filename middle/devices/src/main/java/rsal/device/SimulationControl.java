@@ -56,10 +56,15 @@ public interface SimulationControl extends Device {
         return List.of();
     }
 
-    /// What is solid of a thing or a robot, in its own frame, each piece in its color; empty when there is none of
-    /// that name, or nothing is solid of it.
+    /// What is solid of a thing or a robot, in its own frame, each piece in its color, the lowest first; empty when
+    /// there is none of that name, or nothing is solid of it. Of a robot, as it is while its actuators are at home.
     default Optional<Solid> body(String entity) {
         return Optional.empty();
+    }
+
+    /// What of a robot actuators have carried away from where it is while they are at home.
+    default List<Carried> carried(String robot) {
+        return List.of();
     }
 
     /// How far rays get before they meet a robot or a thing that range sensors see [m], fan by fan, as the
@@ -100,6 +105,14 @@ public interface SimulationControl extends Device {
     /// @param height of its underside above the floor [m]
     /// @param grippable whether grippers can hold it
     record Standing(int number, String name, Solid body, Pose2d mapFromThing, double height, boolean grippable) {}
+
+    /// What stands on one actuator of a robot.
+    ///
+    /// @param devices by name
+    /// @param pieces of its [#body], by number from 0
+    /// @param baseFromMoved where the base would be if all of the robot had moved like that
+    /// @param rise likewise, upwards [m]
+    record Carried(List<String> devices, List<Integer> pieces, Pose2d baseFromMoved, double rise) {}
 
     /// Something that is no robot: a box, a ball, a marker, a charging station.
     ///

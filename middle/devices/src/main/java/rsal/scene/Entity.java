@@ -1,5 +1,6 @@
 package rsal.scene;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.Pose2d;
@@ -32,11 +33,18 @@ public record Entity(String name, List<Block> blocks, Pose2d mapFromEntity, doub
                 .toList();
     }
 
-    /// What blocks look like, each piece in its color; empty when there are none.
+    /// The same blocks, those first whose tops are lowest.
+    public static List<Block> lowestFirst(List<Block> blocks) {
+        return blocks.stream()
+                .sorted(Comparator.comparingDouble(block -> block.prism().top()))
+                .toList();
+    }
+
+    /// What blocks look like, each piece in its color, the [#lowestFirst]; empty when there are none.
     public static Optional<Solid> look(List<Block> blocks) {
         return blocks.isEmpty()
                 ? Optional.empty()
-                : Optional.of(new Solid(blocks.stream()
+                : Optional.of(new Solid(lowestFirst(blocks).stream()
                         .map(block -> block.prism().in(block.surface().color()))
                         .toList()));
     }

@@ -1,7 +1,9 @@
 package rsal.sim;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiPredicate;
@@ -36,6 +38,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
     private final Recruiting recruiting;
     private final Touches touches;
     private final Consumer<RobotSystem.Change> changes;
+    private final Map<String, List<Load>> loads = new HashMap<>(); // by robot, of those that were asked for
     private boolean closed;
 
     /// @param changes told which robots come and go
@@ -76,6 +79,20 @@ final class SimControl extends DeviceCore implements SimulationControl {
                 .map(Recruiting.Kind::blocks)
                 .or(() -> things.find(entity).map(Things.Item::blocks))
                 .flatMap(Entity::look);
+    }
+
+    @Override
+    public List<Carried> carried(String robot) {
+        return team.find(robot)
+                .filter(one -> one.body().isThere())
+                .map(one -> Load.carried(loads.computeIfAbsent(robot, _ -> load(one))))
+                .orElse(List.of());
+    }
+
+    private List<Load> load(SimRobot robot) {
+        List<Block> blocks =
+                recruiting.kind(robot.id()).map(Recruiting.Kind::blocks).orElse(List.of());
+        return Load.of(robot, Entity.lowestFirst(blocks));
     }
 
     @Override
@@ -328,6 +345,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
 
     private void remove(SimRobot robot) {
         team.remove(robot);
+        loads.remove(robot.id());
         touches.forget(robot.body());
         world.remove(robot.body());
         robot.leaveBehind();

@@ -35,6 +35,7 @@ import rsal.device.Gripper;
 import rsal.device.LaserScanner;
 import rsal.device.Sensor;
 import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Carried;
 import rsal.device.SimulationControl.Marker;
 import rsal.device.SonarArray;
 import rsal.robot.RobotModel;
@@ -297,6 +298,27 @@ class SimMountsTest {
     }
 
     @Test
+    void whatActuatorsHaveCarriedIsTold() {
+        var run = withArm(ARM, 0.1);
+        run.advance(0.1);
+        assertThat(run.simulation.carried("r1")).isEmpty();
+        goTo(run, Math.PI / 2);
+        run.advance(2);
+        List<Carried> all = run.simulation.carried("r1");
+        assertThat(all).hasSize(1);
+        Carried arm = all.getFirst();
+        assertThat(arm.devices()).isEmpty();
+        assertThat(arm.pieces()).hasSize(1);
+        Prism bar =
+                run.simulation.body("r1").orElseThrow().pieces().get(arm.pieces().getFirst());
+        assertThat(bar.bottom()).isEqualTo(0.1);
+        assertNear(arm.baseFromMoved().compose(new Pose2d(1, 0, 0)), new Pose2d(0.2, 0.8, Math.PI / 2));
+        assertThat(arm.rise()).isZero();
+        run.simulation.removeRobot("r1");
+        assertThat(run.simulation.carried("r1")).isEmpty();
+    }
+
+    @Test
     void whatIsRaisedPassesOverThings() {
         var lift = new Part.Actuator("arm", Pose2d.ORIGIN, Joint.LINEAR, Math.PI / 2, new Interval(0, 1), 1, 0, PERIOD);
         var run = withArm(lift, 0.1);
@@ -380,6 +402,9 @@ class SimMountsTest {
         run.advance(0.2);
         assertNear(run.truth("can"), new Pose2d(4.5, 3.9, Math.PI / 2));
         assertThat(height(run, "can")).isCloseTo(0.5, within(1e-9));
+        assertThat(run.simulation.carried("r1"))
+                .extracting(Carried::devices)
+                .containsExactlyInAnyOrder(List.of("arm"), List.of("gripper"));
         actuator(run, "lift").goTo(0.1);
         gripper.open();
         run.advance(3);

@@ -13,6 +13,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
+import rsal.device.SimulationControl.Carried;
 
 /// A robot as people see it: the newest of everything it has.
 ///
@@ -29,6 +30,7 @@ import rsal.data.Stamped;
 /// @param driver who drives it by keys, as [LiveRun#drive] has it; empty when nobody does
 /// @param stopped whether its motors are off until people switch them on
 /// @param lit whether its light shines
+/// @param carried what of it its actuators have carried elsewhere; pieces by their numbers in [Teammate#body]
 /// @param real what there is to say of one that is not simulated; else empty
 public record RobotView(
         String id,
@@ -51,9 +53,11 @@ public record RobotView(
         Optional<Stamped<GripperState>> gripper,
         boolean stopped,
         boolean lit,
+        List<Carried> carried,
         Optional<Real> real,
         List<DeviceView> devices) {
     public RobotView {
+        carried = List.copyOf(carried);
         devices = List.copyOf(devices);
     }
 

@@ -127,6 +127,7 @@ final class RobotViews {
                         .flatMap(Light::latest)
                         .filter(light -> light.value().lit())
                         .isPresent(),
+                there ? world.carried(id) : List.of(),
                 world.isSimulated(id) ? Optional.empty() : Optional.of(real(robot)),
                 devices(robot, told).stream().map(DeviceView::of).toList());
     }

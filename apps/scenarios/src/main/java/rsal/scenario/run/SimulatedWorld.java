@@ -13,6 +13,7 @@ import rsal.data.PoseEstimate;
 import rsal.data.Solid;
 import rsal.device.Localizer;
 import rsal.device.SimulationControl;
+import rsal.device.SimulationControl.Carried;
 import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Standing;
 import rsal.robot.Robot;
@@ -71,6 +72,11 @@ final class SimulatedWorld {
     /// What a robot looks like.
     Optional<Solid> body(String robot) {
         return systems.body(robot);
+    }
+
+    /// What of a robot its actuators have carried elsewhere.
+    List<Carried> carried(String robot) {
+        return systems.simulation(robot).map(world -> world.carried(robot)).orElse(List.of());
     }
 
     /// Whether a robot is in it at all; others are real.
