@@ -85,8 +85,8 @@ final class Assembly {
             moving.addAll(chain);
             mounts.add(new Mount(chain.stream().map(site::actuator).toList()));
         }
-        var limbs = new Limbs(world, site.body, List.copyOf(mounts));
-        moving.forEach(name -> site.actuator(name).carry(limbs, site.mount(name)));
+        var bending = new Bending(world, site.body, List.copyOf(mounts));
+        moving.forEach(name -> site.actuator(name).bend(bending, site.mount(name)));
     }
 
     private Map<String, SimActuator> actuators(RobotSpec spec, SimDrive drive) {

@@ -33,7 +33,7 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     private Instant commanded = Instant.MIN;
     private boolean arrived; // and not told yet
     private @Nullable String obstacle; // that stopped it in the last step
-    private @Nullable Limbs limbs; // that it carries; null when it carries none
+    private @Nullable Bending bending; // of the body; null when it carries nothing of that
     private Mount standsOn = Mount.BASE;
     private @Nullable GoalSource<ActuatorState, Result> goal;
     private @Nullable GoalSource<ActuatorState, Result> underWay; // in the last step
@@ -75,8 +75,8 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     /// Lets it carry pieces of the robot's body.
     ///
     /// @param mount what it stands on itself
-    void carry(Limbs load, Mount mount) {
-        limbs = load;
+    void bend(Bending body, Mount mount) {
+        bending = body;
         standsOn = mount;
     }
 
@@ -125,13 +125,13 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     private void moveTo(double next) {
         double before = position;
         obstacle = null;
-        if (limbs == null || next == before) {
+        if (bending == null || next == before) {
             position = next;
             return;
         }
-        double made = limbs.move(longestWay(limbs, next), part -> position = between(before, next, part));
+        double made = bending.move(longestWay(bending, next), part -> position = between(before, next, part));
         position = between(before, next, made);
-        obstacle = made < 1 ? limbs.obstacle() : null;
+        obstacle = made < 1 ? bending.obstacle() : null;
     }
 
     private static double between(double from, double to, double part) {
@@ -139,13 +139,13 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     }
 
     /// That a point on it makes, at most [m].
-    private double longestWay(Limbs load, double next) {
+    private double longestWay(Bending body, double next) {
         double way = Math.abs(next - position);
         if (part.joint() == Joint.LINEAR) {
             return way;
         }
         Pose2d joint = standsOn.now().moved(part.baseFromJoint());
-        return way * (load.radius() + Math.hypot(joint.x(), joint.y()));
+        return way * (body.radius() + Math.hypot(joint.x(), joint.y()));
     }
 
     private ActuatorState state() {

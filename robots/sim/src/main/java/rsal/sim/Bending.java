@@ -5,14 +5,14 @@ import java.util.function.DoubleConsumer;
 import rsal.sim.world.Body;
 import rsal.sim.world.World;
 
-/// What of a robot's body actuators carry.
-final class Limbs {
+/// Moves what of a robot's body actuators carry, its limbs.
+final class Bending {
     private final World world;
     private final Body body;
     private final List<Mount> mounts;
 
     /// @param mounts that the limbs are on, in the order of the body's carriers
-    Limbs(World world, Body body, List<Mount> mounts) {
+    Bending(World world, Body body, List<Mount> mounts) {
         this.world = world;
         this.body = body;
         this.mounts = mounts;
