@@ -1,6 +1,7 @@
 package rsal.sim;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleConsumer;
 import rsal.sim.world.Body;
 import rsal.sim.world.World;
@@ -30,9 +31,9 @@ final class Bending {
         });
     }
 
-    /// What was in their way last.
-    String obstacle() {
-        return world.obstacle().map(Body::name).orElse(World.WALL);
+    /// What was in their way last; empty when it was a wall.
+    Optional<Body> obstacle() {
+        return world.obstacle();
     }
 
     /// How far from the base they reach [m].

@@ -3,6 +3,7 @@ package rsal.sim;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.ActuatorState;
 import rsal.data.ActuatorState.Joint;
@@ -17,6 +18,8 @@ import rsal.device.GoalSource;
 import rsal.device.Health;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.Shift;
+import rsal.sim.world.Body;
+import rsal.sim.world.World;
 
 /// A simulated joint, at its speed at once. (In Stage 4.3 joints don't move.) What stands on it moves with it.
 /// Only pieces of the robot's body can run into something: then it stops and is stuck. It is one of the robot's
@@ -32,11 +35,14 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     private double speed;
     private Instant commanded = Instant.MIN;
     private boolean arrived; // and not told yet
-    private @Nullable String obstacle; // that stopped it in the last step
+    private @Nullable Stop stop; // what stopped it in the last step
     private @Nullable Bending bending; // of the body; null when it carries nothing of that
     private Mount standsOn = Mount.BASE;
     private @Nullable GoalSource<ActuatorState, Result> goal;
     private @Nullable GoalSource<ActuatorState, Result> underWay; // in the last step
+
+    /// @param by empty for a wall
+    record Stop(Optional<Body> by) {}
 
     SimActuator(DeviceInfo info, Part.Actuator part, SimDrive drive, InstantSource clock, Duration watchdog) {
         super(info, info.id(), part.period());
@@ -85,6 +91,11 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
         return part.shift(position);
     }
 
+    /// What stopped it in the last step.
+    Optional<Stop> stopped() {
+        return Optional.ofNullable(stop);
+    }
+
     private void requireFinite(double value) {
         if (!Double.isFinite(value)) {
             throw new IllegalArgumentException(
@@ -117,21 +128,21 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
         speed = (position - before) / dt;
         if (isDue(now)) {
             take(state(), now);
-        } else if (arrived || (goal != null && obstacle != null)) {
+        } else if (arrived || (goal != null && stop != null)) {
             takeNow(state(), now);
         }
     }
 
     private void moveTo(double next) {
         double before = position;
-        obstacle = null;
+        stop = null;
         if (bending == null || next == before) {
             position = next;
             return;
         }
         double made = bending.move(longestWay(bending, next), part -> position = between(before, next, part));
         position = between(before, next, made);
-        obstacle = made < 1 ? bending.obstacle() : null;
+        stop = made < 1 ? new Stop(bending.obstacle()) : null;
     }
 
     private static double between(double from, double to, double part) {
@@ -149,7 +160,7 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
     }
 
     private ActuatorState state() {
-        Motion standing = wanted == 0 && obstacle == null ? Motion.IDLE : Motion.STALLED;
+        Motion standing = wanted == 0 && stop == null ? Motion.IDLE : Motion.STALLED;
         return new ActuatorState(part.joint(), position, speed, part.limits(), speed == 0 ? standing : Motion.MOVING);
     }
 
@@ -160,7 +171,8 @@ final class SimActuator extends SimPart<ActuatorState> implements Actuator {
             now.tell(reading);
             if (arrived && now == goal) {
                 stop(new Result.Reached(position));
-            } else if (obstacle != null && now == goal) {
+            } else if (stop != null && now == goal) {
+                String obstacle = stop.by.map(Body::name).orElse(World.WALL);
                 stop(new Result.Stuck(position, "(%s) is in its way.".formatted(obstacle)));
             }
         }

@@ -4,6 +4,8 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import rsal.device.Device;
 import rsal.device.Health;
 import rsal.robot.Robot;
@@ -71,9 +73,13 @@ record SimRobot(
     /// Lets those devices work that feel or move.
     ///
     /// @param dt [s]
-    void work(Instant now, double dt) {
+    /// @param ranInto told what its arms touched; empty for a wall
+    void work(Instant now, double dt, Consumer<Optional<Body>> ranInto) {
         for (SimPart<?> part : parts) {
             part.work(now, dt);
+            if (part instanceof SimActuator actuator) {
+                actuator.stopped().map(SimActuator.Stop::by).ifPresent(ranInto);
+            }
         }
     }
 

@@ -112,7 +112,10 @@ final class SimSystem implements RobotSystem {
         }
         touches.update(world);
         charging.step(world, dt);
-        forEach(team.robots(), team.changes(), robot -> robot.work(now, dt));
+        forEach(
+                team.robots(),
+                team.changes(),
+                robot -> robot.work(now, dt, other -> touches.ranInto(robot.body(), other, now)));
         if (looking == 0) { // real time may be too fast for them
             world.look();
             look(now);

@@ -25,6 +25,7 @@ import rsal.data.Pose2d;
 import rsal.data.Prism;
 import rsal.data.RangeArray;
 import rsal.data.Shape;
+import rsal.data.Solid;
 import rsal.data.Twist2d;
 import rsal.device.Actuator;
 import rsal.device.BlobFinder;
@@ -37,6 +38,7 @@ import rsal.device.Sensor;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Carried;
 import rsal.device.SimulationControl.Marker;
+import rsal.device.SimulationControl.Thing;
 import rsal.device.SonarArray;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
@@ -267,6 +269,7 @@ class SimMountsTest {
         assertThat(endings.getFirst().toString()).contains("(can) is in its way.");
         double position = actuator(run, "arm").latest().orElseThrow().value().position();
         assertThat(position).isBetween(touch - 0.005, touch);
+        assertContacts(run, "can");
         run.simulation.remove("can");
         endings = goTo(run, Math.PI / 2);
         run.advance(1);
@@ -275,6 +278,64 @@ class SimMountsTest {
                 .isInstanceOf(SimulationControl.Placement.Refused.class);
         assertThat(run.simulation.add(can("can", 5.3, 3.5, 0.1, 0.5).asObstacle()))
                 .isInstanceOf(SimulationControl.Placement.Placed.class);
+    }
+
+    /// Each once, all of robot `r1`.
+    private static void assertContacts(SimRun run, String... others) {
+        assertThat(run.simulation.contacts())
+                .allSatisfy(contact -> assertThat(contact.robot()).isEqualTo("r1"))
+                .extracting(SimulationControl.Contact::other)
+                .containsExactly(others);
+    }
+
+    @Test
+    void anArmThatIsPressedAgainstAWallTouchesItOnce() {
+        var run = withArm(ARM, 0.1);
+        run.simulation.place("r1", new Pose2d(1, 0.5, 0));
+        for (int step = 0; step < 30; step++) {
+            actuator(run, "arm").command(-1);
+            run.advance(0.1);
+        }
+        assertContacts(run, "wall");
+        for (int step = 0; step < 10; step++) {
+            actuator(run, "arm").command(step < 3 ? 1 : -1);
+            run.advance(0.1);
+        }
+        assertContacts(run, "wall", "wall");
+    }
+
+    /// By 20 m/s, which is 2 m in a step.
+    @Test
+    void whatRisesStopsUnderTheFirstThingInItsWayHoweverFast() {
+        var lift =
+                new Part.Actuator("arm", Pose2d.ORIGIN, Joint.LINEAR, Math.PI / 2, new Interval(0, 3), 20, 0, PERIOD);
+        var run = withArm(lift, 0.1);
+        var plate = new Prism(new Shape.Disc(new Point2d(0, 0), 0.3), 0.9, 0.905, Optional.empty());
+        run.simulation.add(Thing.of("shelf", new Pose2d(5.2, 3.5, 0), new Solid(List.of(plate)), SimThings.RED)
+                .asObstacle());
+        List<Actuator.Result> endings = goTo(run, 2.5);
+        run.advance(0.3);
+        assertThat(endings).singleElement().isInstanceOf(Actuator.Result.Stuck.class);
+        assertThat(endings.getFirst().toString()).contains("(shelf) is in its way.");
+        assertThat(actuator(run, "arm").latest().orElseThrow().value().position())
+                .as("the bar is 0.2 m high")
+                .isBetween(0.699, 0.7);
+        for (int step = 0; step < 10; step++) {
+            actuator(run, "arm").command(20);
+            run.advance(0.1);
+        }
+        assertContacts(run, "shelf");
+        run.simulation.place("shelf", new Pose2d(5.2, 5, 0));
+        endings = goTo(run, 2.5);
+        run.advance(0.3);
+        run.simulation.place("shelf", new Pose2d(5.2, 3.5, 0));
+        goTo(run, 0);
+        run.advance(0.3);
+        assertThat(endings).singleElement().isEqualTo(new Actuator.Result.Reached(2.5));
+        assertThat(actuator(run, "arm").latest().orElseThrow().value().position())
+                .as("from above, where the bar begins at 0.1 m")
+                .isBetween(0.805, 0.806);
+        assertContacts(run, "shelf", "shelf");
     }
 
     @Test
@@ -309,8 +370,11 @@ class SimMountsTest {
         Carried arm = all.getFirst();
         assertThat(arm.devices()).isEmpty();
         assertThat(arm.pieces()).hasSize(1);
-        Prism bar =
-                run.simulation.body("r1").orElseThrow().pieces().get(arm.pieces().getFirst());
+        Prism bar = run.simulation
+                .body("r1")
+                .orElseThrow()
+                .pieces()
+                .get(arm.pieces().getFirst());
         assertThat(bar.bottom()).isEqualTo(0.1);
         assertNear(arm.baseFromMoved().compose(new Pose2d(1, 0, 0)), new Pose2d(0.2, 0.8, Math.PI / 2));
         assertThat(arm.rise()).isZero();

@@ -86,6 +86,11 @@ abstract sealed class Piece permits Polygon, Disc {
         return bottom + height <= z && z < top + height;
     }
 
+    /// How far one of the two begins above where the other ends [m]; less than 0 when they are level.
+    final double gapAbove(Piece other) {
+        return Math.max(low() - other.high(), other.low() - high());
+    }
+
     /// Whether the two are at a height in common.
     final boolean isLevelWith(Piece other) {
         return bottom + height < other.top + other.height && other.bottom + other.height < top + height;

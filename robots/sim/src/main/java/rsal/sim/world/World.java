@@ -209,7 +209,8 @@ public final class World {
         var figure = new Figure(chunks);
         figure.placeAt(mapFromBase, height);
         double fromBodies = Math.max(apart, HAIR);
-        return clearance(figure, null, HAIR) >= HAIR && clearanceOfBodies(figure, null, fromBodies) >= fromBodies;
+        return clearance(figure, null, HAIR) >= HAIR
+                && clearanceOfBodies(figure, null, fromBodies, false) >= fromBodies;
     }
 
     /// Puts a body somewhere.
@@ -264,7 +265,12 @@ public final class World {
         }
         return free < 0
                 ? withdraw(body, arc, way)
-                : approach(body, way, free, reach, part -> body.trial.placeAt(arc.at(part), body.height()));
+                : approach(
+                        body,
+                        way,
+                        free,
+                        figure -> clearance(figure, body, reach),
+                        part -> body.trial.placeAt(arc.at(part), body.height()));
     }
 
     /// Moves a body that overlaps others, as they were [#put] into it, as far as that leads no deeper into any of them
@@ -318,8 +324,7 @@ public final class World {
         return true;
     }
 
-    /// Lets actuators carry pieces of a body until one would touch something, or all the way. What rises or sinks meets
-    /// only what is in its way where it is checked, not all that it passes.
+    /// Lets actuators carry pieces of a body until one would touch something, or all the way.
     ///
     /// @param way that any point of it makes, at most [m]
     /// @param shifts of each of its [Body#carriers], by part of the way
@@ -327,8 +332,10 @@ public final class World {
     public double bend(Body body, double way, DoubleFunction<List<Shift>> shifts) {
         body.trial.placeAt(body.figure);
         double reach = Math.min(way + HAIR, LOOK_AHEAD);
-        double free = clearance(body.figure, body, reach);
-        double made = approach(body, way, free, reach, part -> body.trial.bend(shifts.apply(part)));
+        boolean rises = !rises(shifts.apply(0)).equals(rises(shifts.apply(1)));
+        ToDoubleFunction<Figure> room = figure -> clearance(figure, body, reach, rises);
+        double free = room.applyAsDouble(body.figure);
+        double made = approach(body, way, free, room, part -> body.trial.bend(shifts.apply(part)));
         body.trial.placeAt(body.figure);
         if (made > 0) {
             arrive(body);
@@ -336,24 +343,29 @@ public final class World {
         return made;
     }
 
+    private static List<Double> rises(List<Shift> shifts) {
+        return shifts.stream().map(Shift::rise).toList();
+    }
+
     /// Advances conservatively.
     ///
     /// @param way longest of any point [m]
     /// @param free room that it has at first [m]
-    /// @param reach of room that is of interest [m]
+    /// @param roomOf how much room a figure has, as far as that is of interest [m]
     /// @param tryPart places the body's trial where it is after a part of the way
-    private double approach(Body body, double way, double free, double reach, DoubleConsumer tryPart) {
+    private double approach(
+            Body body, double way, double free, ToDoubleFunction<Figure> roomOf, DoubleConsumer tryPart) {
         double made = 0;
         double room = free;
         while (made < 1) {
             double step =
                     Math.min(1 - made, (Math.max(0, room) + HAIR) / way); // less than 0 if it was put into something
             tryPart.accept(made + step);
-            room = clearance(body.trial, body, reach);
+            room = roomOf.applyAsDouble(body.trial);
             while (room < HAIR && step * way > HAIR / 4) {
                 step /= 2;
                 tryPart.accept(made + step);
-                room = clearance(body.trial, body, reach);
+                room = roomOf.applyAsDouble(body.trial);
             }
             if (room < HAIR) {
                 return made;
@@ -386,7 +398,11 @@ public final class World {
 
     /// Whether two bodies are within 1 cm of each other.
     public boolean touching(Body one, Body other) {
-        return touch(one, other, World::inTheWay);
+        return touch(
+                one,
+                other,
+                (piece, second) ->
+                        piece.surface.obstacle() && second.surface.obstacle() && piece.gapAbove(second) < TOUCH);
     }
 
     /// Whether a body is within 1 cm of a wall.
@@ -525,9 +541,15 @@ public final class World {
     ///
     /// @param itself who is not in its own way; null for one that is not there yet
     double clearance(Figure figure, @Nullable Body itself, double reach) {
+        return clearance(figure, itself, reach, false);
+    }
+
+    /// @param rises whether what is above or under it may get into its way, too: it counts as a hair farther away than
+    /// it is, as it may be touched
+    private double clearance(Figure figure, @Nullable Body itself, double reach, boolean rises) {
         double fromWalls = clearanceOfWalls(figure, reach);
         obstacle = null;
-        return clearanceOfBodies(figure, itself, fromWalls);
+        return clearanceOfBodies(figure, itself, fromWalls, rises);
     }
 
     private double clearanceOfWalls(Figure figure, double reach) {
@@ -542,7 +564,7 @@ public final class World {
         return least;
     }
 
-    private double clearanceOfBodies(Figure figure, @Nullable Body itself, double reach) {
+    private double clearanceOfBodies(Figure figure, @Nullable Body itself, double reach, boolean rises) {
         double least = reach;
         for (Piece piece : figure.pieces) {
             if (!piece.surface.obstacle()) {
@@ -552,8 +574,11 @@ public final class World {
             for (int i = 0; i < near.count; i++) {
                 Body owner = owner(near.slots[i]);
                 Piece other = Objects.requireNonNull(now.get(near.slots[i]));
-                if (owner != itself && inTheWay(piece, other)) {
+                if (owner != itself && (inTheWay(piece, other) || (rises && other.surface.obstacle()))) {
                     double gap = piece.separation(other);
+                    if (gap < least && !piece.isLevelWith(other)) {
+                        gap = Math.max(gap, piece.gapAbove(other) + HAIR);
+                    }
                     if (gap < least) {
                         least = gap;
                         obstacle = owner;
