@@ -113,7 +113,7 @@ final class SimSystem implements RobotSystem {
         touches.update(world);
         charging.step(world, dt);
         forEach(
-                team.robots(),
+                team.workers(),
                 team.changes(),
                 robot -> robot.work(now, dt, other -> touches.ranInto(robot.body(), other, now)));
         if (looking == 0) { // real time may be too fast for them

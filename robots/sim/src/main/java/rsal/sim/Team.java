@@ -13,6 +13,7 @@ final class Team {
     private final Set<String> away = new HashSet<>();
     private List<SimRobot> all = List.of();
     private List<SimRobot> robots = List.of();
+    private List<SimRobot> workers = List.of();
     private List<SimGripper> grippers = List.of();
     private List<SimBattery> batteries = List.of();
     private int changes;
@@ -52,6 +53,7 @@ final class Team {
         changes++;
         all = List.copyOf(byId.values());
         robots = all.stream().filter(robot -> !away.contains(robot.id())).toList();
+        workers = robots.stream().filter(robot -> !robot.parts().isEmpty()).toList();
         grippers = devices(all, SimGripper.class);
         batteries = devices(robots, SimBattery.class);
     }
@@ -67,6 +69,11 @@ final class Team {
     /// Those that are not away, in the order of their ids.
     List<SimRobot> robots() {
         return robots;
+    }
+
+    /// Those of them that carry something that feels or moves, in the order of their ids.
+    List<SimRobot> workers() {
+        return workers;
     }
 
     /// Those that are away, too, in the order of their ids.

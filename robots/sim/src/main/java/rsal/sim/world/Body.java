@@ -9,6 +9,7 @@ public final class Body {
     final Figure figure;
     final Figure trial; // where it might go
     final Figure seen; // where it was when sensors last looked
+    final Jam jam; // of the last way of which it could make nothing
     final int[] slots; // of its pieces, in the world's lists
 
     @Nullable
@@ -25,6 +26,7 @@ public final class Body {
         figure = new Figure(chunks);
         trial = new Figure(chunks);
         seen = new Figure(chunks);
+        jam = new Jam(figure);
     }
 
     public String name() {

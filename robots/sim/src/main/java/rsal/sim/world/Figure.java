@@ -15,6 +15,7 @@ final class Figure {
     private double cos = 1;
     private double sin;
     private double height;
+    private int places; // where it has been
 
     /// Placed at the origin.
     Figure(List<Chunk> chunks) {
@@ -89,12 +90,23 @@ final class Figure {
         cos = itsCos;
         sin = itsSin;
         height = itsHeight;
+        places++;
         for (Piece piece : pieces) {
             piece.place(pose.x(), pose.y(), cos, sin, height);
         }
         if (limbs != null) {
             limbs.place(pose, height);
         }
+    }
+
+    /// A number that changes whenever it is placed somewhere or taken away.
+    int places() {
+        return places;
+    }
+
+    /// It is in nobody's way any more.
+    void takeAway() {
+        places++;
     }
 
     /// mapFromBase

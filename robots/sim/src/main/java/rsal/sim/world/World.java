@@ -106,6 +106,7 @@ public final class World {
     /// Takes a body out of the world.
     public void remove(Body body) {
         if (bodies.remove(body)) {
+            body.figure.takeAway();
             moved.removeIf(body::equals);
             changed.removeIf(body::equals);
             for (int slot : body.slots) {
@@ -123,6 +124,7 @@ public final class World {
     /// Lets a body vanish for a while. It must not be moved meanwhile.
     public void hide(Body body) {
         body.hidden = true;
+        body.figure.takeAway();
         moved.removeIf(body::equals);
         changed.add(body);
         for (int slot : body.slots) {
@@ -157,6 +159,7 @@ public final class World {
     /// A body takes another along: it is in nobody's way any more, and who carries it looks through it.
     public void pickUp(Body thing, Body carrier) {
         thing.carrier = carrier;
+        thing.figure.takeAway();
         changed.add(thing);
         for (int slot : thing.slots) {
             nowGrid.remove(slot);
@@ -257,13 +260,17 @@ public final class World {
         if (way == 0) {
             return 1;
         }
+        if (body.jam.holds(arc)) {
+            obstacle = body.jam.obstacle();
+            return 0;
+        }
         double reach = Math.min(way + HAIR, LOOK_AHEAD);
         double free = clearance(body.figure, body, reach);
         if (free >= way + HAIR) { // as most are
             body.figure.placeAt(arc.at(1), body.height());
             return 1;
         }
-        return free < 0
+        double made = free < 0
                 ? withdraw(body, arc, way)
                 : approach(
                         body,
@@ -271,6 +278,10 @@ public final class World {
                         free,
                         figure -> clearance(figure, body, reach),
                         part -> body.trial.placeAt(arc.at(part), body.height()));
+        if (made == 0) {
+            body.jam.begin(arc, obstacle);
+        }
+        return made;
     }
 
     /// Moves a body that overlaps others, as they were [#put] into it, as far as that leads no deeper into any of them

@@ -177,6 +177,72 @@ class WorldTest {
         assertThat(touches).isGreaterThan(10);
     }
 
+    /// Robots that all push on for a while, so that many are stuck, some of them only until another is out of their
+    /// way.
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4})
+    void whoCanMakeNothingOfHisWayHasSomethingRightBeforeHim(long seed) {
+        var random = new RandomWorld(seed, 0.1, 0.02);
+        var world = new World(Walls.of(random.map));
+        var bodies = new ArrayList<Body>();
+        for (int i = 0; i < 400; i++) {
+            Pose2d pose = random.anywhere();
+            if (world.hasRoom(Chunk.of(BOX), pose, 0)) {
+                bodies.add(world.add("r" + bodies.size(), Chunk.of(BOX), pose, 0));
+            }
+        }
+        int stuck = 0;
+        int freed = 0;
+        var ways = new Pose2d[bodies.size()];
+        var before = new boolean[bodies.size()];
+        for (int step = 0; step < 120; step++) {
+            for (int i = 0; i < bodies.size(); i++) {
+                Body body = bodies.get(i);
+                if (step % 30 == 0 || ways[i] == null) {
+                    ways[i] = new Pose2d(random.random.nextDouble(-0.05, 0.05), 0, random.random.nextDouble(-0.1, 0.1));
+                    before[i] = false;
+                }
+                Pose2d from = body.pose();
+                var arc = Arc.ahead(from, ways[i].x(), ways[i].theta());
+                boolean moved = world.advance(body, arc) > 0;
+                if (!moved) {
+                    assertThat(body.pose()).isEqualTo(from);
+                    Pose2d next = arc.at(0.001 / arc.longestWay(body.radius()));
+                    assertThat(world.place(body, next))
+                            .as("seed %d, step %d: %s", seed, step, body.name())
+                            .isFalse();
+                }
+                stuck += moved ? 0 : 1;
+                freed += moved && before[i] ? 1 : 0;
+                before[i] = !moved;
+            }
+        }
+        assertThat(stuck).isGreaterThan(1000);
+        assertThat(freed).isGreaterThan(10);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"drives away", "is put elsewhere", "is hidden", "is taken out", "is picked up"})
+    void whoIsStuckGoesOnAsSoonAsNothingIsInHisWay(String what) {
+        var world = new World(Walls.of(
+                DrawnMap.grid(0.5, "..........\n..........\n..........").grid()));
+        Body body = world.add("r1", Chunk.of(BOX), new Pose2d(1, 0.75, 0), 0);
+        Body other = world.add("r2", Chunk.of(BOX), new Pose2d(2, 0.75, 0), 0);
+        while (world.advance(body, Arc.ahead(body.pose(), 0.1, 0)) > 0) {
+            assertThat(body.pose().x()).isLessThan(2);
+        }
+        assertThat(world.advance(body, Arc.ahead(body.pose(), 0.1, 0))).isZero();
+        assertThat(world.obstacle()).contains(other);
+        switch (what) {
+            case "drives away" -> world.advance(other, Arc.ahead(other.pose(), 1, 0));
+            case "is put elsewhere" -> world.put(other, new Pose2d(4, 0.75, 0));
+            case "is hidden" -> world.hide(other);
+            case "is taken out" -> world.remove(other);
+            default -> world.pickUp(other, body);
+        }
+        assertThat(world.advance(body, Arc.ahead(body.pose(), 0.1, 0))).isEqualTo(1);
+    }
+
     private static void assertApart(List<Body> bodies, String when) {
         for (int i = 0; i < bodies.size(); i++) {
             for (int j = 0; j < i; j++) {
