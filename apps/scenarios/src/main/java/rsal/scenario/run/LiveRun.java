@@ -634,7 +634,11 @@ public final class LiveRun implements AutoCloseable {
             return;
         }
         if (paused && stepsWanted == 0) {
-            rest(Long.MAX_VALUE);
+            boolean ready = Objects.requireNonNull(stage).isReady();
+            if (!ready) {
+                time.runPending(); // by which robots and agents come, who can be asked something meanwhile
+            }
+            rest(ready ? Long.MAX_VALUE : MOMENT);
             return;
         }
         long early = paused ? 0 : pace.early(elapsed().toNanos());

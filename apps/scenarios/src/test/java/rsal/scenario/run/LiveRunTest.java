@@ -122,6 +122,15 @@ class LiveRunTest {
     }
 
     @Test
+    void whoIsPausedBeforeTheFirstStepAnswers() throws Exception {
+        try (var run = LiveRun.start(plan())) {
+            run.pause(); // as soon as its thread begins
+            var answer = run.place("hunter-1", new Pose2d(-4, -1, 0)).toCompletableFuture();
+            assertThat(answer.get(20, TimeUnit.SECONDS)).isInstanceOf(Answer.Done.class);
+        }
+    }
+
+    @Test
     void pausingAndSteppingDoNotChangeARun() throws InterruptedException {
         try (var run = LiveRun.start(slow())) {
             var snapshots = snapshots(run);
