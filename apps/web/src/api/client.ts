@@ -261,7 +261,7 @@ async function drawn(run: number, robot: string, time: number | null = null): Pr
 async function grid(what: string, name: string): Promise<Grid | null> {
   try {
     const response = await fetch(`api/${what}`, { signal: looking() });
-    return response.ok ? decodeGrid(await response.arrayBuffer(), name) : null;
+    return response.status === 200 ? decodeGrid(await response.arrayBuffer(), name) : null;
   } catch {
     return null;
   }

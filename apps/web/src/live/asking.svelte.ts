@@ -10,7 +10,7 @@ interface Known {
 
 /**
  * Asks again and again while a component is there and the run goes on, each time a pause after the answer; of a run that
- * is over, once more, where that is known. To be called while the component is made.
+ * is over, once more, where that is known. It rests while the server is gone. To be called while the component is made.
  *
  * @param question its answer is null when there is none now
  * @param told is told each other answer
@@ -23,7 +23,7 @@ export function keepAsking<T>(
 ): void {
   $effect(() => {
     const over = live.over;
-    if (live.past ? !(recorded && live.recording) : over && !atTheEnd) {
+    if (live.connection !== 'open' || (live.past ? !(recorded && live.recording) : over && !atTheEnd)) {
       return;
     }
     let timer: number | undefined;

@@ -7,7 +7,6 @@ const CLOSED = 4000;
 const LONGEST_DRAW_MILLIS = 1000;
 
 export interface Listener {
-  onOpen(): void;
   onFrame(bytes: ArrayBuffer): void;
   onMessage(message: ServerMessage): void;
   /** @param closed whether there will be no run any more where this page looks for it */
@@ -28,7 +27,6 @@ export function connect(listener: Listener): void {
   const socket = new WebSocket(new URL('api/live', location.href.replace(/^http/, 'ws')));
   line = socket;
   socket.binaryType = 'arraybuffer';
-  socket.onopen = () => listener.onOpen();
   socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => {
     if (typeof data === 'string') {
       const message = JSON.parse(data) as ServerMessage;

@@ -28,6 +28,7 @@ const PANEL_MILLIS = 200;
 
 /** The run, as the server last told it. Nothing here is guessed: a click changes it only by way of the server. */
 class Live implements Listener {
+  /** Open once the server has told which run it shows: until then, what was shown may be another one's. */
   connection = $state<'connecting' | 'open' | 'gone' | 'closed'>('connecting');
   info = $state.raw<RunInfo | null>(null);
   /** Counts runs that this page was told of. One that it comes back to, as its connection was lost, is the same. */
@@ -50,6 +51,8 @@ class Live implements Listener {
 
   /** Called with what happens while this page looks on, not with what happened before. */
   onNews: (event: EventInfo) => void = () => {};
+  /** Called before another run is shown. */
+  onOther: () => void = () => {};
 
   private readonly drawers = new Set<() => void>();
   private robots: RobotInfo[] = []; // in the colors of their roles
@@ -59,10 +62,6 @@ class Live implements Listener {
 
   start() {
     connect(this);
-  }
-
-  onOpen() {
-    this.connection = 'open';
   }
 
   onGone(closed: boolean) {
@@ -85,8 +84,10 @@ class Live implements Listener {
   onMessage(message: ServerMessage) {
     if (message.run) {
       if (!isSame(message.run, this.info)) {
+        this.onOther();
         this.told++;
       }
+      this.connection = 'open';
       access.past = false; // until a frame says otherwise
       this.robots = message.run.robots;
       this.info = { ...message.run, robots: withShades(this.robots) };

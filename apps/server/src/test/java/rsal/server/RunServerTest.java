@@ -469,6 +469,16 @@ class RunServerTest {
             assertThat(get("/api/run").body()).contains("\"id\":\"pioneer2dx-1\"");
         }
 
+        @Test
+        void areToldOfNoCostsWhereARobotPlansByNone() throws Exception {
+            await(server.run(), snapshot -> !snapshot.robots().isEmpty());
+            post("new-robot", "{\"model\":\"pioneer2dx\",\"x\":3,\"y\":-1,\"heading\":0}");
+            await(server.run(), snapshot -> snapshot.robots().size() == 2);
+            assertThat(get("/api/costs?robot=pioneer2dx-1"))
+                    .returns(204, Response::status)
+                    .returns("", Response::body);
+        }
+
         @ParameterizedTest
         @CsvSource(delimiter = '|', textBlock = """
                 add       | {"kind":"BOX","x":900,"y":-1,"heading":0}           | 409 | outside

@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.system.Bridge;
 
@@ -29,8 +30,8 @@ public sealed interface Answer {
         }
     }
 
-    /// @param grid as [rsal.device.Navigator#costMap] has it
-    record Costed(OccupancyGrid grid) implements Answer {}
+    /// @param grid as [rsal.device.Navigator#costMap] has it; empty when the robot plans its ways by none
+    record Costed(Optional<OccupancyGrid> grid) implements Answer {}
 
     /// @param topics what was said so far, by topic
     record Counted(List<TopicTraffic> topics) implements Answer {

@@ -211,10 +211,7 @@ final class Stage implements AutoCloseable {
 
     Answer costs(String robot) {
         return team.robot(robot)
-                .<Answer>map(known -> robotViews
-                        .costs(known)
-                        .<Answer>map(Answer.Costed::new)
-                        .orElseGet(() -> new Answer.Refused("Robot (%s) plans its ways by no costs.".formatted(robot))))
+                .<Answer>map(known -> new Answer.Costed(robotViews.costs(known)))
                 .orElseGet(() -> world.unknown(robot));
     }
 
