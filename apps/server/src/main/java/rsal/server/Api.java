@@ -538,8 +538,7 @@ final class Api {
                                 case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");
                                 case Answer.Linked linked -> answer(request, Descriptions.links(linked));
                                 case Answer.Costed(var grid) ->
-                                    grid.ifPresentOrElse(
-                                            costs -> answer(request, costs), () -> request.status(204));
+                                    grid.ifPresentOrElse(costs -> answer(request, costs), () -> request.status(204));
                                 case Answer.Seen(var agent) -> answer(request, Descriptions.inside(agent));
                                 case Answer.Refused(String why) -> throw new Refusal(409, why);
                             }
