@@ -172,6 +172,44 @@ describe.skipIf(!chromium)('looking back', () => {
     await page.getByText('no robot moves until').waitFor({ state: 'hidden' });
   });
 
+  it('tells what devices told and agents had in mind, as far as it was recorded', async () => {
+    await look(recorded.url);
+    await button('Pause').click();
+    await button('Resume').waitFor();
+    await cursor().fill('20');
+    await shows(19.9, 20.1);
+    await page.locator('tr[data-robot="hunter-1"]').click();
+    const laser = page.locator('[data-reading="laser"]');
+    await laser.getByText('nearest').waitFor();
+    const then = await laser.innerText();
+    await page.locator('dd').getByText('nothing of it is in the recording').first().waitFor();
+    const agent = page.locator('li[data-agent].open');
+    await agent.getByText('What changed in it').click();
+    await agent.locator('[data-change="BELIEVES"]').first().waitFor();
+    await agent.getByText('What was said to it by name').waitFor();
+    await page.getByText('Plots', { exact: true }).click();
+    await page.getByLabel('Plot a number…').selectOption({ label: 'speed ahead [m/s]' });
+    await page.getByRole('button', { name: 'Resume' }).click();
+    await eventually(async () => (await laser.innerText()) !== then, 'what it told goes on');
+    await page.locator('figure path[d*="L"]').waitFor();
+    await button('Pause').click();
+    await picture(page, 'replay-readings');
+    await expectAccessible(page, '.panels');
+  });
+
+  it('says that nothing of readings and minds is kept of a run that goes on', async () => {
+    await running.post('restart', { configuration: 'virtual', seed: '5' });
+    await look(running.url);
+    await eventually(async () => (await time()) > 4, 'it has run a while');
+    await page.locator('tr[data-robot="hunter-1"]').click();
+    await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
+    await cursor().fill('2');
+    await shows(1.9, 2.1);
+    await page.getByText('What devices told is not kept of a run that goes on').waitFor();
+    await page.getByText('What it had in mind is not kept of a run that goes on').waitFor();
+    await picture(page, 'live-back-card');
+  });
+
   it('looks back in a run that goes on, and to the present again', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });
     await look(running.url);

@@ -274,6 +274,8 @@ export const texts = {
     age: 'How old it is',
     nothing: 'nothing',
     untold: 'has told nothing',
+    unrecorded: 'nothing of it is in the recording',
+    past: 'What devices told is not kept of a run that goes on; a recording holds it.',
     more: (count: number) => `and ${count} more`,
   },
   plots: {
@@ -353,6 +355,8 @@ export const texts = {
     history: 'What changed in it, the newest first',
     noHistory:
       'Nothing yet. Of what it believes and wants, what changes while somebody looks into it is noted, step by step.',
+    noHistoryRecorded: 'Nothing until then.',
+    past: 'What it had in mind is not kept of a run that goes on; a recording holds it.',
     often: (times: number) => `It changed ${times} times lately; this is the newest`,
     eachChange: 'also each time of what always changes',
     changed: { DOES: 'does', BELIEVES: 'believes', WANTS: 'wants' },
@@ -361,6 +365,8 @@ export const texts = {
     noTalks: 'It has had no conversations yet.',
     times: (count: number) => `said ${count} times`,
     mailbox: 'What reached it, the newest of each topic',
+    mailboxRecorded: 'What was said to it by name',
+    mailboxHint: 'Whom it reached what others told all who listen is not in recordings.',
     emptyMailbox: 'Nothing yet.',
     forAll: 'for all',
     hearings: 'Whom it hears',

@@ -76,8 +76,9 @@ export const api = {
   remove: (name: string) => post('remove', { name }),
   goal: (to: RobotPose) => post('goal', to),
   abilities: (robot: string) => about<Abilities>('abilities', robot),
-  readings: (robot: string) => about<Readings>('readings', robot),
-  numbers: (robot: string) => about<PlottedNumbers>('numbers', robot),
+  /** @param time of a recording [s of the run] */
+  readings: (robot: string, time: number | null = null) => about<Readings>('readings', robot, time),
+  numbers: (robot: string, time: number | null = null) => about<PlottedNumbers>('numbers', robot, time),
   /** @param time of a recording [s of the run] */
   agent: (name: string, time: number | null = null) =>
     found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}`),
@@ -236,7 +237,8 @@ const whoAsks = () => ({ 'RSAL-Operator': access.id });
 const at = (time: number | null) => (time === null ? '' : `&time=${String(time)}`);
 
 /** Something about a robot; null when nobody knows any more. */
-const about = <T>(what: string, robot: string) => found<T>(`${what}?robot=${encodeURIComponent(robot)}`);
+const about = <T>(what: string, robot: string, time: number | null = null) =>
+  found<T>(`${what}?robot=${encodeURIComponent(robot)}${at(time)}`);
 
 /** Something to look at; null when nobody knows any more. */
 async function found<T>(what: string, home = ''): Promise<T | null> {

@@ -199,6 +199,14 @@ class Live implements Listener {
     return this.info?.recording ?? null;
   }
 
+  /** When the moment is that is shown, to ask a recording about [s of the run]; null of a run that goes on. */
+  get recordedTime(): number | null {
+    return this.recording ? (this.newest?.frame.time ?? 0) : null;
+  }
+
+  /** Whether it has been, and nobody has kept what is asked about it: only what was recorded is told. */
+  readonly forgotten: boolean = $derived(this.past && !this.recording);
+
   private readonly happenedCount: number = $derived(
     this.past ? countUntil(this.events, this.frame?.time ?? 0) : this.events.length,
   );

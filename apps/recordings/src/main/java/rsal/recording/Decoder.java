@@ -60,6 +60,7 @@ final class Decoder {
     private static final long SECOND = 1_000_000_000;
 
     private final List<Teammate> planned;
+    private final Instant start;
     private IdentityHashMap<Raw, Optional<Object>> before =
             new IdentityHashMap<>(); // what the last snapshot was made of
     private IdentityHashMap<Raw, Optional<Object>> now = new IdentityHashMap<>();
@@ -72,7 +73,9 @@ final class Decoder {
         T read(Fields fields, Instant time);
     }
 
-    Decoder(RunPlan plan) {
+    /// @param start of the run, on its own clock
+    Decoder(RunPlan plan, Instant start) {
+        this.start = start;
         this.planned =
                 plan.robots().stream().map(robot -> mate(plan, robot.spec())).toList();
     }
@@ -180,11 +183,14 @@ final class Decoder {
 
     private static Optional<Object> made(Raw raw, MessageType type, Reader<?> reader) {
         try {
-            Instant time = Instant.ofEpochSecond(Math.floorDiv(raw.time(), SECOND), Math.floorMod(raw.time(), SECOND));
-            return Optional.of(reader.read(Fields.read(type, raw.buffer()), time));
+            return Optional.of(reader.read(Fields.read(type, raw.buffer()), time(raw)));
         } catch (IOException | IllegalArgumentException _) {
             return Optional.empty(); // not what we wrote
         }
+    }
+
+    private static Instant time(Raw raw) {
+        return Instant.ofEpochSecond(Math.floorDiv(raw.time(), SECOND), Math.floorMod(raw.time(), SECOND));
     }
 
     /// What it looks like is planned: by its name, else as the others of its model, else as the program has that.
@@ -219,7 +225,7 @@ final class Decoder {
 
     private RobotView robot(Fields robot, RobotSpec spec, Held held, List<DeviceView> devices, Duration time) {
         String id = spec.id();
-        Instant when = Instant.EPOCH.plus(time);
+        Instant when = start.plus(time);
         List<String> lacks = robot.texts("lacks");
         return new RobotView(
                 id,
@@ -234,7 +240,13 @@ final class Decoder {
                                 new Twist2d(robot.number("vx"), robot.number("vy"), robot.number("omega")),
                                 robot.flag("stalled")))
                         .map(odometry -> new Stamped<>(when, id + "/odom", odometry)),
-                robot.within("estimate").map(belief -> new Stamped<>(when, belief.text("frame_id"), estimate(belief))),
+                robot.within("estimate")
+                        .map(belief -> new Stamped<>(
+                                Optional.ofNullable(held.messages().get(Topics.of(id, Topics.ESTIMATE)))
+                                        .map(Decoder::time)
+                                        .orElse(when),
+                                belief.text("frame_id"),
+                                estimate(belief))),
                 reading(held, id, Topics.PARTICLES, lacks, Foxglove.POINT_CLOUD, Decoder::particles),
                 reading(held, id, Topics.SCAN, lacks, Foxglove.LASER_SCAN, (fields, taken) -> scan(id, fields, taken)),
                 reading(held, id, Topics.RANGES, lacks, Own.RANGES, Decoder::ranges),
@@ -401,7 +413,12 @@ final class Decoder {
                 speech.last());
     }
 
-    private static Mind.View mind(Fields fields) {
+    /// What an agent shows of itself, which says nothing of what it wants.
+    static Mind.View shown(Fields agent) {
+        return new Mind.View(pairs(agent.all("beliefs")), List.of());
+    }
+
+    static Mind.View mind(Fields fields) {
         return new Mind.View(
                 pairs(fields.all("beliefs")),
                 fields.all("goals").stream()

@@ -273,7 +273,7 @@ public final class Encoder {
             timestamp(1, nanos(estimate.time()));
             out.string(2, estimate.frame());
             foxglovePose(3, estimate.value().mapFromBase());
-            write(Topics.of(id, "estimate"), Foxglove.POSE_IN_FRAME, time, nanos(estimate.time()), Map.of());
+            write(Topics.of(id, Topics.ESTIMATE), Foxglove.POSE_IN_FRAME, time, nanos(estimate.time()), Map.of());
         }
         if (robot.particles().isPresent()
                 && isNew(id + " particles", robot.particles().get().time())) {

@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -22,6 +23,7 @@ import rsal.recording.mcap.Channel;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
 import rsal.scenario.RunPlan;
+import rsal.scenario.run.MindChange;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Said;
@@ -40,7 +42,10 @@ public final class Playback implements Closeable {
     private static final int MOST_PLACES = 400;
     private static final int RECENT = 8; // where viewers are
     private static final int MOST_EVENTS = 110_000; // as many as a live run keeps
+    private static final int MOST_CHANGES = 100_000; // of minds
     private static final int LONGEST_TEXT = 10_000; // characters of an event
+
+    private static final Mind.View NOTHING = new Mind.View(Map.of(), List.of());
 
     // enough of their fields to tell whom they are about
     private static final MessageType SECOND_TEXT =
@@ -54,6 +59,9 @@ public final class Playback implements Closeable {
     private final Decoder decoder;
     private final long start; // of the run, on its own clock, in ns
     private final List<RunEvent> events = new ArrayList<>();
+    private final Map<String, List<MindChange>> changes = new HashMap<>(); // by topic and agent
+    private final Map<String, Mind.View> newest = new HashMap<>(); // likewise, while the file is read through
+    private int changed; // how many of them there are
     private final NavigableMap<Long, Held> places = new TreeMap<>(); // by log time
     private final Map<Long, Held> recent = new LinkedHashMap<>(RECENT, 0.75f, true);
     private long spacing = FIRST_SPACING;
@@ -65,7 +73,7 @@ public final class Playback implements Closeable {
         this.recording = recording;
         this.plan = plan;
         this.start = start;
-        this.decoder = new Decoder(plan);
+        this.decoder = new Decoder(plan, clock(Duration.ZERO));
     }
 
     /// Reads a recording through.
@@ -79,6 +87,7 @@ public final class Playback implements Closeable {
         var playback = new Playback(recording, plan, start);
         recording.file().channels().forEach(playback::limits);
         playback.readThrough();
+        playback.newest.clear();
         return playback;
     }
 
@@ -121,6 +130,16 @@ public final class Playback implements Closeable {
                 case Topics.EVENTS -> event(logTime, data);
                 case Topics.STATE -> {
                     state(logTime);
+                    take(held, channel, publishTime, data);
+                }
+                case Topics.MINDS -> {
+                    Fields fields = Fields.read(Own.MIND, data);
+                    note(key(Topics.MINDS, fields.text("agent")), Decoder.mind(fields), logTime);
+                    take(held, channel, publishTime, data);
+                }
+                case Topics.AGENTS -> {
+                    Fields fields = Fields.read(Own.AGENT, data);
+                    note(key(Topics.AGENTS, fields.text("name")), Decoder.shown(fields), logTime);
                     take(held, channel, publishTime, data);
                 }
                 default -> take(held, channel, publishTime, data);
@@ -185,6 +204,20 @@ public final class Playback implements Closeable {
         events.add(new RunEvent(events.size() + 1L, time, clip(fields.text("kind")), subject, text, said));
     }
 
+    /// Notes what an agent believes and wants that it did not when it was recorded before.
+    private void note(String key, Mind.View now, long logTime) {
+        Mind.View before = newest.put(key, now);
+        if (changed < MOST_CHANGES) {
+            List<MindChange> news = MindChange.between(before == null ? NOTHING : before, now, sinceStart(logTime));
+            changes.computeIfAbsent(key, _ -> new ArrayList<>()).addAll(news);
+            changed += news.size();
+        }
+    }
+
+    private static String key(String topic, String agent) {
+        return topic + " " + agent;
+    }
+
     private static String clip(String text) {
         return text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT);
     }
@@ -192,7 +225,7 @@ public final class Playback implements Closeable {
     private static boolean isOfUse(Channel channel) {
         return switch (channel.topic()) {
             case "/tf", "/world", "/log", "/map" -> false;
-            default -> !channel.topic().endsWith("/estimate");
+            default -> true;
         };
     }
 
@@ -252,6 +285,20 @@ public final class Playback implements Closeable {
 
     private Duration sinceStart(long logTime) {
         return Duration.ofNanos(logTime - start);
+    }
+
+    /// What the run's clock showed at a time since its start.
+    public Instant clock(Duration time) {
+        return Instant.EPOCH.plusNanos(start).plus(time);
+    }
+
+    /// What an agent came to believe and want until then, oldest first: as its mind was recorded, once a second, else
+    /// what it showed of itself. Of the first 100,000 changes of all agents.
+    public List<MindChange> changes(Duration until, String agent) {
+        List<MindChange> shown = changes.getOrDefault(key(Topics.AGENTS, agent), List.of());
+        return changes.getOrDefault(key(Topics.MINDS, agent), shown).stream()
+                .takeWhile(change -> change.time().compareTo(until) <= 0)
+                .toList();
     }
 
     /// What happened, oldest first, numbered from 1.

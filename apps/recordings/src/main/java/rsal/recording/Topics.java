@@ -15,6 +15,7 @@ final class Topics {
     static final String PARTICLES = "particles";
     static final String MAP = "map";
     static final String PATH = "path";
+    static final String ESTIMATE = "estimate";
 
     private Topics() {}
 

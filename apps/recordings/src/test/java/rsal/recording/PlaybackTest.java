@@ -68,7 +68,6 @@ class PlaybackTest {
                             .ignoringFieldsMatchingRegexes(
                                     "odometry\\.value\\.(time|frame)",
                                     "gripper.*",
-                                    "estimate\\.value\\.time",
                                     "estimate\\.value\\.value\\.(hypotheses|covariance\\.(xTheta|yTheta)).*",
                                     "(scan|ranges)\\.value\\.frame",
                                     "path\\.points.*")

@@ -4,9 +4,11 @@ import io.javalin.config.RoutesConfig;
 import io.javalin.http.Context;
 import java.io.IOException;
 import java.time.Duration;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import rsal.agent.Society;
 import rsal.data.OccupancyGrid;
 import rsal.data.Stamped;
@@ -14,7 +16,14 @@ import rsal.recording.Playback;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.Inside;
+import rsal.scenario.run.Mail;
 import rsal.scenario.run.MindChange;
+import rsal.scenario.run.Reading;
+import rsal.scenario.run.RobotView;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.Said;
+import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Spoken;
 import rsal.server.Messages.RunInfo;
 
 /// What can be asked about a recording over HTTP, as [Api] has it of a run. What asks for a time takes `time` in s of
@@ -23,7 +32,7 @@ final class ReplayApi {
     private static final String OVER = "This is a recording: what it shows is over, and can't be changed.";
 
     private static final Set<String> DOINGS = Set.of("agent", "fault"); // kinds of events
-    private static final int MOST_OF_A_HISTORY = 100;
+    private static final int MOST_OF_A_KIND = 100; // changes, or messages
 
     private final Playback playback;
     private final RunInfo run;
@@ -46,6 +55,8 @@ final class ReplayApi {
                 "/api/drawn/{run}/files",
                 request -> Api.answerFiles(request, String.valueOf(request.queryParam("robot")), drawn(request)));
         routes.get("/api/agent", this::agent);
+        routes.get("/api/readings", request -> Api.answer(request, ReadingWords.of(readings(request))));
+        routes.get("/api/numbers", request -> Api.answer(request, Numbers.of(readings(request))));
         routes.get("/api/*", _ -> {
             throw new Refusal(409, "This was not recorded.");
         });
@@ -73,14 +84,25 @@ final class ReplayApi {
                         new Refusal(404, "Robot (%s) had drawn no map by then.".formatted(Refusal.shortened(robot))));
     }
 
+    private List<Reading> readings(Context request) throws IOException {
+        String robot = String.valueOf(request.queryParam("robot"));
+        Snapshot then = playback.at(time(request));
+        RobotView view = then.robots().stream()
+                .filter(one -> one.id().equals(robot))
+                .findFirst()
+                .orElseThrow(
+                        () -> new Refusal(404, "No robot (%s) was there then.".formatted(Refusal.shortened(robot))));
+        return RecordedReadings.of(view, playback.clock(then.time()));
+    }
+
     private static void check(Context request) {
         if (!request.pathParam("run").equals(Integer.toString(RecordedPast.RUN))) {
             throw new Refusal(404, "Only what run %d had is there.".formatted(RecordedPast.RUN));
         }
     }
 
-    /// What it was started with, showed and had in mind; conversations are among the events. Who heard what is not
-    /// recorded.
+    /// What it was started with, showed, had in mind and talked about, and what was said to it by name: whom it reached
+    /// what is said to all is not recorded.
     private void agent(Context request) throws IOException {
         String name = String.valueOf(request.queryParam("name"));
         PlannedAgent planned = playback.plan().agents().stream()
@@ -100,20 +122,68 @@ final class ReplayApi {
                         playback.mind(time, name),
                         Optional.empty(),
                         history(name, time),
-                        Optional.empty(),
-                        List.of(),
+                        Optional.of(mail(name, time)),
+                        talks(name, time),
                         List.of())));
     }
 
-    /// What it did last until then.
+    /// What it did, believed and wanted last until then.
     private List<MindChange> history(String agent, Duration until) {
-        List<MindChange> done = playback.events().stream()
-                .filter(event -> event.subject().equals(agent)
-                        && DOINGS.contains(event.kind())
-                        && event.time().compareTo(until) <= 0)
-                .map(event -> new MindChange(event.time(), MindChange.Kind.DOES, "", event.text()))
-                .toList();
-        return done.subList(Math.max(0, done.size() - MOST_OF_A_HISTORY), done.size());
+        Stream<MindChange> done = happened(until)
+                .filter(event -> event.subject().equals(agent) && DOINGS.contains(event.kind()))
+                .map(event -> new MindChange(event.time(), MindChange.Kind.DOES, "", event.text()));
+        return last(Stream.concat(done, playback.changes(until, agent).stream())
+                .sorted(Comparator.comparing(MindChange::time))
+                .toList());
+    }
+
+    private List<Mail> mail(String agent, Duration until) {
+        return last(said(until)
+                .filter(said -> said.to().equals(agent))
+                .map(said -> new Mail(said.time(), said.from(), false, said.topic(), words(said)))
+                .toList());
+    }
+
+    /// What was said again, as nobody answered, is not among the events.
+    private List<Spoken> talks(String agent, Duration until) {
+        return last(said(until)
+                .filter(said -> !said.conversation().isEmpty()
+                        && (said.to().equals(agent) || said.from().equals(agent)))
+                .map(said -> new Spoken(
+                        said.time(),
+                        said.from(),
+                        said.to(),
+                        said.conversation(),
+                        said.protocol(),
+                        said.act(),
+                        about(said),
+                        1))
+                .toList());
+    }
+
+    /// What is said of a conversation begins with its partner and the act, which are told beside it.
+    private static String about(Said said) {
+        String words = words(said);
+        return words.startsWith(said.act())
+                ? words.substring(said.act().length()).replaceFirst("^: ", "")
+                : words;
+    }
+
+    private static String words(Said said) {
+        String partner = said.to() + ", ";
+        return said.words().startsWith(partner) ? said.words().substring(partner.length()) : said.words();
+    }
+
+    private Stream<Said> said(Duration until) {
+        return happened(until).flatMap(event -> event.said().stream());
+    }
+
+    private Stream<RunEvent> happened(Duration until) {
+        return playback.events().stream().takeWhile(event -> event.time().compareTo(until) <= 0);
+    }
+
+    private static <T> List<T> last(List<T> all) {
+        return all.subList(Math.max(0, all.size() - MOST_OF_A_KIND), all.size());
     }
 
     private static Duration time(Context request) {

@@ -25,9 +25,13 @@ class ReplayServerTest {
 
     @BeforeEach
     void start() throws Exception {
-        Path file = folder.resolve("run.mcap");
-        RecordedPastTest.record(RecordedPastTest.plan("hunt-and-prey", 5), file);
-        Path page = Files.createDirectory(folder.resolve("page"));
+        show("hunt-and-prey", 5);
+    }
+
+    private void show(String scenario, int seconds) throws Exception {
+        Path file = folder.resolve(scenario + ".mcap");
+        RecordedPastTest.record(RecordedPastTest.plan(scenario, seconds), file);
+        Path page = Files.createDirectories(folder.resolve("page"));
         Files.writeString(page.resolve("index.html"), "<p>the page</p>");
         server = ReplayServer.start(RecordedPastTest.open(file), "run.mcap", 0, TOKEN, page);
         port = server.url().getPort();
@@ -81,14 +85,49 @@ class ReplayServerTest {
 
     @Test
     void whatWasNotRecordedIsRefused() throws Exception {
-        for (String what : new String[] {"readings?robot=prey-1", "numbers", "abilities", "topics", "status"}) {
+        for (String what : new String[] {"abilities", "topics", "status"}) {
             assertThat(get("/api/" + what).status()).as(what).isEqualTo(409);
         }
-        assertThat(get("/api/drawn/1?robot=prey-1").status()).isEqualTo(404);
+        for (String what : new String[] {"drawn/1?robot=prey-1", "readings?robot=nobody", "numbers?robot=nobody"}) {
+            assertThat(get("/api/" + what).status()).as(what).isEqualTo(404);
+        }
         assertThat(get("/api/agent?name=nobody").status()).isEqualTo(404);
         assertThat(get("/api/agent?name=escape-1&time=soon").status()).isEqualTo(400);
         assertThat(get("/api/agent?name=escape-1&time=2").body()).contains("\"agent\":\"escape-1\"");
         assertThat(get("/api/agent?name=escape-1&time=NaN").status()).isEqualTo(200);
+    }
+
+    @Test
+    void tellsWhatDevicesTold() throws Exception {
+        assertThat(get("/api/readings?robot=hunter-1&time=3").body())
+                .contains(
+                        "{\"device\":\"base\"", "\"name\":\"velocity\"", "{\"device\":\"laser\"", "\"name\":\"hits\"");
+        assertThat(get("/api/numbers?robot=hunter-1&time=3").body())
+                .contains("{\"device\":\"laser\"", "\"name\":\"velocity.vx\"", "\"name\":\"ranges.least\"");
+        assertThat(get("/api/numbers?robot=hunter-1&time=3").body())
+                .isNotEqualTo(get("/api/numbers?robot=hunter-1&time=4").body())
+                .isEqualTo(get("/api/numbers?robot=hunter-1&time=3").body());
+    }
+
+    @Test
+    void tellsWhatAnAgentCameToBelieve() throws Exception {
+        String belief = "\"kind\":\"BELIEVES\",\"name\":\"prey\",\"words\":\"prey-1\"";
+        assertThat(get("/api/agent?name=follow-1&time=0").body()).doesNotContain(belief);
+        assertThat(get("/api/agent?name=follow-1&time=5").body()).containsOnlyOnce(belief);
+    }
+
+    @Test
+    void tellsWhatAnAgentTalkedAboutAndWhatWasSaidToIt() throws Exception {
+        server.close();
+        show("distribution", 15);
+        String agent =
+                RecordedPastTest.plan("distribution", 15).agents().getFirst().name();
+        String early = get("/api/agent?name=" + agent + "&time=0").body();
+        String late = get("/api/agent?name=" + agent + "&time=15").body();
+        assertThat(early).contains("\"mail\":[]", "\"talks\":[]");
+        assertThat(late)
+                .contains("\"mail\":[{", "\"words\":\"request: ")
+                .contains("\"talks\":[{", "\"to\":\"" + agent + "\"", "\"act\":\"agree\",\"words\":\"\"");
     }
 
     @Test

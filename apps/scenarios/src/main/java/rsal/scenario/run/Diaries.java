@@ -3,6 +3,7 @@ package rsal.scenario.run;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -63,7 +64,7 @@ final class Diaries {
 
     /// An agent does something else.
     void does(String agent, String words) {
-        note(agent, Kind.DOES, "", words);
+        note(agent, new MindChange(time(), Kind.DOES, "", Words.clipped(words)));
     }
 
     /// Somebody looks into an agent.
@@ -81,26 +82,39 @@ final class Diaries {
     void step(Function<String, Optional<Held>> held) {
         looks.replaceAll((agent, look) -> held.apply(agent)
                 .map(now -> {
-                    note(agent, Kind.BELIEVES, look.last().beliefs(), now.beliefs());
-                    note(agent, Kind.WANTS, look.last().goals(), now.goals());
+                    changes(look.last(), now, time()).forEach(change -> note(agent, change));
                     return new Look(now, look.at());
                 })
                 .orElse(look));
     }
 
-    private void note(String agent, Kind kind, Map<String, String> before, Map<String, String> now) {
-        now.forEach((name, words) -> {
-            if (!words.equals(before.get(name))) {
-                note(agent, kind, name, words);
-            }
-        });
-        before.keySet().stream().filter(name -> !now.containsKey(name)).forEach(name -> note(agent, kind, name, ""));
+    /// What is another one now.
+    static List<MindChange> changes(Held before, Held now, Duration time) {
+        var changes = new ArrayList<MindChange>();
+        change(changes, Kind.BELIEVES, before.beliefs(), now.beliefs(), time);
+        change(changes, Kind.WANTS, before.goals(), now.goals(), time);
+        return changes;
     }
 
-    private void note(String agent, Kind kind, String name, String words) {
-        var change = new MindChange(Duration.between(began, clock.instant()), kind, name, Words.clipped(words));
+    private static void change(
+            List<MindChange> changes, Kind kind, Map<String, String> before, Map<String, String> now, Duration time) {
+        now.forEach((name, words) -> {
+            if (!words.equals(before.get(name))) {
+                changes.add(new MindChange(time, kind, name, Words.clipped(words)));
+            }
+        });
+        before.keySet().stream()
+                .filter(name -> !now.containsKey(name))
+                .forEach(name -> changes.add(new MindChange(time, kind, name, "")));
+    }
+
+    private Duration time() {
+        return Duration.between(began, clock.instant());
+    }
+
+    private void note(String agent, MindChange change) {
         byAgent.computeIfAbsent(agent, _ -> new Newest<>(MOST_OF_A_NAME, MOST_NAMES))
-                .add(kind + " " + name, change);
+                .add(change.kind() + " " + change.name(), change);
     }
 
     /// Looks no more into those that nobody asks about.

@@ -1,6 +1,8 @@
 package rsal.scenario.run;
 
 import java.time.Duration;
+import java.util.List;
+import rsal.agent.bdi.Mind;
 
 /// Something else that an agent does, believes or wants than before.
 ///
@@ -12,5 +14,15 @@ public record MindChange(Duration time, Kind kind, String name, String words) {
         DOES,
         BELIEVES,
         WANTS
+    }
+
+    /// What somebody believes and wants that is other than when it was looked at before.
+    ///
+    /// @param time of the later look
+    public static List<MindChange> between(Mind.View before, Mind.View after, Duration time) {
+        return Diaries.changes(
+                Diaries.Held.of(before.beliefs(), before.goals()),
+                Diaries.Held.of(after.beliefs(), after.goals()),
+                time);
     }
 }
