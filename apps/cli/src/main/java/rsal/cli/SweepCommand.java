@@ -78,7 +78,7 @@ final class SweepCommand extends Subcommand {
             names = "--seeds",
             paramLabel = "A-B",
             converter = Seeds.class,
-            description = "Run each combination with the seeds A to B.")
+            description = "Run each combination with the seeds A to B. A number alone is how many, as of --repeat.")
     private @Nullable SeedRange seeds;
 
     @Option(

@@ -14,13 +14,17 @@ public record SeedRange(long first, long last) {
         }
     }
 
-    /// As typed: `1-20`.
+    /// As typed: `101-120`, or how many there are from 1 on, `20`.
     ///
     /// @throws IllegalArgumentException with a sentence about what is wrong with it
     public static SeedRange parse(String typed) {
         int dash = typed.indexOf('-', 1); // seeds may be below 0
         if (dash < 0) {
-            throw new IllegalArgumentException("(%s) is not a range of seeds, like 1-20.".formatted(typed));
+            long count = whole(typed);
+            if (count < 1) {
+                throw new IllegalArgumentException("(%s) is less than one seed.".formatted(typed.strip()));
+            }
+            return new SeedRange(1, count);
         }
         return new SeedRange(whole(typed.substring(0, dash)), whole(typed.substring(dash + 1)));
     }
@@ -29,7 +33,8 @@ public record SeedRange(long first, long last) {
         try {
             return Long.parseLong(typed.strip());
         } catch (NumberFormatException _) {
-            throw new IllegalArgumentException("(%s) is not a whole number, like 42.".formatted(typed));
+            throw new IllegalArgumentException("(%s) is not a whole number, like 42. Maybe 20 seeds were meant (20), or those from 101 to 120 (101-120)?"
+                            .formatted(typed.strip()));
         }
     }
 

@@ -14,9 +14,19 @@ class SeedRangeTest {
         assertThat(SeedRange.parse("-2--1").seeds()).containsExactly(-2L, -1L);
     }
 
+    @Test
+    void aNumberAloneIsHowManyThereAre() {
+        assertThat(SeedRange.parse("3")).isEqualTo(new SeedRange(1, 3));
+        assertThat(SeedRange.parse(" 1 ")).isEqualTo(new SeedRange(1, 1));
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            5                                          | is not a range of seeds
+            0                                          | (0) is less than one seed
+            -5                                         | (-5) is less than one seed
+            many                                       | (many) is not a whole number, like 42. Maybe 20 seeds were meant (20)
+            1..5                                       | or those from 101 to 120 (101-120)
+            1000001                                    | at most 1000000
             5-4                                        | must go up
             1-x                                        | (x) is not a whole number
             1-1000001                                  | at most 1000000

@@ -114,9 +114,7 @@ final class SweepReader {
     private List<Long> seeds() {
         String typed = wish.seeds().strip();
         try {
-            SeedRange range =
-                    typed.matches("[0-9]{1,7}") ? new SeedRange(1, Long.parseLong(typed)) : SeedRange.parse(typed);
-            return range.seeds();
+            return SeedRange.parse(typed).seeds();
         } catch (IllegalArgumentException _) {
             mistakes.add(new Mistake(
                     "seeds",
