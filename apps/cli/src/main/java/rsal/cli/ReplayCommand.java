@@ -17,6 +17,7 @@ import picocli.CommandLine.Parameters;
 import rsal.recording.Playback;
 import rsal.recording.Recording;
 import rsal.recording.Verification;
+import rsal.recording.Verification.Compared;
 import rsal.recording.Verification.Finding;
 import rsal.scenario.run.RunEvent;
 import rsal.server.ReplayServer;
@@ -111,25 +112,37 @@ final class ReplayCommand extends Subcommand {
     private static String text(Finding finding) {
         return switch (finding) {
             case Finding.Same same
-            when same.isWhole() -> "The same: %d events in %s s.".formatted(same.events(), seconds(same.until()));
+            when same.isWhole() -> "The same: %s in %s s.".formatted(words(same.compared()), seconds(same.until()));
             case Finding.Same same ->
-                "The same up to %s s, where the recording ends before the run did: %d events."
-                        .formatted(seconds(same.until()), same.events());
+                "The same up to %s s, where the recording ends before the run did: %s."
+                        .formatted(seconds(same.until()), words(same.compared()));
             case Finding.Steered steered ->
-                "The same up to %s s, where a person took part: %d events.%n  %s"
-                        .formatted(seconds(steered.event().time()), steered.events(), line(steered.event()));
+                "The same up to %s s, where a person took part: %s.%n  %s"
+                        .formatted(seconds(steered.event().time()), words(steered.compared()), line(steered.event()));
             case Finding.Different different ->
-                "Different from %s s on; up to %s s all is the same (%d events).%n  recorded: %s%n  now:      %s"
+                "Different from %s s on; up to %s s all is the same (%s).%n  recorded: %s%n  now:      %s"
                                 .formatted(
                                         seconds(different.time()),
                                         seconds(different.equalUntil()),
-                                        different.events(),
+                                        words(different.compared()),
                                         line(different.recorded(), different.now()),
                                         line(different.now(), different.recorded()))
                         + different.differences().stream()
                                 .map("%n  %s"::formatted)
                                 .collect(Collectors.joining());
         };
+    }
+
+    /// All of it: the same events may come of what is not the same.
+    private static String words(Compared compared) {
+        return "%d events, %d messages and %d states of all robots and agents"
+                .formatted(compared.events(), compared.messages(), compared.states());
+    }
+
+    private static void put(Map<String, Object> found, Compared compared) {
+        found.put("events", compared.events());
+        found.put("messages", compared.messages());
+        found.put("states", compared.states());
     }
 
     private static String line(Optional<RunEvent> event, Optional<RunEvent> other) {
@@ -149,19 +162,19 @@ final class ReplayCommand extends Subcommand {
                 found.put("same", true);
                 found.put("whole", same.isWhole());
                 found.put("until", same.until().toNanos() / 1e9);
-                found.put("events", same.events());
+                put(found, same.compared());
             }
             case Finding.Steered steered -> {
                 found.put("same", true);
                 found.put("whole", false);
                 found.put("until", steered.event().time().toNanos() / 1e9);
-                found.put("events", steered.events());
+                put(found, steered.compared());
                 found.put("steered", line(steered.event()));
             }
             case Finding.Different different -> {
                 found.put("same", false);
                 found.put("until", different.equalUntil().toNanos() / 1e9);
-                found.put("events", different.events());
+                put(found, different.compared());
                 found.put("recorded", different.recorded().map(ReplayCommand::line));
                 found.put("now", different.now().map(ReplayCommand::line));
                 found.put("differences", different.differences());

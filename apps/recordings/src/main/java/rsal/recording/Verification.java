@@ -31,23 +31,32 @@ public final class Verification {
 
     // of the run's thread
     private int next;
-    private int equal; // events, with all that lies before them
+    private Compared equal = Compared.NOTHING;
+    private int messages; // so far
     private Optional<RunEvent> unequal = Optional.empty(); // the first that is the same after what is not
     private Duration equalUntil = Duration.ZERO;
+
+    /// What is the same, as far as all is.
+    ///
+    /// @param events that are, word by word
+    /// @param messages that are by the hash over all that happened
+    /// @param states of all robots and agents that are by that hash
+    public record Compared(int events, int messages, int states) {
+        static final Compared NOTHING = new Compared(0, 0, 0);
+    }
 
     /// What came of it.
     public sealed interface Finding {
         /// All is the same.
         ///
-        /// @param events that were compared
         /// @param until compared, since the run's start
         /// @param isWhole whether the recording is of the whole run
-        record Same(int events, Duration until, boolean isWhole) implements Finding {}
+        record Same(Compared compared, Duration until, boolean isWhole) implements Finding {}
 
         /// A person took part: up to then all is the same.
         ///
         /// @param event what they did
-        record Steered(RunEvent event, int events) implements Finding {}
+        record Steered(RunEvent event, Compared compared) implements Finding {}
 
         /// @param equalUntil up to when all is known to be the same
         /// @param recorded empty when nothing was
@@ -58,7 +67,7 @@ public final class Verification {
                 Duration equalUntil,
                 Optional<RunEvent> recorded,
                 Optional<RunEvent> now,
-                int events,
+                Compared compared,
                 List<String> differences)
                 implements Finding {}
     }
@@ -127,7 +136,7 @@ public final class Verification {
         if (before.event().equals(event) && before.hash().equals(hash)) {
             next++;
             if (unequal.isEmpty()) {
-                equal++;
+                equal = new Compared(equal.events() + 1, messages, equal.states());
                 equalUntil = event.time();
             }
         } else if (before.event().equals(event)) {
@@ -156,6 +165,8 @@ public final class Verification {
                 finding.complete(different(time, missing, Optional.empty(), differences.apply(now)));
             }
         } else {
+            int states = before == null ? equal.states() : equal.states() + 1;
+            equal = new Compared(equal.events(), messages, states);
             equalUntil = time;
         }
     }
@@ -233,6 +244,8 @@ public final class Verification {
         }
 
         @Override
-        public void heard(Said message) {} // in the hash
+        public void heard(Said message) {
+            messages++; // in the hash
+        }
     }
 }

@@ -84,7 +84,9 @@ class RecorderTest {
         assertThat(verify(file)).isInstanceOfSatisfying(Finding.Same.class, same -> {
             assertThat(same.isWhole()).isTrue();
             assertThat(same.until()).isEqualTo(Duration.ofSeconds(10));
-            assertThat(same.events()).isPositive();
+            assertThat(same.compared().events()).isPositive();
+            assertThat(same.compared().messages()).isGreaterThan(same.compared().events());
+            assertThat(same.compared().states()).isBetween(100, 101); // one each 0.1 s
         });
     }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import rsal.recording.Recording.Hashed;
+import rsal.recording.Verification.Compared;
 import rsal.recording.Verification.Finding;
 import rsal.scenario.run.RunEvent;
 
@@ -24,7 +25,7 @@ class VerificationTest {
         verification.compare(TURNS, "b");
         verification.compare(ENDS, "c");
         verification.ended();
-        assertThat(found(verification)).isEqualTo(new Finding.Same(3, Duration.ofSeconds(4), true));
+        assertThat(found(verification)).isEqualTo(new Finding.Same(new Compared(3, 0, 0), Duration.ofSeconds(4), true));
     }
 
     @Test
@@ -58,7 +59,7 @@ class VerificationTest {
     private static void isAtTheTurn(Finding.Different different) {
         assertThat(different.time()).isEqualTo(TURNS.time());
         assertThat(different.equalUntil()).isEqualTo(BEGINS.time());
-        assertThat(different.events()).isOne();
+        assertThat(different.compared().events()).isOne();
         assertThat(different.recorded()).contains(TURNS);
         assertThat(different.now()).contains(TURNS);
     }
