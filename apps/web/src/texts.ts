@@ -383,6 +383,7 @@ export const texts = {
     about: 'Of one topic or protocol',
     conversations: 'conversations',
     anyAbout: 'all topics and protocols',
+    routine: 'said all the time: the newest of it',
     allConversations: 'Show all conversations again',
     everybody: 'all',
     sentence: (from: string, to: string, words: string) => `${from} to ${to}: ${words}`,

@@ -21,6 +21,7 @@ import type {
   Refused,
   Release,
   Restart,
+  Routine,
   RobotModels,
   RobotPose,
   RunInfo,
@@ -91,6 +92,10 @@ export const api = {
   addAgent: (wish: AgentAddition) => post('add-agent', wish) as Promise<Added>,
   startAgent: (name: string) => post('start-agent', { name }),
   stopAgent: (name: string) => post('stop-agent', { name }),
+  /** @param topic of which what was said is told; empty for none
+   * @param time of a recording [s of the run] */
+  routine: (topic: string, time: number | null = null) =>
+    found<Routine>(`routine?topic=${encodeURIComponent(topic)}${at(time)}`),
   topics: () => found<Topics>('topics'),
   scenarios: () => found<Scenarios>('scenarios'),
   scenarioPicture: (id: string) => `api/scenarios/picture?scenario=${encodeURIComponent(id)}`,

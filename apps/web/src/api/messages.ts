@@ -528,6 +528,18 @@ export interface RobotStatus {
   inCharge: string;
 }
 
+export interface Routine {
+  topics: string[];
+  said: RoutineInfo[];
+}
+
+export interface RoutineInfo {
+  time: number;
+  from: string;
+  text: string;
+  said: SaidInfo;
+}
+
 export interface RunInfo {
   number: number;
   process: string;

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import type { EventInfo, SaidInfo } from '../api/messages';
-import { ANY, choiceOf, CONVERSATIONS, hasConversations, sequenceOf } from './sequence';
+import { ANY, choiceOf, CONVERSATIONS, hasConversations, sequenceOf, withRoutine } from './sequence';
 
 let sequence = 0;
 
@@ -31,6 +31,20 @@ const words = (wanted = ANY, most = 100) => {
       `${agents[from]} → ${to === null ? 'all' : agents[to]}: ${label}${refuses ? '!' : ''}`,
   );
 };
+
+it('what is said all the time is among what happened, by its time', () => {
+  const said = { ...toAll, topic: 'pose' };
+  const pose = (time: number) => ({ time, from: 'follow-1', text: `at ${time}`, said });
+  const all = withRoutine(events, [pose(1.5), pose(99)]);
+  expect(all).toHaveLength(events.length + 2);
+  expect(all.map(({ text }) => text)).toEqual(
+    expect.arrayContaining(['at 1.5', 'at 99', 'prey-1 is at (1, 2)']),
+  );
+  expect(all[1]!.text).toBe('at 1.5');
+  expect(all.at(-1)!.text).toBe('at 99');
+  expect(new Set(all.map(({ sequence }) => sequence)).size).toBe(all.length);
+  expect(withRoutine(events, [])).toBe(events);
+});
 
 it('each that was said is an arrow, oldest first', () =>
   expect(words()).toEqual([

@@ -1,4 +1,4 @@
-import type { EventInfo } from '../api/messages';
+import type { EventInfo, RoutineInfo } from '../api/messages';
 
 /** What to show of all that was said; each empty for any. */
 export interface Wanted {
@@ -66,6 +66,25 @@ export function sequenceOf(events: readonly EventInfo[], wanted: Wanted, most: n
 export function choiceOf(events: readonly EventInfo[]): Choice {
   const about = events.flatMap(({ said }) => (said ? [said.protocol || said.topic] : []));
   return { agents: [...new Set(events.flatMap(partners))].sort(), about: [...new Set(about)].sort() };
+}
+
+/** Of events and of what is said so often that it is none, what is about a topic, oldest first. */
+export function withRoutine(
+  events: readonly EventInfo[],
+  routine: readonly RoutineInfo[],
+): readonly EventInfo[] {
+  if (routine.length === 0) {
+    return events;
+  }
+  const all = routine.map(({ time, from, text, said }, i) => ({
+    sequence: -1 - i, // events count from 1
+    time,
+    kind: 'message',
+    subject: from,
+    text,
+    said,
+  }));
+  return [...events, ...all].sort((a, b) => a.time - b.time);
 }
 
 export const hasConversations = (events: readonly EventInfo[]): boolean =>

@@ -301,6 +301,32 @@ public final class Playback implements Closeable {
                 .toList();
     }
 
+    /// All that agents said within some time, oldest first.
+    ///
+    /// @param from which does not belong to it
+    public synchronized List<Said> said(Duration from, Duration until) throws IOException {
+        var all = new ArrayList<Said>();
+        recording
+                .file()
+                .read(
+                        log(from) + 1,
+                        log(until),
+                        channel -> channel.topic().equals(Topics.MESSAGES),
+                        (_, _, logTime, _, data) -> {
+                            Fields words = Fields.read(Own.MESSAGE, data);
+                            all.add(new Said(
+                                    sinceStart(logTime),
+                                    words.text("from"),
+                                    words.text("to"),
+                                    words.text("topic"),
+                                    words.text("conversation"),
+                                    words.text("protocol"),
+                                    words.text("act"),
+                                    clip(words.text("words"))));
+                        });
+        return all;
+    }
+
     /// What happened, oldest first, numbered from 1.
     public List<RunEvent> events() {
         return Collections.unmodifiableList(events);

@@ -135,6 +135,8 @@ final class Api {
         routes.get("/api/sayable", request -> answer(request, Descriptions.sayable(LiveRun.sayable())));
         routes.get(
                 "/api/topics", request -> answerWhenDone(request, seen(request).topics()));
+        routes.get(
+                "/api/routine", request -> answerWhenDone(request, seen(request).routine()));
         routes.get("/api/agent", request -> {
             answerWhenDone(request, seen(request).inside(asked(request, "name")));
         });
@@ -536,6 +538,8 @@ final class Api {
                                 case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));
                                 case Answer.Counted(var topics) -> answer(request, Descriptions.topics(topics));
                                 case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");
+                                case Answer.Repeated(var all) ->
+                                    answer(request, Descriptions.routine(all, topic(request)));
                                 case Answer.Linked linked -> answer(request, Descriptions.links(linked));
                                 case Answer.Costed(var grid) ->
                                     grid.ifPresentOrElse(costs -> answer(request, costs), () -> request.status(204));
@@ -545,6 +549,11 @@ final class Api {
                         },
                         Thread::startVirtualThread)
                 .toCompletableFuture());
+    }
+
+    /// That somebody asks about; no topic is called as what stands for none.
+    static String topic(Context request) {
+        return String.valueOf(request.queryParam("topic"));
     }
 
     static void answer(Context request, Object message) {

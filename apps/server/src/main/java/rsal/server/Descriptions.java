@@ -74,6 +74,8 @@ import rsal.server.Messages.RobotDetails;
 import rsal.server.Messages.RobotModelInfo;
 import rsal.server.Messages.RobotModels;
 import rsal.server.Messages.RobotStatus;
+import rsal.server.Messages.Routine;
+import rsal.server.Messages.RoutineInfo;
 import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.SaidInfo;
 import rsal.server.Messages.SayableInfo;
@@ -556,6 +558,16 @@ final class Descriptions {
                 event.subject(),
                 event.text(),
                 event.said().map(Descriptions::said));
+    }
+
+    /// @param topic of which all is told that is kept; maybe none
+    static Routine routine(Map<String, List<Said>> byTopic, String topic) {
+        return new Routine(
+                byTopic.keySet().stream().sorted().toList(),
+                byTopic.getOrDefault(topic, List.of()).stream()
+                        .map(said ->
+                                new RoutineInfo(said.time().toNanos() / 1e9, said.from(), said.words(), said(said)))
+                        .toList());
     }
 
     private static SaidInfo said(Said said) {

@@ -707,6 +707,15 @@ final class Messages {
     /// @param byFault how often one did not because of a fault
     record TopicInfo(String topic, long said, long heard, long outOfRange, long byChance, long crowded, long byFault) {}
 
+    /// What agents say so often that it is no event each time, as where they are.
+    ///
+    /// @param topics of which there is some
+    /// @param said the newest of the topic that was asked for, oldest first
+    record Routine(List<String> topics, List<RoutineInfo> said) {}
+
+    /// @param time simulated [s]
+    record RoutineInfo(double time, String from, String text, SaidInfo said) {}
+
     /// An agent, looked into.
     ///
     /// @param arguments all that its type takes, in the order in which that declares them

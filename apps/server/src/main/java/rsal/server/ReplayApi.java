@@ -4,10 +4,13 @@ import io.javalin.config.RoutesConfig;
 import io.javalin.http.Context;
 import java.io.IOException;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rsal.agent.Society;
 import rsal.data.OccupancyGrid;
@@ -32,6 +35,7 @@ final class ReplayApi {
     private static final String OVER = "This is a recording: what it shows is over, and can't be changed.";
 
     private static final Set<String> DOINGS = Set.of("agent", "fault"); // kinds of events
+    private static final Duration SHORTLY = Duration.ofSeconds(10);
     private static final int MOST_OF_A_KIND = 100; // changes, or messages
 
     private final Playback playback;
@@ -56,6 +60,7 @@ final class ReplayApi {
                 request -> Api.answerFiles(request, String.valueOf(request.queryParam("robot")), drawn(request)));
         routes.get("/api/agent", this::agent);
         routes.get("/api/readings", request -> Api.answer(request, ReadingWords.of(readings(request))));
+        routes.get("/api/routine", this::routine);
         routes.get("/api/numbers", request -> Api.answer(request, Numbers.of(readings(request))));
         routes.get("/api/*", _ -> {
             throw new Refusal(409, "This was not recorded.");
@@ -93,6 +98,21 @@ final class ReplayApi {
                 .orElseThrow(
                         () -> new Refusal(404, "No robot (%s) was there then.".formatted(Refusal.shortened(robot))));
         return RecordedReadings.of(view, playback.clock(then.time()));
+    }
+
+    /// What was said shortly before, but for what is among the events.
+    private void routine(Context request) throws IOException {
+        Duration until = time(request);
+        Set<Said> known = said(until)
+                .filter(said -> said.time().compareTo(until.minus(SHORTLY)) > 0)
+                .collect(Collectors.toSet());
+        var byTopic = new TreeMap<String, List<Said>>();
+        for (Said said : playback.said(until.minus(SHORTLY), until)) {
+            if (said.conversation().isEmpty() && !known.contains(said)) { // an act that is said again is one event
+                byTopic.computeIfAbsent(said.topic(), _ -> new ArrayList<>()).add(said);
+            }
+        }
+        Api.answer(request, Descriptions.routine(byTopic, Api.topic(request)));
     }
 
     private static void check(Context request) {

@@ -73,6 +73,24 @@ class CommunicationApiTest {
     }
 
     @Test
+    void whatIsSaidAllTheTimeIsThereForThoseWhoAsk() throws Exception {
+        advanceTo(3);
+        assertThat(server.run().events(0))
+                .noneMatch(event ->
+                        event.said().filter(said -> said.topic().equals("pose")).isPresent());
+        JsonNode topics = get("/api/routine");
+        assertThat(topics.get("topics").toString()).contains("\"pose\"");
+        assertThat(topics.get("said")).isEmpty();
+        JsonNode poses = get("/api/routine?topic=pose").get("said");
+        assertThat(poses)
+                .isNotEmpty()
+                .allMatch(one -> one.get("text").asString().contains(" is at ("));
+        assertThat(poses.get(0).get("time").asDouble())
+                .isLessThan(poses.get(poses.size() - 1).get("time").asDouble());
+        assertThat(get("/api/routine?topic=none").get("said")).isEmpty();
+    }
+
+    @Test
     void tellsWhoHeardWhatAndWhyNotWithoutAToken() throws Exception {
         advanceTo(5);
         JsonNode topics = get("/api/topics").get("topics");

@@ -110,6 +110,14 @@ class ReplayServerTest {
     }
 
     @Test
+    void tellsWhatIsSaidAllTheTime() throws Exception {
+        assertThat(get("/api/routine?time=3").body()).isEqualTo("{\"topics\":[\"pose\",\"pose-request\"],\"said\":[]}");
+        assertThat(get("/api/routine?time=3&topic=pose").body())
+                .contains("prey-1 is at (", "\"topic\":\"pose\"")
+                .doesNotContain("\"time\":4");
+    }
+
+    @Test
     void tellsWhatAnAgentCameToBelieve() throws Exception {
         String belief = "\"kind\":\"BELIEVES\",\"name\":\"prey\",\"words\":\"prey-1\"";
         assertThat(get("/api/agent?name=follow-1&time=0").body()).doesNotContain(belief);

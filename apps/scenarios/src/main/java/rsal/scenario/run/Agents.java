@@ -256,14 +256,12 @@ final class Agents implements AutoCloseable {
         }
         switch (message.content()) {
             case Hello hello
-            when hello.kind() == Hello.Kind.PING || hello.kind() == Hello.Kind.PONG ->
-                journal.hash(message.sender(), message.topic().name(), words);
+            when hello.kind() == Hello.Kind.PING || hello.kind() == Hello.Kind.PONG -> journal.routine(message, words);
             case Ranks ranks -> {
-                journal.hash(message.sender(), message.topic().name(), words);
+                journal.routine(message, words);
                 observer.heard(message.sender(), ranks);
             }
-            case PoseReport _, PoseRequest _, ChargerTaken _, Alarm _, MapEnds _ ->
-                journal.hash(message.sender(), message.topic().name(), words);
+            case PoseReport _, PoseRequest _, ChargerTaken _, Alarm _, MapEnds _ -> journal.routine(message, words);
             case NewGoal order -> {
                 journal.event("goal", message, words);
                 observer.heard(order);

@@ -1,6 +1,9 @@
 package rsal.scenario.run;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.system.Bridge;
@@ -27,6 +30,13 @@ public sealed interface Answer {
     record Read(List<Reading> readings) implements Answer {
         public Read {
             readings = List.copyOf(readings);
+        }
+    }
+
+    /// @param byTopic what agents say all the time, each topic's newest, oldest first
+    record Repeated(Map<String, List<Said>> byTopic) implements Answer {
+        public Repeated {
+            byTopic = Collections.unmodifiableMap(new LinkedHashMap<>(byTopic));
         }
     }
 

@@ -30,6 +30,7 @@ final class Journal {
     private static final Set<String> COUNT_MOST = Set.of("operator", "fault", "run");
 
     private final ConcurrentSkipListMap<Long, RunEvent> events = new ConcurrentSkipListMap<>();
+    private final Routine routine = new Routine();
     private final Map<String, Long> kinds = new ConcurrentHashMap<>(); // how many events of each
     private final ByteBuffer numbers = ByteBuffer.allocate(4 * Long.BYTES);
     private final MessageDigest digest;
@@ -79,6 +80,17 @@ final class Journal {
         happened++;
         witness.ifPresent(
                 seen -> seen.happened(new RunEvent(happened, time.get(), kind, subject, text, said), hashSoFar()));
+    }
+
+    /// Something that is said all the time.
+    void routine(Message<?> message, String words) {
+        hash(message.sender(), message.topic().name(), words);
+        routine.said(of(message, words));
+    }
+
+    /// What is said all the time: see [Routine#all].
+    Map<String, List<Said>> routine() {
+        return routine.all();
     }
 
     /// Something was said, in words for people.

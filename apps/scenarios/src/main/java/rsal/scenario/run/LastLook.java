@@ -7,7 +7,8 @@ import java.util.Optional;
 import rsal.robot.Robot;
 
 /// What devices had told last and agents had in mind when a run ended, for those who look at it afterwards.
-record LastLook(Map<String, Answer> readings, Map<String, Answer> agents, Answer topics, Answer communication) {
+record LastLook(
+        Map<String, Answer> readings, Map<String, Answer> agents, Answer topics, Answer communication, Answer routine) {
     static LastLook at(Stage stage, Iterable<Robot> robots, List<String> agents, long now) {
         var readings = new HashMap<String, Answer>();
         robots.forEach(robot -> readings.put(robot.id(), stage.readings(robot.id())));
@@ -19,7 +20,12 @@ record LastLook(Map<String, Answer> readings, Map<String, Answer> agents, Answer
                 minds.put(agent, new Answer.Refused(String.valueOf(e.getMessage())));
             }
         }
-        return new LastLook(readings, minds, new Answer.Counted(stage.topics()), new Answer.Heard(stage.hearings()));
+        return new LastLook(
+                readings,
+                minds,
+                new Answer.Counted(stage.topics()),
+                new Answer.Heard(stage.hearings()),
+                new Answer.Repeated(stage.routine()));
     }
 
     Answer readings(String robot) {

@@ -303,6 +303,11 @@ public final class LiveRun implements AutoCloseable {
         return askOrRecall(stage -> new Answer.Counted(stage.topics()), LastLook::topics);
     }
 
+    /// What agents say so often that it is no event each time, as where they are: see [Answer.Repeated].
+    public CompletionStage<Answer> routine() {
+        return askOrRecall(stage -> new Answer.Repeated(stage.routine()), LastLook::routine);
+    }
+
     /// What an agent believes, wants and says now, as [Answer.Seen]. Looking changes nothing in the run, but costs it a
     /// little for the seconds after: what changes in the agent meanwhile is noted at each step.
     public CompletionStage<Answer> inside(String agent) {
@@ -455,8 +460,8 @@ public final class LiveRun implements AutoCloseable {
         return eventViewers.add(listener);
     }
 
-    /// Has the run remember, once it ends, what [#readings], [#inside], [#topics] and [#communication] answered then:
-    /// they go on answering that. Otherwise they are refused when it is over.
+    /// Has the run remember, once it ends, what [#readings], [#inside], [#routine], [#topics] and [#communication]
+    /// answered then: they go on answering that. Otherwise they are refused when it is over.
     public void rememberItsEnd() {
         remembers = true;
     }

@@ -333,6 +333,11 @@ final class Stage implements AutoCloseable {
         return agents.failed();
     }
 
+    /// What agents say all the time, by topic.
+    Map<String, List<Said>> routine() {
+        return journal.routine();
+    }
+
     List<TopicTraffic> topics() {
         return traffic.topics();
     }
