@@ -60,7 +60,8 @@ class RecordIT {
         Ended verified = rsal.run("replay", "run.mcap", "--verify");
         assertThat(verified.code()).as(verified.err()).isEqualTo(Exit.SUCCESS);
         assertThat(verified.out())
-                .matches("The same: \\d+ events, [1-9]\\d* messages and 20[01] states of all robots and agents in 20\\.00 s.\\R");
+                .matches(
+                        "The same: \\d+ events, [1-9]\\d* messages and 20[01] states of all robots and agents in 20\\.00 s.\\R");
 
         Ended exported = rsal.run("export", "run.mcap", "--csv", "tables");
         assertThat(exported.code()).as(exported.err()).isEqualTo(Exit.SUCCESS);

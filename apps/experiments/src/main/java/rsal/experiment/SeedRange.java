@@ -33,7 +33,8 @@ public record SeedRange(long first, long last) {
         try {
             return Long.parseLong(typed.strip());
         } catch (NumberFormatException _) {
-            throw new IllegalArgumentException("(%s) is not a whole number, like 42. Maybe 20 seeds were meant (20), or those from 101 to 120 (101-120)?"
+            throw new IllegalArgumentException(
+                    "(%s) is not a whole number, like 42. Maybe 20 seeds were meant (20), or those from 101 to 120 (101-120)?"
                             .formatted(typed.strip()));
         }
     }

@@ -74,7 +74,11 @@ final class Words {
             case GoalReached end -> "%s at %s: %s".formatted(end.robot(), of(end.mapFromGoal()), end.words());
             case Caught caught ->
                 String.format(
-                        Locale.ROOT, "%s is caught by %s, believed at %.2f m", caught.prey(), caught.hunter(), caught.distance());
+                        Locale.ROOT,
+                        "%s is caught by %s, believed at %.2f m",
+                        caught.prey(),
+                        caught.hunter(),
+                        caught.distance());
             case Chase chase when chase.prey().isEmpty() -> "%s cuts a prey off".formatted(chase.hunter());
             case Chase chase -> "%s goes for %s".formatted(chase.hunter(), chase.prey());
             case Sighting sighting -> "I see %s at %s".formatted(sighting.robot(), of(sighting.mapFromBase()));
