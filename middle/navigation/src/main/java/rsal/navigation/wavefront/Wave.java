@@ -17,6 +17,9 @@ import org.jspecify.annotations.Nullable;
 /// Sturtevant, S. Rabin, Canonical Orderings on Grids, IJCAI 2016. Unlike theirs, those outside of plains hold whatever
 /// cells cost, and runs write into the cells that they cross and end where these were reached as cheaply before.)
 ///
+/// A step across a corner is left out, too, when a cell beside it that was reached already leads to the same one for no
+/// more: else that would be reached, and pass the wave on, twice wherever the wave runs aslant.
+///
 /// That neighbors are named by the direction in which the wave goes, not by that on the map, also lets the processor
 /// foresee which of them it reaches; it takes most of its time for what was not foreseen.
 ///
@@ -206,16 +209,12 @@ final class Wave {
             int rightAhead = right + steps[quarter];
             int most = reached + RUN;
             int half = CostMap.cost(ground[cell]); // of a step along a side
-            straight(field, ahead, quarter, reached + half + CostMap.cost(ground[ahead]), most);
-            straight(field, left, quarter + 1, reached + half + CostMap.cost(ground[left]), most);
-            straight(field, right, quarter + 3, reached + half + CostMap.cost(ground[right]), most);
-            if (Math.min(field[ahead], field[left]) >= SOURCE) {
-                int step = CostMap.diagonal(half + CostMap.cost(ground[leftAhead]));
-                diagonal(field, leftAhead, quarter, reached + step, most);
-            }
-            if (Math.min(field[ahead], field[right]) >= SOURCE) {
-                int step = CostMap.diagonal(half + CostMap.cost(ground[rightAhead]));
-                diagonal(field, rightAhead, quarter + 3, reached + step, most);
+            straight(field, ahead, quarter, reached + half, most);
+            straight(field, left, quarter + 1, reached + half, most);
+            straight(field, right, quarter + 3, reached + half, most);
+            if (field[ahead] >= SOURCE) {
+                diagonal(field, leftAhead, left, quarter, reached, half, most);
+                diagonal(field, rightAhead, right, quarter + 3, reached, half, most);
             }
         }
     }
@@ -239,25 +238,22 @@ final class Wave {
             int farLeft = left - steps[quarter];
             int most = reached + RUN;
             int half = CostMap.cost(ground[cell]); // of a step along a side
-            straight(field, right, quarter, reached + half + CostMap.cost(ground[right]), most);
-            straight(field, left, quarter + 1, reached + half + CostMap.cost(ground[left]), most);
-            if (Math.min(field[left], field[right]) >= SOURCE) {
-                int step = CostMap.diagonal(half + CostMap.cost(ground[ahead]));
-                diagonal(field, ahead, quarter, reached + step, most);
-            }
+            straight(field, right, quarter, reached + half, most);
+            straight(field, left, quarter + 1, reached + half, most);
             if (field[left] >= SOURCE) {
-                int step = CostMap.diagonal(half + CostMap.cost(ground[farLeft]));
-                diagonal(field, farLeft, quarter + 1, reached + step, most);
+                diagonal(field, ahead, right, quarter, reached, half, most);
             }
-            if (field[right] >= SOURCE) {
-                int step = CostMap.diagonal(half + CostMap.cost(ground[farRight]));
-                diagonal(field, farRight, quarter + 3, reached + step, most);
-            }
+            diagonal(field, farLeft, left, quarter + 1, reached, half, most);
+            diagonal(field, farRight, right, quarter + 3, reached, half, most);
         }
     }
 
     /// Reaches a cell along a side and, over plains, those behind it that cost no more than `most`.
-    private void straight(int[] field, int cell, int turns, int now, int most) {
+    ///
+    /// @param border what it costs to get to the side
+    private void straight(int[] field, int cell, int turns, int border, int most) {
+        byte[] ground = this.ground;
+        int now = border + CostMap.cost(ground[cell]);
         if (now < field[cell]) {
             if (ground[cell] == CostMap.PLAIN) {
                 run(field, cell, turns & 3, now, most);
@@ -268,9 +264,15 @@ final class Wave {
         }
     }
 
-    /// Reaches a cell across a corner and, over plains, those behind it and beside these.
-    private void diagonal(int[] field, int cell, int turns, int now, int most) {
-        if (now < field[cell]) {
+    /// Reaches a cell across a corner and, over plains, those behind it and beside these; not if the one beside it, at
+    /// the same corner, is blocked or reaches it for no more.
+    ///
+    /// @param half of what a step along a side costs, of the cell from which it is reached
+    private void diagonal(int[] field, int cell, int beside, int turns, int reached, int half, int most) {
+        byte[] ground = this.ground;
+        int otherHalf = CostMap.cost(ground[cell]);
+        int now = reached + CostMap.diagonal(half + otherHalf);
+        if (now < field[beside] + CostMap.cost(ground[beside]) + otherHalf && now < field[cell]) {
             if (ground[cell] == CostMap.PLAIN) {
                 diagonalRun(field, cell, turns & 3, now, most);
             } else {
