@@ -43,6 +43,7 @@ final class Wave {
     private static final int OPEN = 0; // and not reached
     private static final int SOURCE = -(1 << 30); // all that is less is blocked
     private static final int BLOCKED = Integer.MIN_VALUE;
+    private static final int FARTHEST = OPEN - BUCKETS; // that the wave passes on, so that all it reaches is below OPEN
 
     private final CostMap map;
     private final byte[] ground;
@@ -126,14 +127,28 @@ final class Wave {
     ///
     /// @param target −1 lets it reach everything
     /// @return whether it reaches the target
+    /// @throws IllegalStateException when ways get longer than it can count
     boolean spread(int target) {
         int empty = 0; // buckets in a row
         while (empty < BUCKETS && (target < 0 || field[target] == OPEN || field[target] >= front)) {
             empty = along.isEmpty(front) && across.isEmpty(front) ? empty + 1 : 0;
+            if (empty == 0 && front > FARTHEST) {
+                throw tooFar();
+            }
             expand();
             front++;
         }
+        if (empty == BUCKETS) {
+            front -= BUCKETS; // nothing is left to pass on, however often it is asked
+        }
         return target >= 0 && field[target] != OPEN;
+    }
+
+    private IllegalStateException tooFar() {
+        return new IllegalStateException("""
+                Ways over a map of (%d × %d) cells get too long: they cost more than (%d) cells far from everything.
+                Maybe the map can be drawn with larger cells, or the robot be given a smaller clearance."""
+                .formatted(width, field.length / width, (FARTHEST - SOURCE) / SIDE));
     }
 
     /// What the way between an open cell and the source costs. Without a guide it is final if it costs less than what

@@ -2,6 +2,7 @@ package rsal.navigation.wavefront;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -92,6 +93,40 @@ class WavefrontTest {
                 assertThat(field(wave, map)).as("seed %d", seed).isEqualTo(slow);
             }
         }
+    }
+
+    @Test
+    void refusesWaysThatAreTooLongToCount() {
+        var wave = new Wave(meander(4400, 4203));
+        wave.start(4401);
+        assertThatIllegalStateException()
+                .isThrownBy(() -> wave.spread(-1))
+                .withMessageContaining("(4400 × 4203) cells get too long");
+    }
+
+    /// One way to and fro, a cell wide, as dear as can be.
+    private static CostMap meander(int width, int height) {
+        var cells = new byte[width * height];
+        Arrays.fill(cells, OccupancyGrid.OCCUPIED);
+        for (int row = 1; row < height - 1; row++) {
+            boolean right = row / 2 % 2 == 0;
+            int first = row % 2 == 1 || !right ? 1 : width - 2;
+            int last = row % 2 == 1 || right ? width - 2 : 1;
+            Arrays.fill(cells, row * width + first, row * width + last + 1, OccupancyGrid.FREE);
+        }
+        return costs(new OccupancyGrid(width, height, 0.05, 0, 0, cells), new Clearance(0.02, 10, 5));
+    }
+
+    @Test
+    void askingForWhatIsOutOfReachChangesNothing() {
+        CostMap map = costs(ROOMS.grid(), NARROW);
+        var wave = new Wave(map);
+        wave.start(ROOMS.grid().cell(ROOMS.place('a')));
+        int shutIn = ROOMS.grid().cell(ROOMS.place('x'));
+        assertThat(wave.spread(shutIn)).isFalse();
+        int known = wave.known();
+        assertThat(wave.spread(shutIn)).isFalse();
+        assertThat(wave.known()).isEqualTo(known);
     }
 
     @ParameterizedTest
