@@ -160,7 +160,7 @@ describe.skipIf(!chromium)('looking back', () => {
     await shows(1.9, 2.1);
     await running.post('motors', { robot: 'hunter-1', on: false }); // by somebody else
     const banner = page.getByRole('status').filter({ hasText: 'In the present' });
-    await banner.getByText('Motors of hunter-1 are off.').waitFor();
+    await banner.getByText('Motors of hunter-1 are off until they are switched on by its card.').waitFor();
     await running.post('estop');
     await banner.getByText('Motors are off: no robot moves until they are armed.').waitFor();
     expect(await time()).toBeLessThan(2.2);
@@ -170,6 +170,8 @@ describe.skipIf(!chromium)('looking back', () => {
     await button('Arm').waitFor({ state: 'detached' });
     await eventually(async () => (await time()) > 4, 'what moves is seen');
     await page.getByText('no robot moves until').waitFor({ state: 'hidden' });
+    await page.getByText('Motors of hunter-1 are off until').waitFor();
+    await running.post('motors', { robot: 'hunter-1', on: true });
   });
 
   it('tells what devices told and agents had in mind, as far as it was recorded', async () => {

@@ -126,8 +126,16 @@ describe.skipIf(!chromium)('what people work with', () => {
   it('motors of one robot are switched off and on, and the space key stops all of them', async () => {
     await page.locator('tr[data-robot="courier-1"]').click();
     await page.getByRole('button', { name: 'Motors off', exact: true }).click();
-    await told('Motors of courier-1 are off.');
+    await told('Motors of courier-1 are off until they are switched on by its card.');
     expect(await page.locator('tr[data-robot]', { hasText: 'motors are off' }).count()).toBe(1);
+    await page.keyboard.press(' ');
+    await told('courier-1 was switched off alone, and stays off.');
+    await picture(page, 'motors-switched-off');
+    await expectAccessible(page);
+    await page.getByRole('button', { name: 'Arm', exact: true }).click();
+    await told('Motors of courier-1 are off until they are switched on by its card.');
+    expect(await page.locator('tr[data-robot]', { hasText: 'motors are off' }).count()).toBe(1);
+    expect(await page.getByRole('button', { name: /^Arm/ }).count(), 'it is armed alone').toBe(0);
     await page.getByRole('button', { name: 'Motors on', exact: true }).click(); // which leaves it without the focus
     await eventually(async () => !(await page.locator('.banner').innerText()).includes('off'), 'all are on');
     const map = await page.locator('#map').boundingBox();

@@ -30,10 +30,14 @@ export const texts = {
     emergencyStopHint: 'Switch off all motors at once',
     rearm: 'Arm',
     stopped: 'Motors are off: no robot moves until they are armed.',
-    someStopped: (robots: readonly string[]) =>
-      robots.length <= 3
-        ? `Motors of ${robots.join(', ')} are off.`
-        : `Motors of ${robots.length} robots are off.`,
+    someStopped: (robots: readonly string[]) => `Motors of ${few(robots)} are off.`,
+    switchedOff: (robots: readonly string[]) =>
+      `Motors of ${few(robots)} are off until they are switched on by ${robots.length === 1 ? 'its card' : 'their cards'}.`,
+    stayOff: (robots: readonly string[]) =>
+      robots.length === 1
+        ? `${robots[0]!} was switched off alone, and stays off.`
+        : `${few(robots)} were switched off alone, and stay off.`,
+    rearmOthers: 'Arm the others',
     rearmAll: 'Arm all',
     rearmHint: 'Arm them, and look at the present again',
     meanwhile: (motors: string) => `In the present: ${motors}`,
@@ -593,6 +597,11 @@ export const texts = {
 
 export function deviceText({ name, driver, health, reason }: DeviceDetails): string {
   return `${name} (${driver}) ${texts.robots.health[health]}. ${reason}`.trim();
+}
+
+/** Their names, unless they are too many for a sentence. */
+function few(robots: readonly string[]): string {
+  return robots.length <= 3 ? robots.join(', ') : `${robots.length} robots`;
 }
 
 function counted(count: number, what: string): string {

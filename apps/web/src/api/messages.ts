@@ -81,6 +81,10 @@ export interface ArgumentInfo {
 
 export type ArgumentKind = 'NUMBER' | 'INTEGER' | 'TEXT' | 'FLAG';
 
+export interface Armed {
+  off: string[];
+}
+
 export interface BeliefInfo {
   name: string;
   value: string;
@@ -347,6 +351,7 @@ export interface Motors {
 export interface MotorsOff {
   all: boolean;
   of: string[];
+  switchedOff: string[];
 }
 
 export interface NewAgent {

@@ -1,5 +1,6 @@
 package rsal.cli;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -74,11 +75,11 @@ final class OperatorCommands {
                 description = "Take control over from whoever has it in the page, who is told; it is yours for 10 s.")
         private boolean takesControl;
 
-        final void command(String command, Object message) throws InterruptedException {
+        final JsonNode command(String command, Object message) throws InterruptedException {
             if (takesControl) {
                 takeControl();
             }
-            tell(command, message);
+            return tell(command, message);
         }
     }
 
@@ -119,7 +120,12 @@ final class OperatorCommands {
     }
 
     /// `rsal arm`
-    @Command(name = "arm", description = "Switch the motors on again: of all robots, or of one alone.")
+    @Command(
+            name = "arm",
+            description = {
+                "Switch the motors on again: of all robots, or of one alone.",
+                "A robot that was switched off alone stays off until it is named; such are printed."
+            })
     static final class Arm extends Controlled {
         @Parameters(paramLabel = "ROBOT", arity = "0..1", description = "Only this one's.")
         private Optional<String> robot = Optional.empty();
@@ -129,9 +135,19 @@ final class OperatorCommands {
             if (robot.isPresent()) {
                 command("motors", motors(robot.get(), true));
             } else {
-                command("rearm", Map.of());
+                JsonNode off = command("rearm", Map.of()).path("off");
+                if (!json && !off.isEmpty()) {
+                    out().println(stayOff(
+                            off.valueStream().map(JsonNode::asString).toList()));
+                    out().flush();
+                }
             }
             return Exit.SUCCESS;
+        }
+
+        private static String stayOff(List<String> robots) {
+            return "Motors that were switched off alone stay off: %s. Switch them on by 'rsal arm %s'."
+                    .formatted(String.join(", ", robots), robots.size() == 1 ? robots.getFirst() : "ROBOT");
         }
     }
 

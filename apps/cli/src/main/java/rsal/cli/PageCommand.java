@@ -53,10 +53,11 @@ abstract class PageCommand extends Subcommand {
 
     /// Has something done, and waits until the server says that it is.
     ///
+    /// @return what it says of it
     /// @throws Unreachable when nobody is there, or not the same person's run
     /// @throws ParameterException when it is refused, with the reason
-    final void tell(String command, Object message) throws InterruptedException {
-        post("/api/run/" + command, message);
+    final JsonNode tell(String command, Object message) throws InterruptedException {
+        return post("/api/run/" + command, message);
     }
 
     /// Has control of the run from now on, for as long as the server gives it at once, also from somebody else.
@@ -67,11 +68,11 @@ abstract class PageCommand extends Subcommand {
         post("/api/control", Map.of("name", name, "over", true));
     }
 
-    private void post(String path, Object message) throws InterruptedException {
+    private JsonNode post(String path, Object message) throws InterruptedException {
         PageKey key = PageKey.of(port())
                 .orElseThrow(() -> new Unreachable(
                         "There is no page of yours at (%s). 'rsal run' prints where; say --port P.".formatted(at(""))));
-        send(HttpRequest.newBuilder(at(path))
+        return send(HttpRequest.newBuilder(at(path))
                 .header("Authorization", "Bearer " + key.token())
                 .header("RSAL-Operator", OPERATOR)
                 .header("Content-Type", "application/json")

@@ -638,8 +638,13 @@ class CommandLineIT {
                 .contains("motors off");
         assertThat(ours.run("estop").code()).isZero();
         assertThat(ours.run("status").out()).contains("motors are off");
-        assertThat(ours.run("arm").code()).isZero();
+        Ended armed = ours.run("arm");
+        assertThat(armed.code()).isZero();
+        assertThat(armed.out()).contains("stay off: robot-2.", "'rsal arm robot-2'");
+        assertThat(ours.run("status").out()).doesNotContain("motors are off").containsOnlyOnce("motors off");
+        assertThat(ours.run("arm", "robot-2").out()).isEmpty();
         assertThat(ours.run("status").out()).doesNotContain("off");
+        assertThat(ours.run("arm").out()).isEmpty();
         onlyWhoTakesControlSendsARobotSomebodyElseControls(ours, URI.create(url), goal, y);
         Ended wall = ours.run("goal", "robot-1", "900", "900", "90");
         assertThat(wall.code()).isEqualTo(Exit.USAGE);

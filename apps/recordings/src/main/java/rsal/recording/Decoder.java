@@ -261,6 +261,7 @@ final class Decoder {
                         .filter(has -> has.flag("has_gripper"))
                         .map(has -> new Stamped<>(when, id + "/gripper", gripper(has))),
                 robot.flag("stopped"),
+                robot.flag("switched_off"),
                 robot.flag("lit"),
                 robot.all("carried").stream().map(Decoder::carried).toList(),
                 Optional.of(robot)

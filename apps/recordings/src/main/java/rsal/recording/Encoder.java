@@ -209,6 +209,7 @@ public final class Encoder {
         out.bool(17, robot.lit());
         robot.real().flatMap(RobotView.Real::standIn).ifPresent(standIn -> pose(18, standIn));
         out.bool(19, robot.stopped());
+        out.bool(26, robot.switchedOff());
         robot.real().ifPresent(real -> {
             out.bool(20, true);
             out.bool(21, real.proxy());

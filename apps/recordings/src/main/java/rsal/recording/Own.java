@@ -48,7 +48,8 @@ final class Own {
             .with(22, "silence", Kind.DOUBLE)
             .withMany(23, "lacks", Kind.STRING)
             .with(24, "gripper_raised", Kind.DOUBLE)
-            .withMany(25, "carried", CARRIED);
+            .withMany(25, "carried", CARRIED)
+            .with(26, "switched_off", Kind.BOOL);
     static final MessageType STATE = MessageType.named("rsal.State")
             .with(1, "timestamp", Foxglove.TIMESTAMP)
             .with(2, "hash", Kind.STRING)

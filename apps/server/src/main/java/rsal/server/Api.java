@@ -36,6 +36,7 @@ import rsal.server.Messages.Added;
 import rsal.server.Messages.Addition;
 import rsal.server.Messages.AgentAddition;
 import rsal.server.Messages.AgentName;
+import rsal.server.Messages.Armed;
 import rsal.server.Messages.Control;
 import rsal.server.Messages.ControlWish;
 import rsal.server.Messages.Drive;
@@ -533,6 +534,7 @@ final class Api {
                             switch (answer) {
                                 case Answer.Done _ -> answer(request, Map.of());
                                 case Answer.Added(String name) -> answer(request, new Added(name));
+                                case Answer.Armed(var off) -> answer(request, new Armed(off));
                                 case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
                                 case Answer.Read(var readings) -> answer(request, told.apply(readings));
                                 case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));

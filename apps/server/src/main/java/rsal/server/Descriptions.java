@@ -9,6 +9,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentType;
 import rsal.agent.Society;
@@ -392,12 +393,11 @@ final class Descriptions {
     }
 
     static MotorsOff motorsOff(Snapshot now) {
-        return new MotorsOff(
-                now.stopped(),
-                now.robots().stream()
-                        .filter(robot -> robot.stopped())
-                        .map(robot -> robot.id())
-                        .toList());
+        return new MotorsOff(now.stopped(), ids(now, RobotView::stopped), ids(now, RobotView::switchedOff));
+    }
+
+    private static List<String> ids(Snapshot now, Predicate<RobotView> which) {
+        return now.robots().stream().filter(which).map(RobotView::id).toList();
     }
 
     static Details details(int number, Snapshot snapshot, CompletableFuture<RunResult> result) {

@@ -89,8 +89,9 @@ final class Messages {
 
     /// @param all whether no robot moves until all are armed
     /// @param of ids of robots whose motors are off, all of them then
-    record MotorsOff(boolean all, List<String> of) {
-        static final MotorsOff NONE = new MotorsOff(false, List.of());
+    /// @param switchedOff those of them that were switched off one by one: they stay off when all are armed
+    record MotorsOff(boolean all, List<String> of, List<String> switchedOff) {
+        static final MotorsOff NONE = new MotorsOff(false, List.of(), List.of());
     }
 
     /// What stays the same during a run.
@@ -443,6 +444,11 @@ final class Messages {
     /// @param unit `m/s`, `°`; empty when it has none, or nobody knows
     /// @param value in that unit; empty when it is not finite now
     record NumberInfo(String name, String title, String unit, Optional<Double> value) {}
+
+    /// Motors are on again, all but those of some.
+    ///
+    /// @param off ids of robots whose motors were switched off one by one, and stay off
+    record Armed(List<String> off) {}
 
     /// Switches the motors of one robot.
     ///

@@ -140,6 +140,7 @@ class FrameEncoderTest {
                 Optional.empty(),
                 false,
                 false,
+                false,
                 List.of(),
                 Optional.empty(),
                 List.of());
@@ -226,6 +227,7 @@ class FrameEncoderTest {
                         true,
                         true))),
                 false,
+                false,
                 true,
                 List.of(),
                 Optional.empty(),
@@ -277,6 +279,7 @@ class FrameEncoderTest {
                 behavior,
                 "",
                 Optional.empty(),
+                false,
                 false,
                 false,
                 List.of(),

@@ -138,11 +138,12 @@ class HistoryTest {
         viewer.received(look(new LookBack(
                 Optional.of(false), Optional.of(0.0), Optional.of(0), Optional.of(false), Optional.empty())));
         offer(viewer, history);
-        assertThat(line.texts.getLast()).contains("\"motors\":{\"all\":false,\"of\":[]}");
-        feed.motorsOff = new MotorsOff(false, List.of("prey-1"));
+        assertThat(line.texts.getLast()).contains("\"motors\":{\"all\":false,\"of\":[],\"switchedOff\":[]}");
+        feed.motorsOff = new MotorsOff(false, List.of("prey-1"), List.of("prey-1"));
         offer(viewer, history); // at once, though nothing else is new
         assertThat(line.newest()).isEqualTo("0.0 past");
-        assertThat(line.texts.getLast()).contains("\"motors\":{\"all\":false,\"of\":[\"prey-1\"]}");
+        assertThat(line.texts.getLast())
+                .contains("\"motors\":{\"all\":false,\"of\":[\"prey-1\"],\"switchedOff\":[\"prey-1\"]}");
     }
 
     @Test

@@ -41,6 +41,7 @@ class RealRobotsTest {
                 Optional.empty(),
                 false,
                 false,
+                false,
                 List.of(),
                 real,
                 List.of());

@@ -515,6 +515,8 @@ class RunServerTest {
             assertThat(post("motors", "{\"robot\":\"courier-1\",\"on\":false}").status())
                     .isEqualTo(200);
             await(server.run(), snapshot -> snapshot.robots().getFirst().stopped());
+            assertThat(post("estop", "").status()).isEqualTo(200);
+            assertThat(post("rearm", "").body()).isEqualTo("{\"off\":[\"courier-1\"]}");
             assertThat(post("motors", "{\"robot\":\"courier-1\",\"on\":true}").status())
                     .isEqualTo(200);
             await(server.run(), snapshot -> !snapshot.robots().getFirst().stopped());

@@ -17,6 +17,15 @@ public sealed interface Answer {
     /// @param name of it
     record Added(String name) implements Answer {}
 
+    /// Motors are on again.
+    ///
+    /// @param off robots whose motors stay off, as somebody has switched them off one by one
+    record Armed(List<String> off) implements Answer {
+        public Armed {
+            off = List.copyOf(off);
+        }
+    }
+
     /// Robots are offered to others.
     record Bridged(List<Bridge.Offer> offers) implements Answer {
         public Bridged {

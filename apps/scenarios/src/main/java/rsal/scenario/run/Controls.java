@@ -114,7 +114,7 @@ final class Controls {
     /// @param now when it was said [ns]
     Answer drive(String driver, Twist2d velocity, long now) {
         takeBack(now);
-        boolean motors = !isStopped();
+        boolean motors = !helm.isOff();
         if (grip != null && !grip.driver().equals(driver)) {
             return new Answer.Refused("Somebody else drives robot (%s) by keys.".formatted(robot.id()));
         }
@@ -169,22 +169,27 @@ final class Controls {
         }
     }
 
-    /// Whether its motors are off until people switch them on.
-    boolean isStopped() {
-        return helm.isStopped();
+    /// Whether its motors are off until people switch them on, and which way.
+    Helm helm() {
+        return helm;
     }
 
     /// Switches the motors off in an emergency.
     void stop() {
         helm.stop();
+        halt();
+    }
+
+    /// Switches the motors of this one off.
+    void switchOff() {
+        helm.switchOff();
+        halt();
+    }
+
+    private void halt() {
         if (grip != null) {
             grip.halt();
         }
-    }
-
-    /// The emergency is over.
-    void rearm() {
-        helm.rearm();
     }
 
     /// Does something until it is told something else.

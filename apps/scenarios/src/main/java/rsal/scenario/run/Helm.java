@@ -21,6 +21,7 @@ final class Helm {
     private Hand hand = Hand.AGENTS;
     private boolean on = true; // as far as the hands want
     private boolean stopped; // in an emergency
+    private boolean off; // by people, this one alone
 
     /// Who may steer.
     enum Hand {
@@ -53,15 +54,38 @@ final class Helm {
         apply();
     }
 
-    /// Leaves the motors to the hands again: those that were switched off by one stay off.
+    /// The emergency is over. The motors are left to the hands again, unless they were [switched off][#switchOff]:
+    /// those that were switched off by a hand stay off, too.
     void rearm() {
         stopped = false;
         apply();
     }
 
+    /// Switches the motors of this one off, whoever may want them on, until [#switchOn].
+    void switchOff() {
+        off = true;
+        apply();
+    }
+
+    /// Leaves the motors to the hands again, also while the emergency goes on for others.
+    void switchOn() {
+        off = false;
+        rearm();
+    }
+
     /// Whether they are off, whoever may want them on.
+    boolean isOff() {
+        return stopped || off;
+    }
+
+    /// Whether they are, by an emergency.
     boolean isStopped() {
         return stopped;
+    }
+
+    /// Whether they are, for this one alone: they stay so when an emergency is over.
+    boolean isSwitchedOff() {
+        return off;
     }
 
     private void enable(boolean wanted) {
@@ -70,7 +94,7 @@ final class Helm {
     }
 
     private void apply() {
-        base.enable(on && !stopped);
+        base.enable(on && !isOff());
     }
 
     /// The base, for whoever steers.

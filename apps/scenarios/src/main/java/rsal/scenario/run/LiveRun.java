@@ -398,14 +398,15 @@ public final class LiveRun implements AutoCloseable {
 
     /// Switches off all motors, until [#rearm].
     public CompletionStage<Answer> estop() {
-        return ask(stage -> stage.orders().stop(true));
+        return ask(stage -> stage.orders().stop());
     }
 
+    /// Ends the emergency stop. Who was switched off by [#stop(String)] stays off, and is named by [Answer.Armed].
     public CompletionStage<Answer> rearm() {
-        return ask(stage -> stage.orders().stop(false));
+        return ask(stage -> stage.orders().rearm());
     }
 
-    /// Switches the motors of one robot off, until [#rearm(String)] or [#rearm()].
+    /// Switches the motors of one robot off, until [#rearm(String)].
     public CompletionStage<Answer> stop(String robot) {
         return ask(stage -> stage.orders().stop(robot, true));
     }

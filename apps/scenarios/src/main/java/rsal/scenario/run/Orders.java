@@ -1,7 +1,9 @@
 package rsal.scenario.run;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
@@ -100,26 +102,45 @@ final class Orders {
         team.controls().forEach(told -> told.beat(now));
     }
 
-    /// Switches all motors off or on again.
-    Answer stop(boolean stop) {
-        stopped = stop;
-        team.controls().forEach(stop ? Controls::stop : Controls::rearm);
-        journal.event("operator", "", stop ? "emergency stop" : "motors on");
+    /// Switches all motors off.
+    Answer stop() {
+        stopped = true;
+        team.controls().forEach(Controls::stop);
+        journal.event("operator", "", "emergency stop");
         return new Answer.Done();
+    }
+
+    /// Switches them on again, but for those of robots that somebody has switched off one by one, before or meanwhile:
+    /// there was another reason for that.
+    Answer rearm() {
+        stopped = false;
+        helms().forEach(Helm::rearm);
+        List<String> off = team.robots().keySet().stream()
+                .filter(id -> team.controls(id)
+                        .filter(told -> told.helm().isSwitchedOff())
+                        .isPresent())
+                .toList();
+        journal.event(
+                "operator", "", off.isEmpty() ? "motors on" : "motors on, but not those of " + String.join(", ", off));
+        return new Answer.Armed(off);
     }
 
     /// Switches those of one robot: it alone stands, or it alone may move while the others stand.
     Answer stop(String id, boolean stop) {
         return tell(id, told -> {
             if (stop) {
-                told.stop();
+                told.switchOff();
             } else {
-                told.rearm();
+                told.helm().switchOn();
             }
-            stopped &= team.controls().stream().anyMatch(Controls::isStopped);
+            stopped &= helms().anyMatch(Helm::isStopped);
             journal.event("operator", id, stop ? "motors off" : "motors on");
             return new Answer.Done();
         });
+    }
+
+    private Stream<Helm> helms() {
+        return team.controls().stream().map(Controls::helm);
     }
 
     /// Motors are off from the beginning, as after an emergency stop, where robots are not armed by themselves:
@@ -136,7 +157,7 @@ final class Orders {
 
     /// Whether the emergency stop holds for all robots.
     boolean stopped() {
-        return stopped && team.controls().stream().allMatch(Controls::isStopped);
+        return stopped && helms().allMatch(Helm::isOff);
     }
 
     /// A robot has come, and stands still, too, while the emergency stop holds.

@@ -29,6 +29,7 @@ import rsal.device.SimulationControl.Carried;
 /// @param behavior what a person told it to do, as [LiveRun#behave] has it; empty when nobody did
 /// @param driver who drives it by keys, as [LiveRun#drive] has it; empty when nobody does
 /// @param stopped whether its motors are off until people switch them on
+/// @param switchedOff whether they are for this one alone, and stay so when an emergency stop ends
 /// @param lit whether its light shines
 /// @param carried what of it its actuators have carried elsewhere; pieces by their numbers in [Teammate#body]
 /// @param real what there is to say of one that is not simulated; else empty
@@ -52,6 +53,7 @@ public record RobotView(
         String driver,
         Optional<Stamped<GripperState>> gripper,
         boolean stopped,
+        boolean switchedOff,
         boolean lit,
         List<Carried> carried,
         Optional<Real> real,

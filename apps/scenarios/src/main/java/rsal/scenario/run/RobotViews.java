@@ -121,7 +121,8 @@ final class RobotViews {
                 told.map(Controls::behavior).orElse(""),
                 told.map(Controls::driver).orElse(""),
                 robot.find(Gripper.class).filter(_ -> there).flatMap(Gripper::latest),
-                told.map(Controls::isStopped).orElse(false),
+                told.filter(orders -> orders.helm().isOff()).isPresent(),
+                told.filter(orders -> orders.helm().isSwitchedOff()).isPresent(),
                 robot.find(Light.class)
                         .filter(_ -> there)
                         .flatMap(Light::latest)

@@ -42,6 +42,18 @@ class HelmTest {
     }
 
     @Test
+    void whatPeopleSwitchedOffAloneStaysOffAfterAnEmergency() {
+        helm.switchOff();
+        helm.stop();
+        agents.enable(true);
+        helm.rearm();
+        assertThat(base.enabled()).isFalse();
+        helm.stop();
+        helm.switchOn();
+        assertThat(base.enabled()).isTrue();
+    }
+
+    @Test
     void whatWasWantedInAnEmergencyCountsAfterIt() {
         helm.stop();
         agents.enable(false);

@@ -286,7 +286,7 @@ class LiveRunTest {
             assertThat(second.stopped()).isTrue();
             assertThat(second.robots().getFirst().truth())
                     .isEqualTo(first.robots().getFirst().truth());
-            assertThat(answer(run.rearm())).isEqualTo(new Answer.Done());
+            assertThat(answer(run.rearm())).isEqualTo(new Answer.Armed(List.of()));
             Snapshot third = next(snapshots, second.time().plusMillis(1500));
             assertThat(third.stopped()).isFalse();
             assertThat(third.robots().getFirst().truth())
@@ -309,6 +309,33 @@ class LiveRunTest {
             assertThat(answer(run.rearm("prey"))).isEqualTo(new Answer.Done());
             assertMoves(snapshots, true, true);
             assertThat(answer(run.stop("nobody"))).isInstanceOf(Answer.Refused.class);
+        }
+    }
+
+    @Test
+    void whoWasSwitchedOffStaysOffWhenAllAreArmed() throws InterruptedException {
+        String text = Runs.TWO_WANDERERS.replace("pose: {free: true}", "pose: [-8.0, -1.0, 0]"); // with room
+        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE.withSpeed(5)))) {
+            var snapshots = snapshots(run);
+            awaitRobots(snapshots);
+            answer(run.stop("hunter-1"));
+            answer(run.estop());
+            assertThat(answer(run.rearm())).isEqualTo(new Answer.Armed(List.of("hunter-1")));
+            assertMoves(snapshots, true, false);
+            assertThat(run.snapshot().robots())
+                    .extracting(RobotView::switchedOff)
+                    .containsExactly(false, true);
+            assertThat(run.events(0))
+                    .anySatisfy(event -> assertThat(event.text()).isEqualTo("motors on, but not those of hunter-1"));
+            assertThat(answer(run.rearm())).as("asked again").isEqualTo(new Answer.Armed(List.of("hunter-1")));
+            answer(run.estop());
+            answer(run.stop("prey")); // while it stands
+            assertThat(answer(run.rearm("hunter-1"))).isEqualTo(new Answer.Done());
+            assertMoves(snapshots, false, true);
+            assertThat(answer(run.rearm())).isEqualTo(new Answer.Armed(List.of("prey")));
+            assertMoves(snapshots, false, true);
+            assertThat(answer(run.rearm("prey"))).isEqualTo(new Answer.Done());
+            assertMoves(snapshots, true, true);
         }
     }
 
@@ -341,7 +368,7 @@ class LiveRunTest {
             Snapshot second = next(snapshots, first.time().plusMillis(1000));
             assertThat(second.robots().getLast().truth())
                     .isEqualTo(first.robots().getLast().truth());
-            assertThat(answer(run.rearm())).isEqualTo(new Answer.Done());
+            assertThat(answer(run.rearm())).isEqualTo(new Answer.Armed(List.of()));
             Snapshot third = next(snapshots, second.time().plusMillis(1500));
             assertThat(third.robots().getLast().truth())
                     .isNotEqualTo(second.robots().getLast().truth());

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -237,7 +238,7 @@ class OrdersTest {
         done(run.estop());
         Pose2d stopped = pose(drive("idle", Twist2d.drive(0.5, 0), 3), "idle");
         assertThat(pose(drive("idle", Twist2d.drive(0.5, 0), 3), "idle")).isEqualTo(stopped);
-        done(run.rearm());
+        assertThat(answer(run.rearm())).isEqualTo(new Answer.Armed(List.of()));
         assertThat(pose(drive("idle", Twist2d.drive(0.5, 0), 5), "idle"))
                 .as("with the key still down")
                 .isEqualTo(stopped);
