@@ -3,6 +3,7 @@ package rsal.server;
 import java.lang.reflect.RecordComponent;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import rsal.data.ActuatorState;
 
 /// What people call the numbers in what devices tell, and the units these have: the only place that says so, as a
@@ -84,6 +85,11 @@ final class Quantity {
         Words in(String other) {
             return new Words(title, other);
         }
+    }
+
+    /// Records and their parts that have words here: `Pose2d.x`.
+    static Set<String> known() {
+        return KNOWN.keySet();
     }
 
     private static Map.Entry<String, Words> known(String where, String title, String unit) {

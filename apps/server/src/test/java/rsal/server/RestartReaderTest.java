@@ -11,6 +11,7 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.Clock;
 import rsal.server.Messages.Restart;
+import rsal.testkit.fake.ClockHost;
 
 /// Which clock a run has that somebody starts in the page on another agent host.
 class RestartReaderTest {
