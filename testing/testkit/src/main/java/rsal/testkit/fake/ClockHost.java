@@ -1,13 +1,13 @@
-package rsal.server;
+package rsal.testkit.fake;
 
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
 import rsal.settings.Arguments;
 import rsal.time.Scheduler;
 
-/// A multi-agent system with a clock of its own.
+/// A multi-agent system with a clock of its own, to be chosen and never started. Tests name it as a service of theirs.
 public final class ClockHost implements AgentHostProvider {
-    static final String KEY = "clock";
+    public static final String KEY = "wallclock";
 
     @Override
     public String key() {
