@@ -171,7 +171,7 @@ final class RunCommand extends Subcommand {
 
             // what was typed is meant for that scenario, not for one that somebody chooses in the page later
             private boolean isMeant(LiveRun run) {
-                return run.plan().scenario().equals(plan.scenario());
+                return run.plan().scenario().location().equals(plan.scenario().location());
             }
 
             @Override

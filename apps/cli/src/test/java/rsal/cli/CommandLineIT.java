@@ -12,6 +12,7 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -127,22 +128,29 @@ class CommandLineIT {
             BufferedReader err = process.errorReader();
             URI page = URI.create(err.readLine().substring("Watch it at ".length()));
             assertThat(untilARunHasEnded(err)).contains("Map saved: maps/scout.yaml");
-            HttpRequest another = HttpRequest.newBuilder(page.resolve("/api/run/restart"))
-                    .header("Authorization", "Bearer " + page.getFragment().substring("token=".length()))
-                    .header("Content-Type", "application/json")
-                    .POST(BodyPublishers.ofString("{\"scenario\":\"hunt-and-prey\",\"seed\":\"7\",\"speed\":\"max\"}"))
-                    .build();
-            try (var client = HttpClient.newHttpClient()) {
-                assertThat(client.send(another, BodyHandlers.ofString()).statusCode())
-                        .isEqualTo(200);
-            }
+            choose(page, "{\"scenario\":\"hunt-and-prey\",\"seed\":\"7\",\"speed\":\"max\"}");
             assertThat(untilARunHasEnded(err)).noneMatch(said -> said.contains("map") || said.contains("Map"));
+            choose(page, "{\"scenario\":\"explore.yaml\",\"speed\":\"2\"}"); // again
+            assertThat(untilARunHasEnded(err)).contains("Map saved: maps/scout.yaml");
         } finally {
             Ended.signal("INT", process);
             Ended.of(process);
         }
         assertThat(operatorsEvents("run.mcap")).containsExactly("motors on");
         assertThat(operatorsEvents("run-2.mcap")).isEmpty();
+        assertThat(operatorsEvents("run-3.mcap")).containsExactly("motors on");
+    }
+
+    private static void choose(URI page, String wish) throws Exception {
+        HttpRequest another = HttpRequest.newBuilder(page.resolve("/api/run/restart"))
+                .header("Authorization", "Bearer " + page.getFragment().substring("token=".length()))
+                .header("Content-Type", "application/json")
+                .POST(BodyPublishers.ofString(wish))
+                .build();
+        try (var client = HttpClient.newHttpClient()) {
+            HttpResponse<String> answer = client.send(another, BodyHandlers.ofString());
+            assertThat(answer.statusCode()).as(answer.body()).isEqualTo(200);
+        }
     }
 
     private static List<String> untilARunHasEnded(BufferedReader err) throws IOException {
