@@ -72,14 +72,22 @@ final class OperatorCommands {
     abstract static class Controlled extends PageCommand {
         @Option(
                 names = "--take-control",
-                description = "Take control over from whoever has it in the page, who is told; it is yours for 10 s.")
+                description =
+                        "Take control over from whoever has it in the page, who is told; it is given back at once.")
         private boolean takesControl;
 
         final JsonNode command(String command, Object message) throws InterruptedException {
-            if (takesControl) {
+            boolean takes = takesControl && isControlled(); // where nobody has it, all may act
+            if (takes) {
                 takeControl();
             }
-            return tell(command, message);
+            try {
+                return tell(command, message);
+            } finally {
+                if (takes) {
+                    giveControlBack();
+                }
+            }
         }
     }
 

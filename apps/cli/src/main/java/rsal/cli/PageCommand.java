@@ -60,6 +60,11 @@ abstract class PageCommand extends Subcommand {
         return post("/api/run/" + command, message);
     }
 
+    /// Whether somebody has control of the run, whoever it is.
+    final boolean isControlled() throws InterruptedException {
+        return !ask("/api/control").path("holder").asString("").isEmpty();
+    }
+
     /// Has control of the run from now on, for as long as the server gives it at once, also from somebody else.
     ///
     /// @throws Unreachable as [#tell] does
@@ -68,15 +73,24 @@ abstract class PageCommand extends Subcommand {
         post("/api/control", Map.of("name", name, "over", true));
     }
 
+    /// All may act again.
+    final void giveControlBack() throws InterruptedException {
+        send(asOperator("/api/control").DELETE());
+    }
+
     private JsonNode post(String path, Object message) throws InterruptedException {
+        return send(asOperator(path)
+                .POST(HttpRequest.BodyPublishers.ofString(JsonMapper.shared().writeValueAsString(message))));
+    }
+
+    private HttpRequest.Builder asOperator(String path) {
         PageKey key = PageKey.of(port())
                 .orElseThrow(() -> new Unreachable(
                         "There is no page of yours at (%s). 'rsal run' prints where; say --port P.".formatted(at(""))));
-        return send(HttpRequest.newBuilder(at(path))
+        return HttpRequest.newBuilder(at(path))
                 .header("Authorization", "Bearer " + key.token())
                 .header("RSAL-Operator", OPERATOR)
-                .header("Content-Type", "application/json")
-                .POST(HttpRequest.BodyPublishers.ofString(JsonMapper.shared().writeValueAsString(message))));
+                .header("Content-Type", "application/json");
     }
 
     private URI at(String path) {
