@@ -14,6 +14,7 @@ import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.grid.ScanMapper.PosedScan;
 import rsal.navigation.scanmatch.Cloud;
 import rsal.navigation.scanmatch.CorrelativeMatcher;
+import rsal.navigation.scanmatch.CorrelativeMatcher.Spot;
 import rsal.navigation.scanmatch.CorrelativeMatcher.Window;
 import rsal.navigation.scanmatch.LineMatcher;
 import rsal.navigation.scanmatch.Match;
@@ -31,6 +32,9 @@ public final class Slam {
     private static final double LEAST_SCORE = 0.35; // of a search, to be worth refining
     private static final double LEAST_PAIRS = 0.35; // of a scan, to be believed
     private static final double WELL = 0.5; // likewise, to look no farther than wheels err as a rule
+    private static final double LEAST_SCORE_ALONE = 0.2; // of a search, where nothing else is found
+    private static final double LEAST_ALONE = 0.3; // of a scan, likewise
+    private static final double RIVAL = 0.6; // share of the score from which another place is one
     private static final double BETTER = 0.1; // that one farther off scores more, to be believed instead
     private static final double WIDE = 0.6; // rad; searched then
     private static final double DOUBTED = 3; // times what wheels err as a rule, when what is seen fits nowhere
@@ -209,8 +213,8 @@ public final class Slam {
                 c.thetaTheta() + OWN_RADIANS * OWN_RADIANS);
     }
 
-    /// Where a scan that matches badly, or not, would match well though wheels hardly ever err so much, it does: a
-    /// turn that they mistake once, by more than loops are searched for, would bend the map behind it for good.
+    /// Where a scan that matches badly, or not, matches better though wheels hardly ever err so much, it does: a turn
+    /// that they mistake once, by more than loops are searched for, would bend the map behind it for good.
     private Optional<Match> match(Cloud cloud, Pose2d guess, Pose2d way) {
         if (lines.isEmpty() || search.isEmpty()) {
             return Optional.empty();
@@ -218,20 +222,34 @@ public final class Slam {
         double meters = 0.1 + 3 * settings.odometry().metersPerMeter() * Math.hypot(way.x(), way.y());
         double radians = 3 * settings.odometry().radians(way);
         var window = new Window(Math.min(1.5, meters), Math.min(0.8, radians), TRUST);
-        Optional<Match> match = match(cloud, guess, window, LEAST_PAIRS);
+        Pose2d near = search.orElseThrow()
+                .match(cloud.thinned(SEARCHED), guess, window, LEAST_SCORE)
+                .map(Match::aFromB)
+                .orElse(guess);
+        Optional<Match> match = refined(cloud, near, LEAST_PAIRS);
         if (match.isPresent() && match.get().score() >= WELL) {
             return match;
         }
         var wide = new Window(window.meters(), Math.max(WIDE, window.radians()), TRUST);
-        double better = match.map(m -> m.score() + BETTER).orElse(0.0);
-        return match(cloud, guess, wide, Math.max(WELL, better)).or(() -> match);
+        return farther(cloud, guess, wide, match.map(m -> m.score() + BETTER).orElse(LEAST_ALONE))
+                .or(() -> match);
     }
 
-    private Optional<Match> match(Cloud cloud, Pose2d guess, Window window, double leastScore) {
-        Pose2d found = search.orElseThrow()
-                .match(cloud.thinned(SEARCHED), guess, window, LEAST_SCORE)
-                .map(Match::aFromB)
-                .orElse(guess);
+    /// Fits well or, as who went through a door sees little of what was seen before, far better than anywhere else.
+    private Optional<Match> farther(Cloud cloud, Pose2d guess, Window window, double leastScore) {
+        CorrelativeMatcher matcher = search.orElseThrow();
+        Cloud thinned = cloud.thinned(SEARCHED);
+        return matcher.match(thinned, guess, window, LEAST_SCORE_ALONE).flatMap(found -> {
+            var there = new Spot(found.aFromB(), APART, TURNED);
+            double rival = RIVAL * found.score();
+            return refined(cloud, found.aFromB(), leastScore)
+                    .filter(m -> (m.score() >= WELL && found.score() >= LEAST_SCORE)
+                            || matcher.matchElsewhere(thinned, guess, window, rival, there)
+                                    .isEmpty());
+        });
+    }
+
+    private Optional<Match> refined(Cloud cloud, Pose2d found, double leastScore) {
         return lines.orElseThrow()
                 .match(cloud, found)
                 .filter(m -> m.score() >= leastScore && m.aFromB().isNear(found, APART, TURNED));

@@ -158,6 +158,49 @@ class SlamTest {
     }
 
     @Test
+    void behindADoorItBelievesALittleThatFitsInOnePlaceOnly() {
+        Walls rooms = behindADoor()
+                .chain(6.2, 3.2, 6.2, 7, 12, 7, 12, 4, 11, 4, 11, 1, 12, 1, 12, -2, 6.2, -2, 6.2, 1.8)
+                .box(8.5, 3.2, 9, 3.6)
+                .box(8, -0.5, 8.6, 0.4);
+
+        assertThat(through(rooms, 4.25, 1.75, 12).seeing()).isTrue();
+    }
+
+    @Test
+    void butNotThatWhichFitsInSeveral() {
+        Walls pillars = behindADoor().chain(6.2, 3.2, 6.2, 30).chain(6.2, -30, 6.2, 1.8);
+        for (double y = -3; y < 8; y += 0.5) {
+            pillars.box(8, y, 8.2, y + 0.2);
+        }
+
+        assertThat(through(pillars, 4, 2.25, 8).seeing()).isFalse();
+    }
+
+    /// A room with a door of 1.4 m in a wall of 0.2 m.
+    private static Walls behindADoor() {
+        return new Walls()
+                .chain(6, 1.8, 6, 0, 0, 0, 0, 5, 6, 5, 6, 3.2)
+                .chain(6, 1.8, 6.2, 1.8)
+                .chain(6, 3.2, 6.2, 3.2);
+    }
+
+    /// Goes some way in one step, from somewhere before the door, with wheels that turn it by some degrees. Where it
+    /// says that it saw where it is, it is there.
+    private static Tracking through(Walls rooms, double x, double meters, double degrees) {
+        var random = new SplittableRandom(3);
+        var before = new Pose2d(x, 2.5, 0.05);
+        Pose2d behind = before.compose(new Pose2d(meters, 0, 0.05));
+        Pose2d told = before.compose(new Pose2d(meters - 0.1, 0.25, 0.05 + Math.toRadians(degrees)));
+        var slam = new Slam(Slam.Settings.DEFAULT);
+        slam.add(before, rooms.scan(before, 0.01, random));
+        Pose2d found = slam.pose(slam.add(told, rooms.scan(behind, 0.01, random)));
+        assertThat(!slam.tracking().seeing() || found.isNear(behind, 0.05, 0.02))
+                .isTrue();
+        return slam.tracking();
+    }
+
+    @Test
     void isLessSureTheFartherItDrivesBlindly() {
         var random = new SplittableRandom(5);
         Drive drive = part(drive(random), 0, 20, Pose2d.ORIGIN);
