@@ -7,8 +7,8 @@ import rsal.navigation.grid.DistanceField;
 ///
 /// Differs from the book in that beams that hit nothing are left out, so there is no z_max; in that the
 /// bell of hits has height 1, not area 1, so that a likelihood is no density but 0.9 where a beam is exactly as long
-/// as it should be; in that a beam that leaves the map may have any length; and in that a beam may be a cone, as a
-/// sonar's is, which should be as long as the shortest of three rays in it.
+/// as it should be; in that a beam that leaves the map may have any length; in what ends outside the map ([Outside]);
+/// and in that a beam may be a cone, as a sonar's is, which should be as long as the shortest of three rays in it.
 public final class BeamModel implements SensorModel {
     private static final double SHORT_SHARE = 0.1; // z_short, of the height of the bell
     private static final double SHORT_DECAY = 0.3; // λ_short in the book, 1/m
@@ -17,13 +17,15 @@ public final class BeamModel implements SensorModel {
     private static final double SMALL = 1e-100; // far from what a number can hold
 
     private final DistanceField toOccupied;
+    private final Outside around;
     private final double deviation;
     private final double randomShare;
 
     /// @param deviation how far beams are from as long as they should be, σ_hit in the book [m]
     /// @param randomShare of readings that have nothing to do with the map, z_rand in the book
-    BeamModel(DistanceField toOccupied, double deviation, double randomShare) {
+    BeamModel(DistanceField toOccupied, Outside around, double deviation, double randomShare) {
         this.toOccupied = toOccupied;
+        this.around = around;
         this.deviation = deviation;
         this.randomShare = randomShare;
     }
@@ -34,8 +36,10 @@ public final class BeamModel implements SensorModel {
         double sin = Math.sin(theta);
         double sideCos = Math.cos(SIDE_RAY * beams.cone());
         double sideSin = Math.sin(SIDE_RAY * beams.cone());
-        double sum = 0;
+        double onMap = 0;
         double product = 1; // of likelihoods whose logarithms are not yet in the sum
+        double beyond = 0;
+        int outside = 0;
         for (int i = 0; i < beams.count(); i++) {
             double dx = beams.x()[i] - beams.originX()[i];
             double dy = beams.y()[i] - beams.originY()[i];
@@ -57,13 +61,20 @@ public final class BeamModel implements SensorModel {
                         Math.min(nearer, left));
                 expected = Math.min(expected, Math.min(left, right));
             }
-            product *= likelihood(measured, expected);
+            double likelihood = likelihood(measured, expected);
+            if (expected == Double.POSITIVE_INFINITY
+                    && !toOccupied.contains(fromX + toX * measured, fromY + toY * measured)) {
+                beyond += Math.log(likelihood);
+                outside++;
+                continue;
+            }
+            product *= likelihood;
             if (product < SMALL) {
-                sum += Math.log(product);
+                onMap += Math.log(product);
                 product = 1;
             }
         }
-        return sum + Math.log(product);
+        return around.joined(onMap + Math.log(product), beams.count() - outside, beyond, outside);
     }
 
     /// Below 1, and never less than the share of random readings.

@@ -7,11 +7,9 @@ import rsal.navigation.grid.DistanceField;
 /// table 6.3, as a table of logarithms. Immutable; robots that share a map share its field.
 ///
 /// Differs from the book in that beams that hit nothing are skipped, not given z_max; that the likelihood is
-/// scaled to 1 (logarithm 0) where the map has its walls; and in what lies outside the map. Where that is shut off
-/// by what is not free all around, it is as unlikely as what is far from any wall. Of a map that was cut off, nobody
-/// knows: what ends there counts as what the others of a scan say on average, or poses would be pulled away from the
-/// edge; but of no more beams than end on the map. The share of random readings (z_rand) bounds how much one beam can
-/// say, so that people and robots who are not on the map do little harm.
+/// scaled to 1 (logarithm 0) where the map has its walls; and in what lies outside the map ([Outside]). The share of
+/// random readings (z_rand) bounds how much one beam can say, so that people and robots who are not on the map do
+/// little harm.
 public final class LikelihoodField implements SensorModel {
     private static final double FARTHEST = 8; // deviations, where the density has no weight left
 
@@ -22,7 +20,7 @@ public final class LikelihoodField implements SensorModel {
     private final double cellsPerMeter;
     private final float unlikely;
     private final float[] logs;
-    private final boolean cutOff; // somewhere at its edge
+    private final Outside around;
 
     /// @param toWall how far the nearest place is where a beam may end
     /// @param deviation how far hits are from the walls of the map, σ_hit in the book [m]
@@ -34,7 +32,7 @@ public final class LikelihoodField implements SensorModel {
         this.originY = map.originY();
         this.cellsPerMeter = 1 / map.resolution();
         this.unlikely = (float) Math.log(randomShare);
-        this.cutOff = isFreeAtEdge(map);
+        this.around = Outside.of(map);
         this.logs = new float[width * height];
         for (int i = 0; i < logs.length; i++) {
             double deviations = toWall.at(i) / deviation;
@@ -68,7 +66,12 @@ public final class LikelihoodField implements SensorModel {
         for (int i = 0; i < beamX.length; i++) {
             sum += logAt(baseX + cos * beamX[i] - sin * beamY[i], baseY + sin * beamX[i] + cos * beamY[i]);
         }
-        return cutOff ? withoutOutside(sum, outside(beams, baseX, baseY, cos, sin), beams.count()) : sum;
+        if (!around.isUnknown()) {
+            return sum;
+        }
+        int outside = outside(beams, baseX, baseY, cos, sin);
+        float beyond = outside * unlikely;
+        return around.joined(sum - beyond, beams.count() - outside, beyond, outside);
     }
 
     private int outside(Beams beams, float baseX, float baseY, float cos, float sin) {
@@ -81,13 +84,6 @@ public final class LikelihoodField implements SensorModel {
             outside += isOnMap((int) column, (int) row) ? 0 : 1;
         }
         return outside;
-    }
-
-    /// @param sum in which beams that end outside are unlikely
-    private double withoutOutside(float sum, int outside, int count) {
-        int inside = count - outside;
-        int unknown = Math.min(inside, outside);
-        return unknown == 0 ? sum : sum - unknown * unlikely + unknown * (sum - outside * unlikely) / inside;
     }
 
     /// The same where the beams are already turned and in cells, and the base stands on a cell. Looks no further
@@ -109,23 +105,5 @@ public final class LikelihoodField implements SensorModel {
 
     private boolean isOnMap(int column, int row) {
         return column >= 0 && column < width && row >= 0 && row < height;
-    }
-
-    private static boolean isFreeAtEdge(OccupancyGrid map) {
-        for (int column = 0; column < map.width(); column++) {
-            if (isFree(map, column, 0) || isFree(map, column, map.height() - 1)) {
-                return true;
-            }
-        }
-        for (int row = 0; row < map.height(); row++) {
-            if (isFree(map, 0, row) || isFree(map, map.width() - 1, row)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private static boolean isFree(OccupancyGrid map, int column, int row) {
-        return map.at(column, row) == OccupancyGrid.FREE;
     }
 }

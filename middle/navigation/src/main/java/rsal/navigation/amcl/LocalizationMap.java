@@ -37,7 +37,7 @@ public final class LocalizationMap {
         this.toFace = DistanceField.toFace(grid, deviation);
         this.deviation = deviation;
         this.walls = new LikelihoodField(grid, toFace, deviation, randomShare);
-        this.reaches = new BeamModel(toOccupied, deviation, randomShare);
+        this.reaches = new BeamModel(toOccupied, Outside.of(grid), deviation, randomShare);
         OccupancyGrid coarse = pooled(grid, Math.max(1, (int) Math.round(COARSE_CELL / grid.resolution())));
         this.coarseResolution = coarse.resolution();
         this.nearWalls = new LikelihoodField(

@@ -147,8 +147,7 @@ final class Wave {
     private IllegalStateException tooFar() {
         return new IllegalStateException("""
                 Ways over a map of (%d × %d) cells get too long: they cost more than (%d) cells far from everything.
-                Maybe the map can be drawn with larger cells, or the robot be given a smaller clearance."""
-                .formatted(width, field.length / width, (FARTHEST - SOURCE) / SIDE));
+                Maybe the map can be drawn with larger cells, or the robot be given a smaller clearance.""".formatted(width, field.length / width, (FARTHEST - SOURCE) / SIDE));
     }
 
     /// What the way between an open cell and the source costs. Without a guide it is final if it costs less than what

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Covariance2d;
@@ -241,8 +242,8 @@ class AmclTest {
 
     /// Beams that end on the walls beyond would be likelier farther inside.
     @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3})
-    void whereTheMapOfACorridorEndsItIsNotPulledInward(long seed) {
+    @CsvSource({"FIELD, 1", "FIELD, 2", "FIELD, 3", "BEAM, 1", "BEAM, 2", "BEAM, 3"})
+    void whereTheMapOfACorridorEndsItIsNotPulledInward(SensorModel.Kind model, long seed) {
         DrawnMap corridor = Seen.fine("""
                 ################################################
                 #..............................................#
@@ -255,7 +256,7 @@ class AmclTest {
                 """);
         var amcl = new Amcl(
                 new LocalizationMap(leftOf(corridor.grid(), 100), 0.1, 0.05),
-                Amcl.Settings.of(150, 3000),
+                Amcl.Settings.of(150, 3000).with(model),
                 new SplittableRandom(seed));
         Pose2d truth = corridor.pose('b', 0);
         amcl.start(PoseEstimate.of(truth, Covariance2d.ofDeviations(0.1, 0.1, 0.05)));

@@ -24,7 +24,7 @@ class BeamModelTest {
             #..................#
             ####################
             """);
-    private static final BeamModel MODEL = new BeamModel(DistanceField.toOccupied(ROOM.grid()), 0.1, 0.05);
+    private static final BeamModel MODEL = model(ROOM.grid());
 
     @Test
     void aBeamAsLongAsItShouldBeIsMostLikely() {
@@ -55,12 +55,31 @@ class BeamModelTest {
         var cells = new byte[10_000];
         cells[0] = OccupancyGrid.OCCUPIED; // far aside
         var open = new OccupancyGrid(100, 100, 0.05, 0, 0, cells);
-        var model = new BeamModel(DistanceField.toOccupied(open), 0.1, 0.05);
+        BeamModel model = model(open);
         var here = new Pose2d(2.5, 2.5, 0);
 
         for (double range : new double[] {2.3, 2.5, 2.7, 5}) { // the map ends after 2.5 m
             assertThat(log(model, here, range)).as("%s m", range).isCloseTo(Math.log(0.08), within(0.3));
         }
+    }
+
+    @Test
+    void beamsThatEndOutsideOfAMapThatWasCutOffCountAsTheOthersDo() {
+        DrawnMap cut = DrawnMap.grid(0.1, """
+                ##########
+                #.........
+                #....@....
+                #.........
+                ##########""");
+        BeamModel model = model(cut.grid());
+        Pose2d at = cut.pose('@', 0);
+        double inside = model.log(beams(-0.4f, -0.5f), at.x(), at.y(), 0);
+        double two = model.log(beams(3, 3), at.x(), at.y(), 0);
+
+        assertThat(model.log(beams(-0.4f, -0.5f, 3), at.x(), at.y(), 0)).isCloseTo(1.5 * inside, within(1e-9));
+        assertThat(model.log(beams(-0.4f, -0.5f, 3, 3, 3, 3), at.x(), at.y(), 0))
+                .as("no more than end on it")
+                .isCloseTo(2 * inside + two, within(1e-9));
     }
 
     @Test
@@ -77,6 +96,15 @@ class BeamModelTest {
                         aside.y(),
                         aside.theta()))
                 .isLessThan(-2);
+    }
+
+    private static BeamModel model(OccupancyGrid map) {
+        return new BeamModel(DistanceField.toOccupied(map), Outside.of(map), 0.1, 0.05);
+    }
+
+    /// Straight ahead or behind.
+    private static Beams beams(float... x) {
+        return new Beams(x, new float[x.length], new float[x.length], new float[x.length]);
     }
 
     private static double log(SensorModel model, Pose2d from, double range) {
