@@ -61,30 +61,30 @@ describe.skipIf(!chromium)('what people work with', () => {
       async () => (await numbers.locator('option', { hasText: 'distance, least [m]' }).count()) > 0,
       'there are numbers of the laser',
     );
-    await numbers.selectOption('laser ranges.least');
-    const plot = page.locator('[data-plot="laser ranges.least"]');
+    await numbers.selectOption('courier-1: laser ranges.least');
+    const plot = page.locator('[data-plot="courier-1: laser ranges.least"]');
     await eventually(
       async () => ((await plot.locator('.box path').getAttribute('d')) ?? '').includes('L'),
       'a line is drawn',
     );
     await page
-      .getByLabel('Plot another number beside laser distance, least')
-      .selectOption('base velocity.vx');
+      .getByLabel('Plot another number beside courier-1: laser distance, least')
+      .selectOption('courier-1: base velocity.vx');
     await eventually(
       async () => ((await plot.locator('.box path').nth(1).getAttribute('d')) ?? '').includes('L'),
       'and another line',
     );
-    await numbers.selectOption('base velocity.omega');
+    await numbers.selectOption('courier-1: base velocity.omega');
     expect(await page.locator('[data-plot]').count()).toBe(2);
     await plot.scrollIntoViewIfNeeded();
     await picture(page, 'plots');
     await expectAccessible(page);
 
-    const value = plot.locator('[data-value="laser ranges.least"]');
+    const value = plot.locator('[data-value="courier-1: laser ranges.least"]');
     expect(await value.innerText()).toMatch(/^\d\.\d\d+ m$/);
-    const turn = page.locator('[data-plot="base velocity.omega"]');
+    const turn = page.locator('[data-plot="courier-1: base velocity.omega"]');
     expect(await turn.locator('[data-value]').innerText()).toMatch(/ °\/s$/);
-    await page.getByLabel('Plot another number beside base turn').selectOption({ label: 'prey' });
+    await page.getByLabel('Plot another number beside courier-1: base turn').selectOption({ label: 'prey' });
     await turn.getByText('prey: base turn').waitFor();
     await eventually(
       async () => ((await turn.locator('.box path').nth(1).getAttribute('d')) ?? '').includes('L'),
@@ -98,15 +98,67 @@ describe.skipIf(!chromium)('what people work with', () => {
     const slider = turn.getByRole('slider');
     await slider.press('ArrowLeft');
     expect(await slider.getAttribute('aria-valuetext')).toMatch(
-      /^0\.[25] s ago: courier-1: base turn -?[\d.]+ °\/s, prey/,
+      /^0\.[25] s before now: courier-1: base turn -?[\d.]+ °\/s, prey/,
     );
     await expectAccessible(page);
     await turn.getByRole('button', { name: 'Plot prey: base turn no more' }).click();
+    await eventually(async () => (await turn.locator('.box path').count()) === 1, 'it is plotted no more');
 
-    await plot.getByRole('button', { name: 'Plot base speed ahead no more' }).click();
+    await plot.getByRole('button', { name: 'Plot courier-1: base speed ahead no more' }).click();
     expect(await plot.locator('.box path').count()).toBe(1);
-    await plot.getByRole('button', { name: 'Plot laser distance, least no more' }).click();
+    await plot.getByRole('button', { name: 'Plot courier-1: laser distance, least no more' }).click();
     expect(await plot.count()).toBe(0);
+  });
+
+  it('plots go on whichever robot is selected, and show what was when one looks back', async () => {
+    await page.locator('tr[data-robot="courier-1"] button').click(); // until now it was selected
+    expect(await page.locator('tr.card').count()).toBe(0);
+    await page.locator('tr[data-robot="courier-2"]').click();
+    const numbers = page.getByLabel('Plot a number…');
+    await numbers.locator('option', { hasText: 'speed ahead' }).first().waitFor({ state: 'attached' });
+    await numbers.selectOption('courier-2: base velocity.vx');
+    const plot = page.locator('[data-plot="courier-2: base velocity.vx"]');
+    await plot.getByText('−20 s').waitFor(); // it begins with what was before anybody asked
+    await page.getByLabel('Plot another number beside courier-2: base speed ahead').selectOption('prey');
+    const colors = () =>
+      plot.locator('.box path').evaluateAll((all) => all.map((path) => path.getAttribute('stroke')));
+    await eventually(async () => (await colors()).length === 2, 'there are two lines');
+    const color = (robot: string) =>
+      page
+        .locator(`tr[data-robot="${robot}"] .color`)
+        .evaluate((node) => (node as HTMLElement).style.backgroundColor);
+    const asStyle = (colors: (string | null)[]) =>
+      page.evaluate(
+        (all) => all.map((one) => Object.assign(document.createElement('b').style, { color: one }).color),
+        colors,
+      );
+    expect(await asStyle(await colors())).toEqual([await color('courier-2'), await color('prey')]);
+
+    await page.locator('tr[data-robot="prey"]').click();
+    await plot.getByText('courier-2: base speed ahead').waitFor();
+    const path = () => plot.locator('.box path').first().getAttribute('d');
+    const before = await path();
+    await eventually(async () => (await path()) !== before, 'it grows');
+    await page.locator('tr[data-robot="prey"] button').click();
+    expect(await page.locator('tr.card').count()).toBe(0);
+    await plot.getByText('now').waitFor();
+    await picture(page, 'plots-none-selected');
+    await expectAccessible(page);
+
+    const cursor = page.getByRole('slider', { name: 'Time that is shown' });
+    await cursor.fill('12');
+    await plot.getByText(/^0:1[12]\.\d$/).waitFor();
+    expect(await plot.getByText('now').count()).toBe(0);
+    await plot.getByText('−30 s').waitFor();
+    const then = await path();
+    expect(then).toContain('L');
+    await picture(page, 'plots-past');
+    await page.getByRole('button', { name: 'Live' }).click();
+    await plot.getByText('now').waitFor();
+    await page.getByRole('button', { name: /^Plot prey: .* no more$/ }).click();
+    await page.getByRole('button', { name: /^Plot courier-2: .* no more$/ }).click();
+    expect(await plot.count()).toBe(0);
+    await page.locator('tr[data-robot="courier-1"]').click();
   });
 
   it('distances are measured on the map', async () => {

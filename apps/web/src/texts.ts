@@ -289,13 +289,17 @@ export const texts = {
     addToHint: (first: string) => `Plot another number beside ${first}`,
     remove: (name: string) => `Plot ${name} no more`,
     now: 'now',
+    end: 'end',
     before: (seconds: string) => `−${seconds} s`,
     nothing: 'nothing to plot',
+    unknown: 'Of that time nothing is known.',
     option: (title: string, unit: string) => (unit === '' ? title : `${title} [${unit}]`),
     same: (name: string) => `${name}, of other robots`,
-    at: (seconds: string, values: string[]) => `${seconds} s ago: ${values.join(', ')}`,
-    label: (names: string[], least: string, greatest: string, span: number) =>
-      `${names.join(' and ')} over the last ${span} s: from ${least} to ${greatest}`,
+    /** @param end what is at the right */
+    at: (seconds: string, end: string, values: string[]) =>
+      `${seconds} s before ${end}: ${values.join(', ')}`,
+    label: (names: string[], least: string, greatest: string, span: number, end: string) =>
+      `${names.join(' and ')} over ${span} s until ${end}: from ${least} to ${greatest}`,
   },
   agents: {
     title: 'Agents',

@@ -15,6 +15,7 @@ import type {
   NewAgent,
   NewRobot,
   Order,
+  PastNumbers,
   Plan,
   PlottedNumbers,
   Readings,
@@ -80,6 +81,8 @@ export const api = {
   /** @param time of a recording [s of the run] */
   readings: (robot: string, time: number | null = null) => about<Readings>('readings', robot, time),
   numbers: (robot: string, time: number | null = null) => about<PlottedNumbers>('numbers', robot, time),
+  pastNumbers: (robot: string, device: string, number: string) =>
+    found<PastNumbers>(`numbers/past?${new URLSearchParams({ robot, device, number }).toString()}`),
   /** @param time of a recording [s of the run] */
   agent: (name: string, time: number | null = null) =>
     found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}`),

@@ -391,6 +391,11 @@ export interface OutcomeShare {
   high: number | null;
 }
 
+export interface PastNumbers {
+  times: number[];
+  values: (number | null)[];
+}
+
 export interface PieceInfo {
   color: string | null;
   corners: number[][];
@@ -410,6 +415,7 @@ export interface PlanInfo {
 }
 
 export interface PlottedNumbers {
+  time: number;
   devices: DeviceNumbers[];
 }
 

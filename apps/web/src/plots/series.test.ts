@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { rangeOf, Series, short, spanOf } from './series';
+import { rangeOf, Series, spanOf } from './series';
 
 function series(...points: [time: number, value: number | null][]): Series {
   const all = new Series();
@@ -8,42 +8,61 @@ function series(...points: [time: number, value: number | null][]): Series {
 }
 
 it('the newest is at the right, the greatest at the top', () =>
-  expect(series([0, 1], [30, 3], [60, 2]).path(100, 10)).toBe('M0.0 10.0L50.0 0.0L100.0 5.0'));
+  expect(series([0, 1], [30, 3], [60, 2]).path(100, 10, [1, 3])).toBe('M0.0 10.0L50.0 0.0L100.0 5.0'));
 
 it('what does not change is in the middle', () =>
-  expect(series([0, 7], [60, 7]).path(100, 10)).toBe('M0.0 5.0L100.0 5.0'));
+  expect(series([0, 7], [60, 7]).path(100, 10, [7, 7])).toBe('M0.0 5.0L100.0 5.0'));
 
 it('tells what it was', () => {
   const all = series([10, 1], [20, null], [30, 3]);
-  expect([0, 5, 10, 15, 20].map((ago) => all.at(ago))).toEqual([3, null, null, 1, 1]);
-  expect(all.at(21)).toBeNull();
+  expect([30, 25, 20, 15, 10, 9].map((time) => all.at(time))).toEqual([3, null, null, 1, 1, null]);
   expect(new Series().at(0)).toBeNull();
 });
 
 it('there is a gap where there was nothing', () =>
-  expect(series([0, 0], [15, 1], [30, null], [45, 1], [60, 0]).path(100, 10)).toBe(
+  expect(series([0, 0], [15, 1], [30, null], [45, 1], [60, 0]).path(100, 10, [0, 1])).toBe(
     'M0.0 10.0L25.0 0.0M75.0 0.0L100.0 10.0',
   ));
 
-it('what is older than a minute is forgotten', () => {
+it('what was at a moment is shown without what came before and after', () => {
   const all = series([0, 100], [50, 1], [70, 2], [100, 3]);
-  expect(all.range).toEqual([1, 3]);
-  expect(all.newest).toBe(3);
+  expect(all.range(10, 70)).toEqual([1, 2]);
+  expect(all.path(60, 10, [1, 2], 70)).toBe('M40.0 10.0L60.0 0.0');
+  expect(all.range(-50, -1)).toBeNull();
+  expect(all.path(60, 10, [1, 2], -1)).toBe('');
 });
 
-it('the same moment counts once, and time that goes back begins anew', () => {
-  const all = series([5, 1], [5, 2]);
-  expect(all.newest).toBe(1);
-  all.push(1, 9);
-  expect(all.range).toEqual([9, 9]);
+it('what is as old as the newest, or older, counts no more', () => {
+  const all = series([5, 1], [5, 2], [1, 9]);
+  expect(all.at(5)).toBe(1);
+  expect(all.range()).toEqual([1, 1]);
 });
 
-it('does not grow for ever', () => {
+it('takes over what somebody else knows, and keeps its own', () => {
+  const all = series([10, 1], [11, 2]);
+  all.merge([0, 5, 11, 12], [7, null, 8, 9]);
+  expect([0, 5, 10, 11, 12].map((time) => all.at(time))).toEqual([7, null, 1, 2, 9]);
+  all.push(12, 10);
+  expect(all.at(12)).toBe(9);
+});
+
+it('does not grow for ever, but reaches back to the beginning', () => {
   const all = new Series();
-  for (let i = 0; i < 5000; i++) {
+  for (let i = 0; i < 20_000; i++) {
+    all.push(i / 10, i);
+  }
+  const points = all.path(100, 10, [0, 20_000], 2000, 2000).split('L').length;
+  expect(points).toBeLessThanOrEqual(4000);
+  expect(all.at(0)).toBe(0);
+  expect(all.path(60, 10, [0, 20_000], 1999.9).split('L').length, 'of the last minute').toBe(601);
+});
+
+it('does not grow for ever in a minute either', () => {
+  const all = new Series();
+  for (let i = 0; i < 10_000; i++) {
     all.push(i / 1000, i);
   }
-  expect(all.range).toEqual([3800, 4999]);
+  expect(all.range()).toEqual([6000, 9999]);
 });
 
 it('several share a box', () => {
@@ -51,30 +70,15 @@ it('several share a box', () => {
   const high = series([0, 20], [60, 40]);
   const range = rangeOf([low, new Series(), high]);
   expect(range).toEqual([0, 40]);
-  expect(low.path(100, 40, range)).toBe('M0.0 40.0L100.0 30.0');
-  expect(high.path(100, 40, range)).toBe('M0.0 20.0L100.0 0.0');
-  expect(rangeOf([])).toBeNull();
-});
-
-it('a box begins small, and grows', () => {
-  const young = series([3, 0], [8, 1]);
-  expect(spanOf([young, new Series()])).toBe(10);
-  expect(young.path(100, 10, young.range, 10)).toBe('M50.0 10.0L100.0 0.0');
-  expect(spanOf([young, series([0, 0], [11, 0])])).toBe(30);
-  expect(spanOf([series([0, 0], [31, 0])])).toBe(60);
-});
-
-it('nothing is nothing', () => {
-  expect(new Series().path(100, 10)).toBe('');
-  expect(series([1, null]).range).toBeNull();
+  expect(low.path(100, 40, range!)).toBe('M0.0 40.0L100.0 30.0');
+  expect(rangeOf([new Series()])).toBeNull();
 });
 
 it.each([
-  [0, '0.00'],
-  [-0.1234, '-0.123'],
-  [1.234, '1.23'],
-  [12.34, '12.3'],
-  [1234.5, '1235'],
-  [1e6, '1.0e+6'],
-  [0.00001, '1.0e-5'],
-])('%d is %s', (value, text) => expect(short(value)).toBe(text));
+  [8, 10],
+  [12, 30],
+  [31, 60],
+  [500, 60],
+])('of %d seconds a box shows %d', (known, shown) =>
+  expect(spanOf([series([0, 1], [known, 1]), new Series()], known)).toBe(shown),
+);

@@ -1,78 +1,99 @@
-/** How much of the past is kept and plotted [simulated s]. */
+/** How much of the past is shown at most [s of the run]. */
 export const SPAN = 60;
-const MOST = 1200;
 
-/** A number over time. */
+/** Older than what is shown now it is kept more coarsely, so that it does not grow for ever. */
+const MOST = 4000;
+
+/** What one number was. */
 export class Series {
-  private readonly times: number[] = [];
-  private readonly values: (number | null)[] = [];
+  private times: number[] = []; // growing
+  private values: (number | null)[] = [];
 
-  /** What it is now; null when it is nothing that can be plotted. Time that goes back begins anew. */
+  /** What it is now; what is as old as the newest, or older, counts no more. */
   push(time: number, value: number | null) {
-    const last = this.times.at(-1);
-    if (last !== undefined && time < last) {
-      this.times.length = 0;
-      this.values.length = 0;
-    } else if (last === time) {
-      return;
+    if (time > this.until) {
+      this.times.push(time);
+      this.values.push(value);
+      this.thin();
     }
-    this.times.push(time);
-    this.values.push(value);
-    const old = this.times.findIndex((each) => each >= time - SPAN);
-    const excess = Math.max(old, this.times.length - MOST);
-    this.times.splice(0, excess);
-    this.values.splice(0, excess);
   }
 
-  get newest(): number | null {
-    return this.values.at(-1) ?? null;
+  /** What somebody else knows of it, before, between and after what is known here. */
+  merge(times: readonly number[], values: readonly (number | null)[]) {
+    const all = new Map(times.map((time, i) => [time, values[i] ?? null]));
+    this.times.forEach((time, i) => all.set(time, this.values[i]!));
+    const sorted = [...all].sort(([a], [b]) => a - b);
+    this.times = sorted.map(([time]) => time);
+    this.values = sorted.map(([, value]) => value);
+    this.thin();
   }
 
-  /** What it was so long before the newest [s]; null when there was nothing. */
-  at(ago: number): number | null {
-    const then = (this.times.at(-1) ?? 0) - ago;
-    const last = this.times.findLastIndex((time) => time <= then + 1e-6);
+  private thin() {
+    while (this.times.length > MOST) {
+      const recent = Math.max(0, this.until - SPAN);
+      const before = this.times.length;
+      const keep = this.times.map((time, i) => i % 2 === 0 || time >= recent);
+      this.times = this.times.filter((_, i) => keep[i]);
+      this.values = this.values.filter((_, i) => keep[i]);
+      if (this.times.length === before) {
+        this.times = this.times.slice(-MOST);
+        this.values = this.values.slice(-MOST);
+      }
+    }
+  }
+
+  /** When the newest was; −∞ when there is none. */
+  get until(): number {
+    return this.times.at(-1) ?? -Infinity;
+  }
+
+  /** What it was then; null when nobody knows, or there was nothing. */
+  at(time: number): number | null {
+    const last = this.times.findLastIndex((each) => each <= time + 1e-6);
     return last === -1 ? null : (this.values[last] ?? null);
   }
 
-  /** The least and the greatest of what is kept; null when there is nothing. */
-  get range(): [number, number] | null {
-    const there = this.values.filter((value) => value !== null);
+  /** Times and values from one time to another. */
+  private within(from: number, until: number): [number, number | null][] {
+    return this.times.flatMap((time, i): [number, number | null][] =>
+      time >= from - 1e-6 && time <= until + 1e-6 ? [[time, this.values[i]!]] : [],
+    );
+  }
+
+  /** The least and the greatest from one time to another; null when there was nothing. */
+  range(from = -Infinity, until = Infinity): [number, number] | null {
+    const there = this.within(from, until).flatMap(([, value]) => (value === null ? [] : [value]));
     return there.length === 0 ? null : [Math.min(...there), Math.max(...there)];
   }
 
-  /** From the oldest to the newest that is kept [s]. */
-  get seconds(): number {
-    return (this.times.at(-1) ?? 0) - (this.times[0] ?? 0);
+  /** How far back before a time it is known, of what can be shown [s]. */
+  seconds(until: number): number {
+    return Math.min(SPAN, Math.max(0, until - (this.times[0] ?? until)));
   }
 
   /**
-   * As lines in a box, the newest at its right, the greatest at its top; a gap where there was nothing.
+   * As lines in a box, the latest time at its right, the greatest value at its top; a gap where there was nothing.
    *
-   * @param range of the box, which may be wider than its own
+   * @param range of values in the box
+   * @param until which time is at its right
    * @param seconds of the box
    */
   path(
     width: number,
     height: number,
-    range: readonly [number, number] | null = this.range,
+    [least, greatest]: readonly [number, number],
+    until = this.until,
     seconds = SPAN,
   ): string {
-    const now = this.times.at(-1);
-    if (range === null || now === undefined) {
-      return '';
-    }
-    const [least, greatest] = range;
     const span = greatest - least;
     let drawn = false;
-    return this.times
-      .map((time, i) => {
-        const value = this.values[i]!;
+    return this.within(until - seconds, until)
+      .map(([time, value]) => {
         if (value === null) {
           drawn = false;
           return '';
         }
-        const x = width * (1 - (now - time) / seconds);
+        const x = width * (1 - (until - time) / seconds);
         const y = span === 0 ? height / 2 : height * (1 - (value - least) / span);
         const step = `${drawn ? 'L' : 'M'}${x.toFixed(1)} ${y.toFixed(1)}`;
         drawn = true;
@@ -83,21 +104,13 @@ export class Series {
 }
 
 /** From the least to the greatest of all of them; null when there is nothing. */
-export function rangeOf(all: readonly Series[]): [number, number] | null {
-  const ranges = all.map(({ range }) => range).filter((range) => range !== null);
+export function rangeOf(all: readonly Series[], from?: number, until?: number): [number, number] | null {
+  const ranges = all.map((series) => series.range(from, until)).filter((range) => range !== null);
   return ranges.length === 0
     ? null
     : [Math.min(...ranges.map(([least]) => least)), Math.max(...ranges.map(([, greatest]) => greatest))];
 }
 
 /** How much of the past a box shows that has room for all of them, in round numbers [s]. */
-export const spanOf = (all: readonly Series[]) =>
-  [10, 30].find((seconds) => all.every((series) => series.seconds <= seconds)) ?? SPAN;
-
-/** As many digits as it takes to tell it from its neighbours. */
-export function short(value: number): string {
-  const size = Math.abs(value);
-  return size >= 1e5 || (size > 0 && size < 1e-3)
-    ? value.toExponential(1)
-    : value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 || size === 0 ? 2 : 3);
-}
+export const spanOf = (all: readonly Series[], until: number) =>
+  [10, 30].find((seconds) => all.every((series) => series.seconds(until) <= seconds)) ?? SPAN;

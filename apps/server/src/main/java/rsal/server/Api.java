@@ -12,7 +12,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
@@ -30,7 +29,6 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Prop;
-import rsal.scenario.run.Reading;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Added;
 import rsal.server.Messages.Addition;
@@ -119,7 +117,16 @@ final class Api {
             answerWhenDone(request, seen(request).readings(asked(request, "robot")));
         });
         routes.get("/api/numbers", request -> {
-            answerWhenDone(request, seen(request).readings(asked(request, "robot")), Numbers::of);
+            String robot = asked(request, "robot");
+            seats.find(request).numbers().want(robot);
+            answerWhenDone(request, seen(request).readings(robot), Numbers::of);
+        });
+        routes.get("/api/numbers/past", request -> {
+            answer(
+                    request,
+                    seats.find(request)
+                            .numbers()
+                            .past(asked(request, "robot"), asked(request, "device"), asked(request, "number")));
         });
         routes.get(
                 "/api/communication",
@@ -128,7 +135,10 @@ final class Api {
             answerWhenDone(request, running(request).links(asked(request, "robot")));
         });
         routes.get("/api/blobs", request -> {
-            answerWhenDone(request, running(request).readings(asked(request, "robot")), CameraViews::of);
+            answerWhenDone(
+                    request,
+                    running(request).readings(asked(request, "robot")),
+                    told -> CameraViews.of(told.readings()));
         });
         routes.get("/api/costs", request -> {
             answerWhenDone(request, running(request).costs(asked(request, "robot")));
@@ -522,12 +532,12 @@ final class Api {
     }
 
     private static void answerWhenDone(Context request, CompletionStage<Answer> stage) {
-        answerWhenDone(request, stage, ReadingWords::of);
+        answerWhenDone(request, stage, told -> ReadingWords.of(told.readings()));
     }
 
     /// @param told what is told of readings
     private static void answerWhenDone(
-            Context request, CompletionStage<Answer> stage, Function<List<Reading>, Record> told) {
+            Context request, CompletionStage<Answer> stage, Function<Answer.Read, Record> told) {
         // not on the run's thread, which has better to do than to write
         request.future(() -> stage.thenAcceptAsync(
                         answer -> {
@@ -536,7 +546,7 @@ final class Api {
                                 case Answer.Added(String name) -> answer(request, new Added(name));
                                 case Answer.Armed(var off) -> answer(request, new Armed(off));
                                 case Answer.Able(var abilities) -> answer(request, Steering.abilities(abilities));
-                                case Answer.Read(var readings) -> answer(request, told.apply(readings));
+                                case Answer.Read read -> answer(request, told.apply(read));
                                 case Answer.Heard(var all) -> answer(request, Descriptions.communication(all));
                                 case Answer.Counted(var topics) -> answer(request, Descriptions.topics(topics));
                                 case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");

@@ -1,12 +1,13 @@
 package rsal.server;
 
-/// Shows the run that goes on, and what has been of it. For one thread, but for [#bytesKept].
+/// Shows the run that goes on, and what has been of it. For one thread, but for [#bytesKept] and [#numbers].
 final class LiveShowing implements Showing {
     private static final double FOLLOWED = 15; // times real time; a robot of 0.5 m/s is elsewhere then at each look
 
     private final CurrentRun current;
     private RunFeed feed;
     private History history;
+    private volatile NumberHistory numbers = new NumberHistory();
     private volatile long bytesKept;
 
     LiveShowing(CurrentRun current) {
@@ -20,15 +21,22 @@ final class LiveShowing implements Showing {
         if (feed.number() != current.now().number()) {
             feed = new RunFeed(current.now());
             history = new History(feed);
+            numbers = new NumberHistory();
         }
         feed.look();
         history.keep(feed.time(), feed.isLast());
+        numbers.look(feed.run().run(), feed.present(), feed.time(), feed.rate());
         bytesKept = history.bytes();
     }
 
     /// What looking back takes. For any thread.
     long bytesKept() {
         return bytesKept;
+    }
+
+    /// What devices have told so far, as numbers. For any thread.
+    NumberHistory numbers() {
+        return numbers;
     }
 
     @Override

@@ -435,7 +435,15 @@ final class Messages {
             String inCharge) {}
 
     /// What of a robot's devices can be plotted.
-    record PlottedNumbers(List<DeviceNumbers> devices) {}
+    ///
+    /// @param time of the run [s]
+    record PlottedNumbers(double time, List<DeviceNumbers> devices) {}
+
+    /// What a number has been so far, as densely as it was kept.
+    ///
+    /// @param times of the run, growing [s]
+    /// @param values at these times, in its unit; empty when it was not finite then
+    record PastNumbers(List<Double> times, List<Optional<Double>> values) {}
 
     record DeviceNumbers(String device, List<NumberInfo> numbers) {}
 

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.ActuatorState;
-import rsal.scenario.run.Reading;
+import rsal.scenario.run.Answer;
 import rsal.server.Messages.DeviceNumbers;
 import rsal.server.Messages.NumberInfo;
 import rsal.server.Messages.PlottedNumbers;
@@ -25,12 +25,14 @@ final class Numbers {
 
     private Numbers() {}
 
-    static PlottedNumbers of(List<Reading> readings) {
-        return new PlottedNumbers(readings.stream()
-                .map(reading ->
-                        new DeviceNumbers(reading.device(), of(reading.value().value())))
-                .filter(device -> !device.numbers().isEmpty())
-                .toList());
+    static PlottedNumbers of(Answer.Read told) {
+        return new PlottedNumbers(
+                told.time().toNanos() / 1e9,
+                told.readings().stream()
+                        .map(reading -> new DeviceNumbers(
+                                reading.device(), of(reading.value().value())))
+                        .filter(device -> !device.numbers().isEmpty())
+                        .toList());
     }
 
     /// Each with its name: `velocity.vx`.

@@ -18,10 +18,10 @@ import rsal.data.Stamped;
 import rsal.recording.Playback;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.run.AgentView;
+import rsal.scenario.run.Answer;
 import rsal.scenario.run.Inside;
 import rsal.scenario.run.Mail;
 import rsal.scenario.run.MindChange;
-import rsal.scenario.run.Reading;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Said;
@@ -59,7 +59,7 @@ final class ReplayApi {
                 "/api/drawn/{run}/files",
                 request -> Api.answerFiles(request, String.valueOf(request.queryParam("robot")), drawn(request)));
         routes.get("/api/agent", this::agent);
-        routes.get("/api/readings", request -> Api.answer(request, ReadingWords.of(readings(request))));
+        routes.get("/api/readings", request -> Api.answer(request, ReadingWords.of(readings(request).readings())));
         routes.get("/api/routine", this::routine);
         routes.get("/api/numbers", request -> Api.answer(request, Numbers.of(readings(request))));
         routes.get("/api/*", _ -> {
@@ -89,7 +89,7 @@ final class ReplayApi {
                         new Refusal(404, "Robot (%s) had drawn no map by then.".formatted(Refusal.shortened(robot))));
     }
 
-    private List<Reading> readings(Context request) throws IOException {
+    private Answer.Read readings(Context request) throws IOException {
         String robot = String.valueOf(request.queryParam("robot"));
         Snapshot then = playback.at(time(request));
         RobotView view = then.robots().stream()
@@ -97,7 +97,7 @@ final class ReplayApi {
                 .findFirst()
                 .orElseThrow(
                         () -> new Refusal(404, "No robot (%s) was there then.".formatted(Refusal.shortened(robot))));
-        return RecordedReadings.of(view, playback.clock(then.time()));
+        return new Answer.Read(then.time(), RecordedReadings.of(view, playback.clock(then.time())));
     }
 
     /// What was said shortly before, but for what is among the events.

@@ -2,6 +2,7 @@ package rsal.server;
 
 import java.time.Duration;
 import java.util.List;
+import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
@@ -72,6 +73,11 @@ final class RunFeed implements Feed {
     /// Simulated over real time, as measured.
     double rate() {
         return seen.rate();
+    }
+
+    /// Ids of the robots that are there now.
+    List<String> present() {
+        return seen.robots().stream().map(RobotView::id).toList();
     }
 
     /// Whether the run is over, and the frame its last.

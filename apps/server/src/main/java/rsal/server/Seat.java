@@ -54,6 +54,11 @@ final class Seat implements AutoCloseable {
         return live;
     }
 
+    /// What devices of its run's robots have told so far, as numbers.
+    NumberHistory numbers() {
+        return showing.numbers();
+    }
+
     /// What looking back takes.
     long bytesKept() {
         return showing.bytesKept();

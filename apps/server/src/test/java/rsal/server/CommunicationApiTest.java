@@ -308,6 +308,13 @@ class CommunicationApiTest {
         assertThat(get("/api/agent?name=spread").get("talks").size()).isPositive();
         assertThat(get("/api/readings?robot=prey").get("readings").size()).isPositive();
         assertThat(get("/api/numbers?robot=prey").get("devices").size()).isPositive();
+        JsonNode past = get("/api/numbers/past?robot=prey&device=laser&number=ranges.least");
+        assertThat(past.get("times").size()).isPositive();
+        assertThat(past.get("times").get(0).asDouble())
+                .as("before anybody asked")
+                .isLessThan(5);
+        assertThat(past.get("values").size()).isEqualTo(past.get("times").size());
+        assertThat(get("/api/numbers/past?robot=nobody").get("times").size()).isZero();
         assertThat(get("/api/topics").get("topics").size()).isPositive();
         assertThat(RawHttp.get(port, "/api/agent?name=nobody", host).status()).isEqualTo(409);
     }

@@ -16,6 +16,7 @@ import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
+import rsal.scenario.run.Answer;
 import rsal.scenario.run.Reading;
 import rsal.server.Messages.DeviceNumbers;
 import rsal.server.Messages.NumberInfo;
@@ -120,7 +121,8 @@ class NumbersTest {
 
     @Test
     void devicesWithoutANumberAreLeftOut() {
-        assertThat(Numbers.of(List.of(reading("speech", "hello"), reading("scale", 3)))
+        assertThat(Numbers.of(new Answer.Read(
+                                Duration.ofMillis(1500), List.of(reading("speech", "hello"), reading("scale", 3))))
                         .devices())
                 .containsExactly(new DeviceNumbers("scale", List.of(new NumberInfo("", "", "", Optional.of(3.0)))));
     }

@@ -54,7 +54,8 @@ final class TypeScript {
         Type raw = ((ParameterizedType) type.getType()).getRawType();
         AnnotatedType[] arguments = type.getAnnotatedActualTypeArguments();
         if (raw == List.class) {
-            return name(arguments[0]) + "[]";
+            String element = name(arguments[0]);
+            return (element.contains(" | ") ? "(%s)" : "%s").formatted(element) + "[]";
         }
         if (raw == Optional.class) {
             return name(arguments[0]) + " | null";

@@ -1,5 +1,6 @@
 package rsal.scenario.run;
 
+import java.time.Duration;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -35,8 +36,9 @@ public sealed interface Answer {
 
     record Able(Abilities abilities) implements Answer {}
 
+    /// @param time since the run's start
     /// @param readings newest of each device, in the robot's order
-    record Read(List<Reading> readings) implements Answer {
+    record Read(Duration time, List<Reading> readings) implements Answer {
         public Read {
             readings = List.copyOf(readings);
         }

@@ -1,5 +1,6 @@
 package rsal.scenario.run;
 
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,9 +10,9 @@ import rsal.robot.Robot;
 /// What devices had told last and agents had in mind when a run ended, for those who look at it afterwards.
 record LastLook(
         Map<String, Answer> readings, Map<String, Answer> agents, Answer topics, Answer communication, Answer routine) {
-    static LastLook at(Stage stage, Iterable<Robot> robots, List<String> agents, long now) {
+    static LastLook at(Stage stage, Iterable<Robot> robots, List<String> agents, Duration time, long now) {
         var readings = new HashMap<String, Answer>();
-        robots.forEach(robot -> readings.put(robot.id(), stage.readings(robot.id())));
+        robots.forEach(robot -> readings.put(robot.id(), stage.readings(robot.id(), time)));
         var minds = new HashMap<String, Answer>();
         for (String agent : agents) {
             try {

@@ -285,7 +285,7 @@ public final class LiveRun implements AutoCloseable {
     /// What a robot's devices have told last, as [Answer.Read]; nothing of one that is gone, or from where it was
     /// before it was placed elsewhere.
     public CompletionStage<Answer> readings(String robot) {
-        return askOrRecall(stage -> stage.readings(robot), last -> last.readings(robot));
+        return askOrRecall(stage -> stage.readings(robot, elapsed()), last -> last.readings(robot));
     }
 
     /// What places cost a robot's navigator, as [Answer.Costed].
@@ -721,7 +721,7 @@ public final class LiveRun implements AutoCloseable {
             return;
         }
         try {
-            lastLook = stage.lastLook(handClock.getAsLong());
+            lastLook = stage.lastLook(elapsed(), handClock.getAsLong());
         } catch (RuntimeException e) { // of a device or an agent: to look must not change how the run ended
             LOG.log(Level.WARNING, "What was known at the end of the run is not remembered.", e);
         }

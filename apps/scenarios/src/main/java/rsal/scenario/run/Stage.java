@@ -2,6 +2,7 @@ package rsal.scenario.run;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -203,9 +204,10 @@ final class Stage implements AutoCloseable {
         return robotViews.all();
     }
 
-    Answer readings(String robot) {
+    /// @param time since the run's start
+    Answer readings(String robot, Duration time) {
         return team.robot(robot)
-                .<Answer>map(known -> new Answer.Read(robotViews.readings(known)))
+                .<Answer>map(known -> new Answer.Read(time, robotViews.readings(known)))
                 .orElseGet(() -> world.unknown(robot));
     }
 
@@ -250,9 +252,10 @@ final class Stage implements AutoCloseable {
         return agents.links(chosen, now);
     }
 
+    /// @param time since the run's start
     /// @param now in real time [ns]
-    LastLook lastLook(long now) {
-        return LastLook.at(this, team.robots().values(), agents.names(), now);
+    LastLook lastLook(Duration time, long now) {
+        return LastLook.at(this, team.robots().values(), agents.names(), time, now);
     }
 
     /// Looks after what people began and did not end.

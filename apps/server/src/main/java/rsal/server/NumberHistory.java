@@ -1,0 +1,160 @@
+package rsal.server;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SequencedSet;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
+import rsal.scenario.run.Answer;
+import rsal.scenario.run.LiveRun;
+import rsal.server.Messages.PastNumbers;
+import rsal.server.Messages.PlottedNumbers;
+
+/// What devices of a live run's robots have told so far, as [Numbers], so that plots begin with what has been. Robots
+/// are asked twice a second of the run, or four times a second when that goes by faster; of more than [#MOST_ROBOTS]
+/// those that somebody wanted to know about last. As [History] it reaches back to the beginning: when it has more than
+/// [#MOST_NUMBERS], every second is let go, and half as many are kept from then on. All methods may be called from any
+/// thread, [#look] from one at a time.
+final class NumberHistory {
+    static final int MOST_ROBOTS = 20;
+    static final int MOST_NUMBERS = 1_500_000; // of 8 bytes
+
+    private static final Duration FIRST_SPACING = Duration.ofMillis(500); // of the run
+    private static final double LEAST_SECONDS = 0.25; // in real time
+
+    private final int most;
+    private final Map<String, List<Sample>> samples = new HashMap<>();
+    private final SequencedSet<String> wanted = new LinkedHashSet<>();
+    private final AtomicInteger asked = new AtomicInteger();
+    private Duration due = Duration.ZERO;
+    private Duration spacing = FIRST_SPACING;
+    private int kept;
+
+    NumberHistory() {
+        this(MOST_NUMBERS);
+    }
+
+    /// @param most numbers that it keeps
+    NumberHistory(int most) {
+        this.most = most;
+    }
+
+    private record Name(String device, String number) {}
+
+    /// @param names the same list as of the sample before, where they are the same
+    private record Sample(double time, List<Name> names, double[] values) {}
+
+    /// Somebody wants to know about a robot.
+    synchronized void want(String robot) {
+        wanted.remove(robot);
+        wanted.addFirst(robot);
+        if (wanted.size() > MOST_ROBOTS) {
+            wanted.removeLast();
+        }
+    }
+
+    /// Asks for what is new, when it is time for that and all has been answered. Answers come on other threads.
+    ///
+    /// @param robots that are there
+    /// @param time since the run's start
+    /// @param rate simulated over real time, as measured
+    void look(LiveRun run, List<String> robots, Duration time, double rate) {
+        if (asked.get() > 0 || !isDue(time, rate)) {
+            return;
+        }
+        List<String> some = chosen(robots);
+        asked.addAndGet(some.size());
+        for (String robot : some) {
+            var _ = run.readings(robot)
+                    .whenCompleteAsync( // not on the run's thread, which has better to do than to look through records
+                            (answer, _) -> {
+                                asked.decrementAndGet();
+                                if (answer instanceof Answer.Read told) {
+                                    keep(robot, Numbers.of(told));
+                                }
+                            },
+                            Thread::startVirtualThread);
+        }
+    }
+
+    private synchronized boolean isDue(Duration time, double rate) {
+        if (time.compareTo(due) < 0) {
+            return false;
+        }
+        var least = Duration.ofNanos((long) (LEAST_SECONDS * rate * 1e9));
+        due = time.plus(least.compareTo(spacing) > 0 ? least : spacing);
+        return true;
+    }
+
+    /// Of many robots, those to ask.
+    synchronized List<String> chosen(List<String> robots) {
+        return robots.size() <= MOST_ROBOTS
+                ? robots
+                : Stream.concat(wanted.stream().filter(robots::contains), robots.stream())
+                        .distinct()
+                        .limit(MOST_ROBOTS)
+                        .toList();
+    }
+
+    /// Keeps what a robot's devices tell, if it is newer.
+    synchronized void keep(String robot, PlottedNumbers now) {
+        List<Sample> all = samples.computeIfAbsent(robot, _ -> new ArrayList<>());
+        if (!all.isEmpty() && now.time() <= all.getLast().time()) {
+            return;
+        }
+        var names = new ArrayList<Name>();
+        var values = new ArrayList<Double>();
+        now.devices()
+                .forEach(device -> device.numbers().forEach(number -> {
+                    names.add(new Name(device.device(), number.name()));
+                    values.add(number.value().orElse(Double.NaN));
+                }));
+        boolean same = !all.isEmpty() && all.getLast().names().equals(names);
+        all.add(new Sample(
+                now.time(),
+                same ? all.getLast().names() : names,
+                values.stream().mapToDouble(value -> value).toArray()));
+        kept += names.size();
+        while (kept > most && samples.values().stream().anyMatch(some -> some.size() > 1)) {
+            thin();
+        }
+    }
+
+    private void thin() {
+        spacing = spacing.multipliedBy(2);
+        kept = 0;
+        for (Map.Entry<String, List<Sample>> entry : samples.entrySet()) {
+            List<Sample> before = entry.getValue();
+            var some = new ArrayList<Sample>(before.size() / 2 + 1);
+            for (int i = 0; i < before.size(); i += 2) {
+                some.add(before.get(i));
+                kept += before.get(i).values().length;
+            }
+            entry.setValue(some);
+        }
+    }
+
+    /// What a number of a device was; nothing when nobody knows.
+    synchronized PastNumbers past(String robot, String device, String number) {
+        var name = new Name(device, number);
+        var times = new ArrayList<Double>();
+        var values = new ArrayList<Optional<Double>>();
+        List<Name> names = List.of();
+        int at = -1;
+        for (Sample sample : samples.getOrDefault(robot, List.of())) {
+            if (sample.names() != names) {
+                names = sample.names();
+                at = names.indexOf(name);
+            }
+            times.add(sample.time());
+            double value = at < 0 ? Double.NaN : sample.values()[at];
+            values.add(Double.isNaN(value) ? Optional.empty() : Optional.of(value));
+        }
+        return new PastNumbers(times, values);
+    }
+}

@@ -1,0 +1,37 @@
+import { expect, it } from 'vitest';
+import { axisOf, short } from './axis';
+
+it.each([
+  [33.8, 152, '0 50 100 150 200'],
+  [0.0381, 0.0394, '0.0380 0.0385 0.0390 0.0395'],
+  [-1.2, 0.9, '-2 -1 0 1'],
+  [-0.04, 0.13, '-0.1 0.0 0.1 0.2'],
+  [0, 1, '0.0 0.5 1.0'],
+  [1000, 1001, '1000.0 1000.5 1001.0'],
+  [0.1, 0.7, '0.0 0.2 0.4 0.6 0.8'],
+  [0, 3e-5, '0 1e-5 2e-5 3e-5'],
+  [0, 5e6, '0 2e+6 4e+6 6e+6'],
+])('from %d to %d it has %s', (least, greatest, texts) => {
+  const axis = axisOf(least, greatest);
+  expect(axis.ticks.map(({ text }) => text).join(' ')).toBe(texts);
+  expect(axis.least).toBeLessThanOrEqual(least);
+  expect(axis.greatest).toBeGreaterThanOrEqual(greatest);
+});
+
+it.each([
+  [7, 7],
+  [0, 0],
+  [0.3, 0.3 + 1e-12],
+])('what does not change (%d, %d) has one', (least, greatest) =>
+  expect(axisOf(least, greatest).ticks).toEqual([{ value: least, text: short(least) }]),
+);
+
+it.each([
+  [0, '0.00'],
+  [0.1234, '0.123'],
+  [1.234, '1.23'],
+  [12.34, '12.3'],
+  [123.4, '123'],
+  [1234567, '1.2e+6'],
+  [-0.00012, '-1.2e-4'],
+])('%d is %s', (value, text) => expect(short(value)).toBe(text));

@@ -1,0 +1,53 @@
+/** What stands beside a box: round numbers, as many digits as tell them apart. */
+export interface Axis {
+  least: number;
+  greatest: number;
+  /** Growing. */
+  ticks: readonly { value: number; text: string }[];
+}
+
+/** Into how many parts it is divided at most, but for what is added so that it ends at round numbers. */
+const PARTS = 3;
+/** Less of its size is not worth an axis: it is what is left of rounding. */
+const NOTHING = 1e-7;
+
+/** An axis that has room for some values: round numbers, of which it begins and ends at one. */
+export function axisOf(least: number, greatest: number): Axis {
+  const span = greatest - least;
+  if (span <= NOTHING * Math.max(Math.abs(least), Math.abs(greatest))) {
+    return { least, greatest: least, ticks: [{ value: least, text: short(least) }] };
+  }
+  const step = roundStep(span / PARTS);
+  const first = Math.floor(least / step + 1e-9);
+  const last = Math.ceil(greatest / step - 1e-9);
+  const ticks = Array.from({ length: last - first + 1 }, (_, i) => {
+    const value = (first + i) * step;
+    return { value, text: fixed(value, step, Math.max(Math.abs(first), Math.abs(last)) * step) };
+  });
+  return { least: Math.min(least, first * step), greatest: Math.max(greatest, last * step), ticks };
+}
+
+/** The least of 1, 2, 5, 10, … that is no less. */
+function roundStep(least: number): number {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * [1, 2, 5, 10].find((factor) => factor * power >= least * (1 - 1e-9))!;
+}
+
+/** @param largest that it is beside */
+function fixed(value: number, step: number, largest: number): string {
+  if (largest >= 1e6 || step < 1e-4) {
+    const digits = Math.max(0, Math.round(Math.log10(largest / step)));
+    return value === 0 ? '0' : value.toExponential(Math.min(digits, 6));
+  }
+  return value.toFixed(decimals(step)).replace(/^-(0(?:\.0+)?)$/, '$1');
+}
+
+const decimals = (step: number) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+
+/** As many digits as it takes to tell it from its neighbours. */
+export function short(value: number): string {
+  const size = Math.abs(value);
+  return size >= 1e5 || (size > 0 && size < 1e-3)
+    ? value.toExponential(1)
+    : value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 || size === 0 ? 2 : 3);
+}
