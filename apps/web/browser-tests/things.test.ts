@@ -28,6 +28,12 @@ describe.skipIf(!chromium)('a world of things', () => {
   const thing = (name: string) => page.locator(`li[data-thing="${name}"]`);
   const robot = (id: string) => page.locator(`tr[data-robot="${id}"]`);
 
+  const isSelected = (id: string) =>
+    eventually(
+      async () => (await robot(id).getByRole('button').getAttribute('aria-expanded')) === 'true',
+      `${id} is selected`,
+    );
+
   async function place(of: ReturnType<typeof thing>): Promise<Place> {
     const [x, y] = await Promise.all(
       ['data-x', 'data-y'].map(async (name) => Number(await of.getAttribute(name))),
@@ -130,6 +136,7 @@ describe.skipIf(!chromium)('a world of things', () => {
     await page.mouse.click(x, y, { button: 'right' });
     await page.getByRole('menuitem', { name: 'Add a copy of a here' }).click();
     await robot('cart-1').waitFor();
+    await isSelected('cart-1');
     await eventually(async () => !(await isNear(robot('cart-1'), { x: 4, y: 3 })), 'it wanders, too');
     const late = await openRun(rsal.origin);
     await late.locator('tr[data-robot="cart-1"]').waitFor();
@@ -156,6 +163,7 @@ describe.skipIf(!chromium)('a world of things', () => {
     await page.keyboard.press('m');
     await page.getByRole('menuitem', { name: 'Add a Pioneer 2-DX here' }).click();
     await robot('pioneer2dx-1').waitFor();
+    await isSelected('pioneer2dx-1');
     await eventually(() => isNear(robot('pioneer2dx-1'), { x: 0, y: 0 }), 'it is in the middle');
   });
 
