@@ -29,17 +29,20 @@ export class Series {
   }
 
   private thin() {
-    while (this.times.length > MOST) {
-      const recent = Math.max(0, this.until - SPAN);
-      const before = this.times.length;
-      const keep = this.times.map((time, i) => i % 2 === 0 || time >= recent);
-      this.times = this.times.filter((_, i) => keep[i]);
-      this.values = this.values.filter((_, i) => keep[i]);
-      if (this.times.length === before) {
-        this.times = this.times.slice(-MOST);
-        this.values = this.values.slice(-MOST);
-      }
+    if (this.times.length <= MOST) {
+      return;
     }
+    const recent = this.until - SPAN;
+    this.keep((time, i) => i % 2 === 0 || time >= recent);
+    while (this.times.length > 0.75 * MOST) {
+      this.keep((_, i) => i % 2 === 0); // the last minute alone has too many
+    }
+  }
+
+  private keep(which: (time: number, i: number) => boolean) {
+    const kept = this.times.map(which);
+    this.times = this.times.filter((_, i) => kept[i]);
+    this.values = this.values.filter((_, i) => kept[i]);
   }
 
   /** When the newest was; −∞ when there is none. */
