@@ -73,7 +73,7 @@ public final class Yaml {
                     .orElse(Location.of(file));
             throw new InvalidSettings(
                     place,
-                    "This is not YAML: %s.".formatted(e.getProblem()),
+                    "This is not YAML: %s.".formatted(YamlWords.of(e.getProblem())),
                     "Maybe a quote, a bracket or the indentation is off.");
         } catch (YamlEngineException e) {
             throw new InvalidSettings(
