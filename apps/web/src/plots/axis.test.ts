@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { axisOf, short } from './axis';
+import { axisOf, short, withError } from './axis';
 
 it.each([
   [33.8, 152, '0 50 100 150 200'],
@@ -35,3 +35,15 @@ it.each([
   [1234567, '1.2e+6'],
   [-0.00012, '-1.2e-4'],
 ])('%d is %s', (value, text) => expect(short(value)).toBe(text));
+
+it.each([
+  [0.039, 6.1e-4, '0.0390 ± 0.0006'],
+  [0.039, 1.2e-4, '0.03900 ± 0.00012'],
+  [17.51, 0.902, '17.5 ± 0.9'],
+  [17.28, 1.37, '17.3 ± 1.4'],
+  [76.73, 37.22, '77 ± 37'],
+  [0, 0, '0.00 ± 0'],
+  [-0.5, 0.0296, '-0.50 ± 0.03'],
+  [1234567, 40000, '(1.23 ± 0.04)e6'],
+  [0.000123, 0.00002, '(1.23 ± 0.20)e-4'],
+])('%d with an error of %d is %s', (value, error, text) => expect(withError(value, error)).toBe(text));

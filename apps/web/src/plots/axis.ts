@@ -44,6 +44,24 @@ function fixed(value: number, step: number, largest: number): string {
 
 const decimals = (step: number) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
 
+/** How far it may be off beside it, both to the digit that the error leaves sure: `0.0390 ± 0.0006`. */
+export function withError(value: number, error: number): string {
+  if (error === 0) {
+    return `${short(value)} ± 0`;
+  }
+  const largest = Math.max(Math.abs(value), error);
+  const power = largest >= 1e6 || largest < 1e-3 ? 10 ** Math.floor(Math.log10(largest)) : 1;
+  const digits = Math.min(9, decimalsOf(error / power));
+  const both = `${(value / power).toFixed(digits)} ± ${(error / power).toFixed(digits)}`;
+  return power === 1 ? both : `(${both})e${Math.round(Math.log10(power))}`;
+}
+
+/** Of an error: two digits where it begins with a one or a two, else one. */
+function decimalsOf(error: number): number {
+  const first = Math.floor(Math.log10(error));
+  return Math.max(0, error / 10 ** first < 2.95 ? 1 - first : -first);
+}
+
 /** As many digits as it takes to tell it from its neighbours. */
 export function short(value: number): string {
   const size = Math.abs(value);

@@ -97,9 +97,8 @@ record SweepSummary(Findings findings, Path folder) {
     }
 
     private static String words(Mean mean) {
-        String value = Numbers.of(mean.value());
         return mean.interval()
-                .map(interval -> value + " ± " + Numbers.of(interval.high() - mean.value()))
-                .orElse(value);
+                .map(interval -> Numbers.withError(mean.value(), interval.high() - mean.value()))
+                .orElseGet(() -> Numbers.of(mean.value()));
     }
 }

@@ -22,6 +22,26 @@ public final class Numbers {
         return value < 0 && !digits.matches("[0.]*") ? "−" + digits : digits;
     }
 
+    /// How far it may be off beside it, both to the digit that the error leaves sure: `0.0390 ± 0.0006`. That is two
+    /// digits of an error that begins with a one or a two, else one.
+    public static String withError(double value, double error) {
+        if (!(error > 0) || !Double.isFinite(error)) {
+            return of(value) + " ± " + of(error);
+        }
+        double largest = Math.max(Math.abs(value), error);
+        int power = largest >= 1e6 || largest < 1e-3 ? (int) Math.floor(Math.log10(largest)) : 0;
+        double unit = Math.pow(10, power);
+        int first = (int) Math.floor(Math.log10(error / unit));
+        int digits = Math.clamp(error / unit / Math.pow(10, first) < 2.95 ? 1 - first : -first, 0, 9);
+        String both = fixed(value / unit, digits) + " ± " + fixed(error / unit, digits);
+        return power == 0 ? both : "(%s)e%d".formatted(both, power);
+    }
+
+    private static String fixed(double value, int digits) {
+        String size = String.format(Locale.ROOT, "%." + digits + "f", Math.abs(value));
+        return value < 0 && !size.matches("[0.]*") ? "−" + size : size;
+    }
+
     /// With its sign.
     static String signed(double value) {
         return value > 0 ? "+" + of(value) : of(value);
