@@ -3,6 +3,7 @@ package rsal.server;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.ActuatorState;
@@ -12,8 +13,9 @@ import rsal.server.Messages.NumberInfo;
 import rsal.server.Messages.PlottedNumbers;
 import rsal.server.Quantity.Words;
 
-/// Numbers in what devices tell, of whatever kind that is: to be plotted. Records are looked through, in the order of
-/// their components; of arrays it is the least, the mean and the greatest of what is finite. Angles become degrees.
+/// Numbers in what devices tell, of whatever kind that is: to be plotted, but for what stays the same. Records are
+/// looked through, in the order of their components; of arrays it is the least, the mean and the greatest of what is
+/// finite. Angles become degrees.
 /// [Quantity] says what people call them.
 final class Numbers {
     /// Of one device.
@@ -51,7 +53,7 @@ final class Numbers {
             case List<?> all -> add(name + ".count", words.and("how many").in(""), all.size());
             case ActuatorState actuator
             when depth < DEEPEST -> {
-                for (RecordComponent component : ActuatorState.class.getRecordComponents()) {
+                for (RecordComponent component : parts(actuator)) {
                     look(
                             inner(name, component),
                             words.and(Quantity.of(actuator, component)),
@@ -61,12 +63,19 @@ final class Numbers {
             }
             case Record record
             when depth < DEEPEST -> {
-                for (RecordComponent component : record.getClass().getRecordComponents()) {
+                for (RecordComponent component : parts(record)) {
                     look(inner(name, component), words.and(Quantity.of(component)), read(record, component), depth + 1);
                 }
             }
             default -> {} // words, and what nobody can plot
         }
+    }
+
+    /// Without what stays the same.
+    private static List<RecordComponent> parts(Record record) {
+        return Arrays.stream(record.getClass().getRecordComponents())
+                .filter(component -> !Quantity.isSetting(component))
+                .toList();
     }
 
     private static String inner(String name, RecordComponent component) {

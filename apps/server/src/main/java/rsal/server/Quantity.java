@@ -34,37 +34,44 @@ final class Quantity {
             known("Covariance2d.yy", "variance of y", "m²"),
             known("Covariance2d.yTheta", "covariance of y and heading", "m·rad"),
             known("Covariance2d.thetaTheta", "variance of the heading", "rad²"),
-            known("LaserScan.baseFromLaser", "where it is mounted,", ""),
-            known("LaserScan.angleMin", "first beam", ANGLE),
-            known("LaserScan.angleIncrement", "between beams", ANGLE),
-            known("LaserScan.rangeMin", "shortest range", "m"),
-            known("LaserScan.rangeMax", "longest range", "m"),
             known("LaserScan.ranges", "distance,", "m"),
-            known("RangeArray.baseFromSensors", "sensors,", ""),
-            known("RangeArray.fieldOfView", "field of view", ANGLE),
-            known("RangeArray.rangeMin", "shortest range", "m"),
-            known("RangeArray.rangeMax", "longest range", "m"),
             known("RangeArray.ranges", "distance,", "m"),
             known("BatteryState.charge", "charge", "J"),
-            known("BatteryState.capacity", "capacity", "J"),
             known("BatteryState.level", "level", ""),
             known("BatteryState.power", "power", "W"),
             known("BatteryState.voltage", "voltage", "V"),
-            known("ActuatorState.limits", "limit,", ""),
-            known("Interval.least", "least", ""),
-            known("Interval.most", "greatest", ""),
-            known("Blobs.baseFromCamera", "where it is mounted,", ""),
-            known("Blobs.fieldOfView", "field of view", ANGLE),
-            known("Blobs.width", "width", "px"),
-            known("Blobs.height", "height", "px"),
             known("Blobs.blobs", "blobs,", ""),
-            known("Fiducials.baseFromFinder", "where it is mounted,", ""),
-            known("Fiducials.fieldOfView", "field of view", ANGLE),
-            known("Fiducials.rangeMax", "longest range", "m"),
             known("Fiducials.fiducials", "markers,", ""),
             known("Decision.twist", "", ""),
             known("NavigatorState.mapFromGoal", "goal", ""),
             known("NavigatorState.remaining", "way left", "m"));
+
+    /// What is told with each reading and is the same in all: how a device is made and mounted. Nobody plots that.
+    static final Set<String> SETTINGS = Set.of(
+            "OccupancyGrid.width",
+            "OccupancyGrid.height",
+            "OccupancyGrid.resolution",
+            "OccupancyGrid.originX",
+            "OccupancyGrid.originY",
+            "LaserScan.baseFromLaser",
+            "LaserScan.angleMin",
+            "LaserScan.angleIncrement",
+            "LaserScan.rangeMin",
+            "LaserScan.rangeMax",
+            "RangeArray.baseFromSensors",
+            "RangeArray.fieldOfView",
+            "RangeArray.rangeMin",
+            "RangeArray.rangeMax",
+            "BumperState.baseFromBumpers",
+            "BatteryState.capacity",
+            "ActuatorState.limits",
+            "Blobs.baseFromCamera",
+            "Blobs.fieldOfView",
+            "Blobs.width",
+            "Blobs.height",
+            "Fiducials.baseFromFinder",
+            "Fiducials.fieldOfView",
+            "Fiducials.rangeMax");
 
     private Quantity() {}
 
@@ -96,8 +103,17 @@ final class Quantity {
         return Map.entry(where, new Words(title, unit));
     }
 
+    /// Whether it stays the same, so that there is nothing to plot.
+    static boolean isSetting(RecordComponent component) {
+        return SETTINGS.contains(key(component));
+    }
+
+    private static String key(RecordComponent component) {
+        return component.getDeclaringRecord().getSimpleName() + "." + component.getName();
+    }
+
     static Words of(RecordComponent component) {
-        Words known = KNOWN.get(component.getDeclaringRecord().getSimpleName() + "." + component.getName());
+        Words known = KNOWN.get(key(component));
         return known == null ? guessed(component.getName()) : known;
     }
 
