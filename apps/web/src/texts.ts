@@ -505,8 +505,8 @@ export const texts = {
     nothing: '–',
     plot: (name: string, first: string, median: string, third: string) =>
       `${name}: quartiles ${first} and ${third}, median ${median}`,
-    realTime: (label: string) =>
-      `${label} (goes in real time: such runs disturb each other, and can’t be compared)`,
+    realTime: (names: readonly string[]) =>
+      `Without ${names.join(', ')}: in real time runs disturb each other, and can’t be compared.`,
     count: (n: number) => `n = ${n}`,
     countHint: (n: number, ended: number) => `Measured in ${n} of ${ended} runs that have ended`,
     legend:
