@@ -60,6 +60,22 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     expect(loaded.some((name) => /\/editor-/.test(name))).toBe(true);
   });
 
+  it('offers to save what can be saved, and says why all else can not', async () => {
+    const page = await opened();
+    await page.keyboard.press('c');
+    await page.getByRole('button', { name: /^Edit: My own/ }).click();
+    await dialog(page).getByText('Ctrl-S: save').waitFor();
+    await page.keyboard.press('Escape');
+    await dialog(page).waitFor({ state: 'hidden' });
+    await page.keyboard.press('c');
+    await page.getByRole('button', { name: /^Edit: Hunters chase/ }).click();
+    await dialog(page)
+      .getByText(/^It comes with the program/)
+      .waitFor(); // as a sentence of its own
+    expect(await dialog(page).innerText()).not.toContain('Ctrl-S:');
+    await picture(page, 'editor-built');
+  });
+
   it('underlines a mistake where it is, with its remedy', async () => {
     const page = await opened();
     const errors: string[] = [];

@@ -577,7 +577,8 @@ export const texts = {
     mistakes: (count: number) => counted(count, 'mistake'),
     list: 'Mistakes',
     place: (line: number) => `Line ${line}`,
-    keys: 'Ctrl-Space: what can be written · Ctrl-Enter: run · Ctrl-S: save · Tab: leave the text',
+    keys: (saves: boolean) =>
+      `Ctrl-Space: what can be written · Ctrl-Enter: run${saves ? ' · Ctrl-S: save' : ''} · Tab: leave the text`,
     built: 'It comes with the program and can’t be saved here. Run it, or download it.',
   },
   help: {
