@@ -29,20 +29,27 @@ describe.skipIf(!chromium)('what people work with', () => {
     await panel.getByLabel('Of one topic or protocol').selectOption({ label: 'conversations' });
     const arrows = panel.locator('.arrow');
     await arrows.nth(3).waitFor();
+    const places = () =>
+      page
+        .locator('.panels .place')
+        .evaluateAll((all) => all.map((one) => JSON.stringify(one.getBoundingClientRect())));
+    const [panels, before] = [(await page.locator('.panels').boundingBox())!, await places()];
     await panel.getByRole('button', { name: 'Enlarge' }).click();
     const box = (await panel.boundingBox())!;
     expect(box.width).toBeGreaterThan(1200);
+    expect((await page.locator('.panels').boundingBox())!, 'nothing moves below it').toEqual(panels);
+    expect(await places()).toEqual(before);
     const timeline = (await page.getByRole('region', { name: 'Timeline' }).boundingBox())!;
     expect(box.y + box.height).toBeLessThan(timeline.y);
     expect(await page.getByRole('button', { name: 'Emergency stop' }).isVisible()).toBe(true);
     expect(await arrows.first().innerText()).toMatch(/^(cfp|request|inform|agree|query)/);
     await picture(page, 'chart');
     await expectAccessible(page);
-    const before = await arrows.count();
+    const all = await arrows.count();
     await arrows.first().click();
-    await eventually(async () => (await arrows.count()) < before, 'other conversations are left out');
+    await eventually(async () => (await arrows.count()) < all, 'other conversations are left out');
     await panel.getByRole('button', { name: '✕' }).click();
-    await eventually(async () => (await arrows.count()) >= before, 'they are back');
+    await eventually(async () => (await arrows.count()) >= all, 'they are back');
     await panel.getByLabel('Of one topic or protocol').selectOption({ label: 'all topics and protocols' });
     await eventually(
       async () => (await panel.locator('.arrow.all').count()) > 0,
@@ -98,7 +105,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     const slider = turn.getByRole('slider');
     await slider.press('ArrowLeft');
     expect(await slider.getAttribute('aria-valuetext')).toMatch(
-      /^0\.[25] s before now: courier-1: base turn -?[\d.]+ °\/s, prey/,
+      /^(?:0\.[25]|1\.0) s before now: courier-1: base turn -?[\d.]+ °\/s, prey/,
     );
     await expectAccessible(page);
     await turn.getByRole('button', { name: 'Plot prey: base turn no more' }).click();
@@ -217,6 +224,31 @@ describe.skipIf(!chromium)('what people work with', () => {
     await page.keyboard.press('h');
     await eventually(() => panels.isVisible(), 'and back by it');
     expect(await page.locator('#map').boundingBox()).toEqual(before);
+  });
+
+  it('has one hint at a time on the map, which fits in there', async () => {
+    await page.locator('tr[data-robot="courier-1"] button[aria-expanded="true"]').click();
+    await page.setViewportSize({ width: 700, height: 700 });
+    const layer = (name: string) => page.getByRole('button', { name, exact: true });
+    await layer('Blobs').click();
+    await layer('Costs').click();
+    const hints = page.locator('.hints p');
+    await eventually(async () => (await hints.count()) === 2, 'both layers want a robot');
+    const shown = async () =>
+      (await Promise.all((await hints.all()).map((hint) => hint.isVisible()))).filter(Boolean);
+    expect(await shown()).toHaveLength(1);
+    await picture(page, 'one-hint');
+    await page.keyboard.press('t');
+    const doing = page.getByText('Drag from one place to another');
+    await doing.waitFor();
+    expect(await shown()).toHaveLength(0);
+    const [map, box] = [(await page.locator('#map').boundingBox())!, (await doing.boundingBox())!];
+    expect(box.x).toBeGreaterThanOrEqual(map.x);
+    expect(box.x + box.width).toBeLessThanOrEqual(map.x + map.width);
+    await page.keyboard.press('t');
+    await layer('Blobs').click();
+    await layer('Costs').click();
+    await page.setViewportSize({ width: 1400, height: 900 });
   });
 
   it('the border between the map and the panels is moved by a pointer and by keys, and stays there', async () => {
