@@ -271,4 +271,22 @@ describe.skipIf(!chromium)('what people work with', () => {
     await border.press('Home');
     await eventually(async () => (await height()) === before, 'it is as it was');
   });
+
+  it('a plot of a run that is over ends there, and tells what was before', async () => {
+    const plot = page.locator('[data-plot="courier-1: base odomFromBase.x"]');
+    if ((await page.locator('tr.card').count()) === 0) {
+      await page.locator('tr[data-robot="courier-1"]').click();
+    }
+    const numbers = page.getByLabel('Plot a number…');
+    await numbers.locator('option', { hasText: 'odometry x' }).first().waitFor({ state: 'attached' });
+    expect(await numbers.locator('option', { hasText: /range|mounted|field of view/ }).count()).toBe(0);
+    await numbers.selectOption('courier-1: base odomFromBase.x');
+    await plot.getByText('now').waitFor();
+    await page.getByRole('button', { name: 'Stop', exact: true }).click();
+    await plot.getByText('end').waitFor();
+    expect(await plot.getByText('now').count()).toBe(0);
+    await page.getByRole('slider', { name: 'Time that is shown' }).fill('12');
+    await plot.getByText(/^0:1[12]\.\d$/).waitFor();
+    expect(await plot.locator('.box path').getAttribute('d')).toContain('L');
+  });
 });
