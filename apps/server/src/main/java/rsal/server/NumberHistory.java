@@ -144,11 +144,10 @@ final class NumberHistory {
         var name = new Name(device, number);
         var times = new ArrayList<Double>();
         var values = new ArrayList<Optional<Double>>();
-        List<Name> names = List.of();
         int at = -1;
         for (Sample sample : samples.getOrDefault(robot, List.of())) {
-            if (sample.names() != names) {
-                names = sample.names();
+            List<Name> names = sample.names();
+            if (at < 0 || at >= names.size() || !names.get(at).equals(name)) { // else where it was in the one before
                 at = names.indexOf(name);
             }
             times.add(sample.time());
