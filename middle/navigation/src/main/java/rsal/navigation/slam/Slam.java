@@ -42,6 +42,7 @@ public final class Slam {
     private static final double TRUST = 0.15; // in odometry; see Window
     private static final double SEARCHED = 0.12; // m; cells in which scans are thinned for the search
     private static final double APART = 0.4; // m; a refinement doesn't go farther from what was found
+    private static final double HELD = 0.1; // m; deviation of what was found
     private static final double TURNED = 0.15; // rad
     private static final CorrelativeMatcher.Settings SEARCH = new CorrelativeMatcher.Settings(0.05, 0.08, 4);
     private static final double MISFIT = 16; // square of a loop's error in deviations that is too much
@@ -252,7 +253,20 @@ public final class Slam {
     private Optional<Match> refined(Cloud cloud, Pose2d found, double leastScore) {
         return lines.orElseThrow()
                 .match(cloud, found)
-                .filter(m -> m.score() >= leastScore && m.aFromB().isNear(found, APART, TURNED));
+                .filter(m -> m.score() >= leastScore)
+                .map(m -> isAt(found, m) ? m : held(found, m))
+                .filter(m -> isAt(found, m));
+    }
+
+    private static boolean isAt(Pose2d found, Match match) {
+        return match.aFromB().isNear(found, APART, TURNED);
+    }
+
+    /// A refinement that stays where it began in what it can't tell: along parallel walls it may slide by a meter.
+    private static Match held(Pose2d found, Match match) {
+        var loosely = Covariance2d.ofDeviations(HELD, HELD, TURNED);
+        Pose2d held = Gauss.mean(found, loosely, match.aFromB(), match.covariance());
+        return new Match(held, match.covariance(), match.score());
     }
 
     private void keep(Frame frame) {

@@ -277,6 +277,22 @@ class SlamTest {
     }
 
     @Test
+    void seesParallelWallsThoughTheyDoNotTellHowFarItIsAlongThem() {
+        var random = new SplittableRandom(5);
+        var hall = new Walls().chain(-100, -2, 100, -2).chain(-100, 2, 100, 2);
+        var slam = new Slam(Slam.Settings.DEFAULT.within(4));
+        int seen = 0;
+        for (int i = 0; i < 100; i++) {
+            var place = new Pose2d(0.04 * i, 0, 0.1);
+            Pose2d found = slam.pose(slam.add(place, hall.scan(place, 0.01, random)));
+            assertThat(found.isNear(place, 0.1, 0.02)).isTrue();
+            seen += slam.tracking().seeing() ? 1 : 0;
+        }
+
+        assertThat(seen).isGreaterThan(90);
+    }
+
+    @Test
     void scansThatShowNothingLeaveItToTheWheels() {
         var nowhere = new Walls();
         var slam = new Slam(Slam.Settings.DEFAULT);
