@@ -69,6 +69,18 @@ it('does not grow for ever in a minute either', () => {
   expect(all.at(10)).toBeGreaterThan(9990);
 });
 
+it('keeps the last minute as it was when it takes over a long past', () => {
+  const all = new Series();
+  for (let i = 0; i <= 600; i++) {
+    all.push(10_000 + i / 10, i);
+  }
+  const past = Array.from({ length: 20_000 }, (_, i) => i / 2);
+  all.merge(past, past);
+  expect(all.path(60, 10, [0, 600]).split('L').length, 'of the last minute').toBe(601);
+  expect(all.path(100, 10, [0, 600], 10_060, 20_000).split('L').length).toBeLessThanOrEqual(4000);
+  expect(all.at(0)).toBe(0);
+});
+
 it('several share a box', () => {
   const low = series([0, 0], [60, 10]);
   const high = series([0, 20], [60, 40]);

@@ -32,17 +32,13 @@ export class Series {
     if (this.times.length <= MOST) {
       return;
     }
-    const recent = this.until - SPAN;
-    this.keep((time, i) => i % 2 === 0 || time >= recent);
     while (this.times.length > 0.75 * MOST) {
-      this.keep((_, i) => i % 2 === 0); // the last minute alone has too many
+      const older = this.times.findIndex((time) => time >= this.until - SPAN);
+      const all = older < this.times.length / 2; // the last minute alone has too many
+      const isKept = (i: number) => i % 2 === 0 || (i >= older && !all);
+      this.values = this.values.filter((_, i) => isKept(i));
+      this.times = this.times.filter((_, i) => isKept(i));
     }
-  }
-
-  private keep(which: (time: number, i: number) => boolean) {
-    const kept = this.times.map(which);
-    this.times = this.times.filter((_, i) => kept[i]);
-    this.values = this.values.filter((_, i) => kept[i]);
   }
 
   /** When the newest was; −∞ when there is none. */
