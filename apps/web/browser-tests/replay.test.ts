@@ -197,6 +197,9 @@ describe.skipIf(!chromium)('looking back', () => {
     await button('Pause').click();
     await picture(page, 'replay-readings');
     await expectAccessible(page, '.panels');
+    await page.locator('tr[data-robot="hunter-1"] button').click(); // until now it was selected
+    await page.locator('tr.card').waitFor({ state: 'detached' });
+    await page.locator('figure path[d*="L"]').waitFor();
   });
 
   it('says that nothing of readings and minds is kept of a run that goes on', async () => {
