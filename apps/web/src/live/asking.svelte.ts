@@ -23,6 +23,7 @@ export function keepAsking<T>(
 ): void {
   $effect(() => {
     const over = live.over;
+    void live.told; // what one run answers is nothing of another
     if (live.connection !== 'open' || (live.past ? !(recorded && live.recording) : over && !atTheEnd)) {
       return;
     }
