@@ -278,7 +278,7 @@ public final class World {
                         free,
                         figure -> clearance(figure, body, reach),
                         part -> body.trial.placeAt(arc.at(part), body.height()));
-        if (made == 0) {
+        if (made == 0 && free >= 0) { // out of others it goes by strides, and farther once it is out
             body.jam.begin(arc, obstacle);
         }
         return made;

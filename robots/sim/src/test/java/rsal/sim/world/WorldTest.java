@@ -243,6 +243,25 @@ class WorldTest {
         assertThat(world.advance(body, Arc.ahead(body.pose(), 0.1, 0))).isEqualTo(1);
     }
 
+    @Test
+    void whoMadeHisWayOutOfAnotherGoesAsNearAsHeCanOnceThatIsGone() {
+        var world = new World(Walls.of(
+                DrawnMap.grid(0.5, "..........\n..........\n..........").grid()));
+        Body body = world.add("r1", Chunk.of(BOX), new Pose2d(1, 0.75, 0), 0);
+        Body ahead = world.add("r2", Chunk.of(BOX), new Pose2d(2, 0.75, 0), 0);
+        Body into = world.add("r3", Chunk.of(BOX), new Pose2d(4, 0.75, 0), 0);
+        while (world.advance(body, Arc.ahead(body.pose(), 0.1, 0)) > 0) {
+            assertThat(body.pose().x()).isLessThan(2);
+        }
+        world.put(ahead, new Pose2d(2.003, 0.75, 0));
+        world.put(into, body.pose());
+        var arc = Arc.ahead(body.pose(), 0.1, 0);
+        assertThat(world.advance(body, arc)).as("out of another it goes by strides").isZero();
+        assertThat(world.obstacle()).contains(ahead);
+        world.remove(into);
+        assertThat(world.advance(body, arc)).isBetween(0.02, 0.04);
+    }
+
     private static void assertApart(List<Body> bodies, String when) {
         for (int i = 0; i < bodies.size(); i++) {
             for (int j = 0; j < i; j++) {
