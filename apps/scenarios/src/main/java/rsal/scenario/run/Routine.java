@@ -7,8 +7,7 @@ import java.util.List;
 import java.util.Map;
 
 /// What agents say all the time, as where they are, so that each of it is no event: the newest of each topic, for
-/// people
-/// who ask for it.
+/// people who ask for it.
 final class Routine {
     /// How many messages of one topic are kept.
     static final int MOST_OF_A_TOPIC = 300;

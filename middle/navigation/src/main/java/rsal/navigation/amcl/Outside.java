@@ -2,9 +2,8 @@ package rsal.navigation.amcl;
 
 import rsal.data.OccupancyGrid;
 
-/// What beams that end outside a map say of a pose. Where that is shut off by what is not free all around, that they
-/// are
-/// as unlikely as they seem. Of a map that was cut off, nobody knows: they count as what the others of a scan say on
+/// What beams that end outside a map say of a pose. Where that is shut off by what is not free all around, they are as
+/// unlikely as they seem. Of a map that was cut off, nobody knows: they count as what the others of a scan say on
 /// average, or poses would be pulled away from the edge; but no more of them than the others are.
 ///
 /// @param isUnknown whether the map was cut off
