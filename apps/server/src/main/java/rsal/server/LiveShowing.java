@@ -25,7 +25,7 @@ final class LiveShowing implements Showing {
         }
         feed.look();
         history.keep(feed.time(), feed.isLast());
-        numbers.look(feed.run().run(), feed.present(), feed.time(), feed.rate());
+        numbers.look(feed.run().run(), feed.present(), feed.time());
         bytesKept = history.bytes();
     }
 

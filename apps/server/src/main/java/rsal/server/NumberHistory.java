@@ -25,13 +25,13 @@ final class NumberHistory {
     static final int MOST_NUMBERS = 1_500_000; // of 8 bytes
 
     private static final Duration FIRST_SPACING = Duration.ofMillis(500); // of the run
-    private static final double LEAST_SECONDS = 0.25; // in real time
+    private static final long LEAST_PAUSE = 250_000_000; // in real time [ns]
 
     private final int most;
     private final Map<String, List<Sample>> samples = new HashMap<>();
     private final SequencedSet<String> wanted = new LinkedHashSet<>();
     private final AtomicInteger asked = new AtomicInteger();
-    private Duration due = Duration.ZERO;
+    private Optional<Asking> last = Optional.empty();
     private Duration spacing = FIRST_SPACING;
     private int kept;
 
@@ -49,6 +49,10 @@ final class NumberHistory {
     /// @param names the same list as of the sample before, where they are the same
     private record Sample(double time, List<Name> names, double[] values) {}
 
+    /// @param time of the run
+    /// @param at in real time [ns]
+    private record Asking(Duration time, long at) {}
+
     /// Somebody wants to know about a robot.
     synchronized void want(String robot) {
         wanted.remove(robot);
@@ -62,9 +66,8 @@ final class NumberHistory {
     ///
     /// @param robots that are there
     /// @param time since the run's start
-    /// @param rate simulated over real time, as measured
-    void look(LiveRun run, List<String> robots, Duration time, double rate) {
-        if (asked.get() > 0 || !isDue(time, rate)) {
+    void look(LiveRun run, List<String> robots, Duration time) {
+        if (asked.get() > 0 || !isDue(time, System.nanoTime())) {
             return;
         }
         List<String> some = chosen(robots);
@@ -82,13 +85,17 @@ final class NumberHistory {
         }
     }
 
-    private synchronized boolean isDue(Duration time, double rate) {
-        if (time.compareTo(due) < 0) {
-            return false;
+    /// Whether it is time to ask; then that counts as asked.
+    ///
+    /// @param now in real time [ns]
+    synchronized boolean isDue(Duration time, long now) {
+        boolean early = last.filter(before -> time.minus(before.time()).compareTo(spacing) < 0
+                        || now - before.at() < LEAST_PAUSE)
+                .isPresent();
+        if (!early) {
+            last = Optional.of(new Asking(time, now));
         }
-        var least = Duration.ofNanos((long) (LEAST_SECONDS * rate * 1e9));
-        due = time.plus(least.compareTo(spacing) > 0 ? least : spacing);
-        return true;
+        return !early;
     }
 
     /// Of many robots, those to ask.

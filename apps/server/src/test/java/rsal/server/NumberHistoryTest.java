@@ -2,6 +2,7 @@ package rsal.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
@@ -61,6 +62,26 @@ class NumberHistoryTest {
                 .forEach(time -> history.keep("r1", numbers(time, device("base", time))));
         List<Double> times = history.past("r1", "base", "n0").times();
         assertThat(times).startsWith(0.0).endsWith(20.0).hasSizeLessThanOrEqualTo(10);
+    }
+
+    @Test
+    void asksTwiceASecondOfTheRun() {
+        assertThat(isDue(0, 0)).isTrue();
+        assertThat(isDue(0.45, 10)).isFalse();
+        assertThat(isDue(0.5, 11)).isTrue();
+        assertThat(isDue(0.95, 100)).as("which is slow").isFalse();
+    }
+
+    @Test
+    void asksFourTimesASecondWhenTheRunGoesByFasterAndGoesOnAsItSlowsDown() {
+        assertThat(isDue(0, 0)).isTrue();
+        assertThat(isDue(200, 0.2)).isFalse();
+        assertThat(isDue(250, 0.25)).isTrue();
+        assertThat(isDue(250.5, 0.75)).isTrue();
+    }
+
+    private boolean isDue(double time, double now) {
+        return history.isDue(Duration.ofNanos((long) (time * 1e9)), (long) (now * 1e9));
     }
 
     @Test
