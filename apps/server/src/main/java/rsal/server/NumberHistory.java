@@ -26,6 +26,7 @@ final class NumberHistory {
 
     private static final Duration FIRST_SPACING = Duration.ofMillis(500); // of the run
     private static final long LEAST_PAUSE = 250_000_000; // in real time [ns]
+    private static final int OVERHEAD = 6; // of a sample, in numbers
 
     private final int most;
     private final Map<String, List<Sample>> samples = new HashMap<>();
@@ -126,7 +127,7 @@ final class NumberHistory {
                 now.time(),
                 same ? all.getLast().names() : names,
                 values.stream().mapToDouble(value -> value).toArray()));
-        kept += names.size();
+        kept += size(names.size());
         while (kept > most && samples.values().stream().anyMatch(some -> some.size() > 1)) {
             thin();
         }
@@ -140,10 +141,15 @@ final class NumberHistory {
             var some = new ArrayList<Sample>(before.size() / 2 + 1);
             for (int i = 0; i < before.size(); i += 2) {
                 some.add(before.get(i));
-                kept += before.get(i).values().length;
+                kept += size(before.get(i).values().length);
             }
             entry.setValue(some);
         }
+    }
+
+    /// What a sample takes, in numbers; one of a robot that tells none takes room, too.
+    private static int size(int numbers) {
+        return numbers + OVERHEAD;
     }
 
     /// What a number of a device was; nothing when nobody knows.

@@ -14,7 +14,9 @@ import rsal.server.Messages.PastNumbers;
 import rsal.server.Messages.PlottedNumbers;
 
 class NumberHistoryTest {
-    private final NumberHistory history = new NumberHistory(10);
+    private static final int A_SAMPLE = 7; // of one number takes as much as so many
+
+    private final NumberHistory history = new NumberHistory(10 * A_SAMPLE);
 
     private static PlottedNumbers numbers(double time, DeviceNumbers... devices) {
         return new PlottedNumbers(time, List.of(devices));
@@ -62,6 +64,14 @@ class NumberHistoryTest {
                 .forEach(time -> history.keep("r1", numbers(time, device("base", time))));
         List<Double> times = history.past("r1", "base", "n0").times();
         assertThat(times).startsWith(0.0).endsWith(20.0).hasSizeLessThanOrEqualTo(10);
+    }
+
+    @Test
+    void whereNothingIsToldItDoesNotGrowForEver() {
+        for (int i = 0; i < 100; i++) {
+            history.keep("r1", numbers(i));
+        }
+        assertThat(history.past("r1", "base", "n0").times()).startsWith(0.0).hasSizeLessThan(20);
     }
 
     @Test
