@@ -90,8 +90,8 @@ final class NumberHistory {
     ///
     /// @param now in real time [ns]
     synchronized boolean isDue(Duration time, long now) {
-        boolean early = last.filter(before -> time.minus(before.time()).compareTo(spacing) < 0
-                        || now - before.at() < LEAST_PAUSE)
+        boolean early = last.filter(
+                        before -> time.minus(before.time()).compareTo(spacing) < 0 || now - before.at() < LEAST_PAUSE)
                 .isPresent();
         if (!early) {
             last = Optional.of(new Asking(time, now));

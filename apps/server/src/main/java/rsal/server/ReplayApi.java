@@ -59,7 +59,9 @@ final class ReplayApi {
                 "/api/drawn/{run}/files",
                 request -> Api.answerFiles(request, String.valueOf(request.queryParam("robot")), drawn(request)));
         routes.get("/api/agent", this::agent);
-        routes.get("/api/readings", request -> Api.answer(request, ReadingWords.of(readings(request).readings())));
+        routes.get(
+                "/api/readings",
+                request -> Api.answer(request, ReadingWords.of(readings(request).readings())));
         routes.get("/api/routine", this::routine);
         routes.get("/api/numbers", request -> Api.answer(request, Numbers.of(readings(request))));
         routes.get("/api/*", _ -> {

@@ -256,7 +256,9 @@ class WorldTest {
         world.put(ahead, new Pose2d(2.003, 0.75, 0));
         world.put(into, body.pose());
         var arc = Arc.ahead(body.pose(), 0.1, 0);
-        assertThat(world.advance(body, arc)).as("out of another it goes by strides").isZero();
+        assertThat(world.advance(body, arc))
+                .as("out of another it goes by strides")
+                .isZero();
         assertThat(world.obstacle()).contains(ahead);
         world.remove(into);
         assertThat(world.advance(body, arc)).isBetween(0.02, 0.04);
