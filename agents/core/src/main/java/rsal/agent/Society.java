@@ -150,6 +150,12 @@ public final class Society implements AutoCloseable {
                 () -> scheduler.execute(() -> channel.tell(said)));
     }
 
+    /// Whether an agent hears what is said about a topic.
+    public boolean listens(String agent, Topic<?> topic) {
+        Channel<?> channel = channels.get(topic.name());
+        return channel != null && channel.topic().equals(topic) && channel.isHeardBy(agent);
+    }
+
     /// Hears everything that is said, before those it is said to. What it throws, the one who speaks gets, as when the
     /// text of a message can't be made; then nobody hears that message.
     public Subscription onMessage(Consumer<? super Message<?>> listener) {

@@ -229,13 +229,16 @@ final class Agents implements AutoCloseable {
                 .forEach(agent -> agents.stop(agent.name())));
     }
 
-    /// Whether any of them has this robot.
-    boolean runOn(String robot) {
-        return society.orElseThrow().directory().agents().stream()
-                .anyMatch(agent -> agent.robot().equals(robot));
+    /// Whether somebody hears where a robot is to drive: an agent of it, or one without a robot, as those who send
+    /// teams.
+    boolean takeOrdersFor(String robot) {
+        Society all = society.orElseThrow();
+        return all.directory().agents().stream()
+                .filter(agent -> agent.robot().equals(robot) || agent.robot().isEmpty())
+                .anyMatch(agent -> all.listens(agent.name(), NewGoal.TOPIC));
     }
 
-    /// Asks those of a robot to have it drive somewhere.
+    /// Asks those who take such orders to have a robot drive somewhere.
     void ask(String robot, Pose2d mapFromGoal) {
         journal.event(OPERATOR, robot, "sent to " + Words.of(mapFromGoal));
         mapFromAsked.put(robot, mapFromGoal);

@@ -29,7 +29,8 @@ final class Orders {
         this.agents = agents;
     }
 
-    /// Has a robot drive somewhere: its agent, if it has one and a navigator.
+    /// Has a robot drive somewhere: by an agent, if it has a navigator and one takes such orders; else its agents wait
+    /// until it is there.
     ///
     /// @param given when somebody said so [ns]
     Answer goTo(String id, Pose2d mapFromGoal, long given) {
@@ -45,7 +46,7 @@ final class Orders {
         }
         boolean navigates =
                 team.robot(id).flatMap(robot -> robot.find(Navigator.class)).isPresent();
-        return navigates && agents.runOn(id)
+        return navigates && agents.takeOrdersFor(id)
                 ? askAgent(id, mapFromGoal, given)
                 : tell(id, told -> told.goTo(mapFromGoal, given));
     }

@@ -199,6 +199,26 @@ class ComingTest {
         refuses(run.newRobot("pioneer", THERE), "There is no robot model (pioneer).");
     }
 
+    /// Its agent has a navigator, but wants nothing of people's orders.
+    @Test
+    void aRobotWhoseAgentTakesNoOrdersGoesBesideIt() throws InterruptedException {
+        run.close();
+        String navigating = Runs.TWO_WANDERERS
+                .replace("error: 0.2}}", "error: 0}, navigator: {}}")
+                .replace(
+                        "{type: wanderer, robot: prey, args: {caughtAfter: $caughtAfter, by: hunter-1}}",
+                        "{type: chatter, robot: prey}")
+                .replace("time >= 20", "time >= 90");
+        run = LiveRun.start(Runs.plan(folder, navigating, RunOptions.NONE.withSpeed(20)));
+        await(now -> now.agents().size() == 2);
+        assertThat(answer(run.goTo("prey", THERE))).isEqualTo(DONE);
+        Runs.result(run);
+        assertThat(run.events(0))
+                .filteredOn(event -> event.subject().equals("prey"))
+                .extracting(RunEvent::text)
+                .contains("sent to (-8.00, -1.00, 0°)", "is at (-8.00, -1.00, 0°)");
+    }
+
     @Test
     void saysWhyNot() {
         refuses(run.add(Prop.BOX, new Pose2d(-1000, 0, 0)), "outside");
