@@ -46,6 +46,14 @@ it('takes over what somebody else knows, and keeps its own', () => {
   expect(all.at(12)).toBe(9);
 });
 
+it('joins no pieces of a recording between which nothing was played', () => {
+  const all = new Series();
+  [10, 11, 12, 40, 41, 20, 21, 50].forEach((time) => all.play(time, time, 1.5));
+  const known = [10, 12, 15, 20, 21, 30, 40, 45, 50].map((time) => all.at(time));
+  expect(known).toEqual([10, 12, null, 20, 21, null, 40, null, 50]);
+  expect(all.path(60, 10, [0, 60], 60, 60).split('M').length - 1, 'pieces').toBe(4);
+});
+
 it('does not grow for ever, but reaches back to the beginning', () => {
   const all = new Series();
   for (let i = 0; i < 20_000; i++) {

@@ -4,10 +4,14 @@ export const SPAN = 60;
 /** Older than what is shown now it is kept more coarsely, so that it does not grow for ever. */
 const MOST = 4000;
 
+/** Less than moments of a recording are apart [s]. */
+const MOMENT = 0.001;
+
 /** What one number was. */
 export class Series {
   private times: number[] = []; // growing
   private values: (number | null)[] = [];
+  private played: number | null = null; // which moment of a recording was told last
 
   /** What it is now; what is as old as the newest, or older, counts no more. */
   push(time: number, value: number | null) {
@@ -26,6 +30,21 @@ export class Series {
     this.times = sorted.map(([time]) => time);
     this.values = sorted.map(([, value]) => value);
     this.thin();
+  }
+
+  /**
+   * What it is at a moment of a recording, which is played from anywhere. When that is another piece than what was
+   * played before, nobody knows what was between them.
+   *
+   * @param farthest between moments of the same piece [s]
+   */
+  play(time: number, value: number | null, farthest: number) {
+    const before = this.played;
+    this.played = time;
+    if (before !== null && (time < before || time - before > farthest)) {
+      this.merge([before + MOMENT, time - MOMENT], [null, null]);
+    }
+    this.merge([time], [value]);
   }
 
   private thin() {
