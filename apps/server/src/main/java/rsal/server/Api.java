@@ -13,6 +13,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import java.util.zip.GZIPOutputStream;
@@ -333,6 +334,10 @@ final class Api {
         routes.exception(
                 HttpResponseException.class,
                 (e, request) -> refuse(request, new Refusal(e.getStatus(), String.valueOf(e.getMessage()))));
+        routes.exception(
+                CancellationException.class, // as Javalin ends what takes too long: PageServer
+                (_, request) -> refuse(
+                        request, new Refusal(503, "The run did not answer in time. Maybe this machine is busy.")));
         routes.exception(Exception.class, (e, request) -> {
             LOG.error("Could not answer {} {}.", request.method(), request.path(), e);
             refuse(request, new Refusal(500, "The server failed at this; its log says why."));

@@ -6,6 +6,7 @@ import static rsal.server.Errand.TOKEN;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -285,6 +286,28 @@ class CommunicationApiTest {
             assertThat(RawHttp.post(port, path, "{}", host, "Authorization: Bearer " + TOKEN)
                             .status())
                     .isEqualTo(404);
+        }
+    }
+
+    @Test
+    void whoAsksABusyRunIsToldSoInTheEnd() throws Exception {
+        var free = new CountDownLatch(1);
+        try (var _ = server.run().onSnapshot(() -> await(free))) { // on the run's thread
+            server.run().step();
+            server.run().snapshot();
+            Response response = RawHttp.get(port, "/api/readings?robot=prey", host);
+            assertThat(response.status()).as(response.body()).isEqualTo(503);
+            assertThat(response.body()).contains("did not answer in time");
+        } finally {
+            free.countDown();
+        }
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
         }
     }
 
