@@ -205,7 +205,10 @@ class RecordIT {
                                 .get("damage")
                                 .isEmpty())
                         .isEqualTo(file.equals("run.mcap"));
-                assertThat(ask(url.resolve("/api/readings?robot=prey-1"))
+                assertThat(ask(url.resolve("/api/readings?robot=prey-1&time=2")).has("readings"))
+                        .as("the other ends before that")
+                        .isEqualTo(file.equals("run.mcap"));
+                assertThat(ask(url.resolve("/api/costs?robot=prey-1"))
                                 .get("message")
                                 .asString())
                         .contains("not recorded");

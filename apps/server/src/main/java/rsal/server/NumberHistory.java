@@ -14,12 +14,14 @@ import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.server.Messages.PastNumbers;
 import rsal.server.Messages.PlottedNumbers;
+import rsal.time.AllowedToReadWallClock;
 
 /// What devices of a live run's robots have told so far, as [Numbers], so that plots begin with what has been. Robots
 /// are asked twice a second of the run, or four times a second when that goes by faster; of more than [#MOST_ROBOTS]
 /// those that somebody wanted to know about last. As [History] it reaches back to the beginning: when it has more than
 /// [#MOST_NUMBERS], every second is let go, and half as many are kept from then on. All methods may be called from any
 /// thread, [#look] from one at a time.
+@AllowedToReadWallClock("A run that goes by fast is not asked all the time.")
 final class NumberHistory {
     static final int MOST_ROBOTS = 20;
     static final int MOST_NUMBERS = 1_500_000; // of 8 bytes
