@@ -56,12 +56,13 @@ describe.skipIf(!chromium)('control, of several who have the token', () => {
     await bob.getByRole('button', { name: 'Motors off', exact: true }).click();
     await ann
       .locator('.banner')
-      .getByText(/^Motors of .+ are off\.$/)
+      .getByText(/^Motors of .+ are off until they are switched on by its card\.$/)
       .waitFor();
     const on = bob.getByRole('button', { name: 'Motors on', exact: true });
     await on.waitFor();
     expect(await on.isDisabled()).toBe(true);
-    await ann.getByRole('button', { name: 'Arm all' }).click();
+    await ann.locator('tr[data-robot]').first().click();
+    await ann.getByRole('button', { name: 'Motors on', exact: true }).click();
     await bob.getByRole('button', { name: 'Motors off', exact: true }).waitFor();
   });
 
