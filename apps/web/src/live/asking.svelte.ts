@@ -27,24 +27,38 @@ export function keepAsking<T>(
     if (live.connection !== 'open' || (live.past ? !(recorded && live.recording) : over && !atTheEnd)) {
       return;
     }
-    let timer: number | undefined;
-    let left = false;
-    async function ask() {
-      const answer = await question();
-      if (left) {
-        return;
-      }
+    return askAgain(question, pauseMillis, (answer) => {
       if (answer !== null) {
         told(answer);
       }
-      if (live.past || !over) {
-        timer = window.setTimeout(() => void ask(), pauseMillis);
-      }
-    }
-    void ask();
-    return () => {
-      left = true;
-      clearTimeout(timer);
-    };
+      return live.past || !over;
+    });
   });
+}
+
+/**
+ * Asks at once, and again and again, each time a pause after the answer, as an effect does: what the question reads
+ * before it waits is what that depends on.
+ *
+ * @param told says after each answer whether to ask again
+ * @returns ends it; what is answered afterwards counts no more
+ */
+export function askAgain<T>(
+  question: () => Promise<T>,
+  pauseMillis: number,
+  told: (answer: T) => boolean,
+): () => void {
+  let timer: number | undefined;
+  let left = false;
+  async function ask() {
+    const answer = await question();
+    if (!left && told(answer)) {
+      timer = window.setTimeout(() => void ask(), pauseMillis);
+    }
+  }
+  void ask();
+  return () => {
+    left = true;
+    clearTimeout(timer);
+  };
 }
