@@ -76,7 +76,7 @@ export const commands = {
   eventBefore: () => seekTo(live.marked.findLast(({ time }) => time < shown() - 0.05)?.time),
   eventAfter: () => seekTo(live.marked.find(({ time }) => time > Math.max(shown() + 0.05, sought))?.time),
   toPresent: () => {
-    if (live.past && !live.recording) {
+    if (live.lookingBack) {
       look({ live: true });
     }
   },

@@ -204,8 +204,8 @@ class Live implements Listener {
     return this.recording ? (this.newest?.frame.time ?? 0) : null;
   }
 
-  /** Whether it has been, and nobody has kept what is asked about it: only what was recorded is told. */
-  readonly forgotten: boolean = $derived(this.past && !this.recording);
+  /** Whether it is the past of a run that goes on: nobody has kept what is asked about it, only what was recorded is told. */
+  readonly lookingBack: boolean = $derived(this.past && !this.recording);
 
   private readonly happenedCount: number = $derived(
     this.past ? countUntil(this.events, this.frame?.time ?? 0) : this.events.length,
