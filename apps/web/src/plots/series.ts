@@ -44,7 +44,11 @@ export class Series {
     if (before !== null && (time < before || time - before > farthest)) {
       this.merge([before + MOMENT, time - MOMENT], [null, null]);
     }
-    this.merge([time], [value]);
+    if (time > this.until) {
+      this.push(time, value); // as most are: nothing is to be sorted
+    } else {
+      this.merge([time], [value]);
+    }
   }
 
   private thin() {
