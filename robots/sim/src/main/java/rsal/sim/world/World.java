@@ -106,11 +106,10 @@ public final class World {
     /// Takes a body out of the world.
     public void remove(Body body) {
         if (bodies.remove(body)) {
-            body.figure.takeAway();
+            leave(body);
             moved.removeIf(body::equals);
             changed.removeIf(body::equals);
             for (int slot : body.slots) {
-                nowGrid.remove(slot);
                 owners.set(slot, null);
                 now.set(slot, null);
             }
@@ -124,12 +123,9 @@ public final class World {
     /// Lets a body vanish for a while. It must not be moved meanwhile.
     public void hide(Body body) {
         body.hidden = true;
-        body.figure.takeAway();
+        leave(body);
         moved.removeIf(body::equals);
         changed.add(body);
-        for (int slot : body.slots) {
-            nowGrid.remove(slot);
-        }
         if (!watched) {
             show();
         }
@@ -159,11 +155,8 @@ public final class World {
     /// A body takes another along: it is in nobody's way any more, and who carries it looks through it.
     public void pickUp(Body thing, Body carrier) {
         thing.carrier = carrier;
-        thing.figure.takeAway();
+        leave(thing);
         changed.add(thing);
-        for (int slot : thing.slots) {
-            nowGrid.remove(slot);
-        }
     }
 
     /// Moves what was picked up, through whatever is there.
@@ -496,6 +489,14 @@ public final class World {
     private void arrive(Body body) {
         enter(nowGrid, body.slots, body.figure);
         moved.add(body);
+    }
+
+    /// It is in nobody's way any more.
+    private void leave(Body body) {
+        body.figure.takeAway();
+        for (int slot : body.slots) {
+            nowGrid.remove(slot);
+        }
     }
 
     private void see(Body body) {
