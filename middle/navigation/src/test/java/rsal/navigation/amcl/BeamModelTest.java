@@ -65,19 +65,13 @@ class BeamModelTest {
 
     @Test
     void beamsThatEndOutsideOfAMapThatWasCutOffCountAsTheOthersDo() {
-        DrawnMap cut = DrawnMap.grid(0.1, """
-                ##########
-                #.........
-                #....@....
-                #.........
-                ##########""");
-        BeamModel model = model(cut.grid());
-        Pose2d at = cut.pose('@', 0);
-        double inside = model.log(beams(-0.4f, -0.5f), at.x(), at.y(), 0);
-        double two = model.log(beams(3, 3), at.x(), at.y(), 0);
+        BeamModel model = model(Seen.CUT_OFF.grid());
+        Pose2d at = Seen.CUT_OFF.pose('@', 0);
+        double inside = model.log(Seen.straight(-0.4f, -0.5f), at.x(), at.y(), 0);
+        double two = model.log(Seen.straight(3, 3), at.x(), at.y(), 0);
 
-        assertThat(model.log(beams(-0.4f, -0.5f, 3), at.x(), at.y(), 0)).isCloseTo(1.5 * inside, within(1e-9));
-        assertThat(model.log(beams(-0.4f, -0.5f, 3, 3, 3, 3), at.x(), at.y(), 0))
+        assertThat(model.log(Seen.straight(-0.4f, -0.5f, 3), at.x(), at.y(), 0)).isCloseTo(1.5 * inside, within(1e-9));
+        assertThat(model.log(Seen.straight(-0.4f, -0.5f, 3, 3, 3, 3), at.x(), at.y(), 0))
                 .as("no more than end on it")
                 .isCloseTo(2 * inside + two, within(1e-9));
     }
@@ -100,11 +94,6 @@ class BeamModelTest {
 
     private static BeamModel model(OccupancyGrid map) {
         return new BeamModel(DistanceField.toOccupied(map), Outside.of(map), 0.1, 0.05);
-    }
-
-    /// Straight ahead or behind.
-    private static Beams beams(float... x) {
-        return new Beams(x, new float[x.length], new float[x.length], new float[x.length]);
     }
 
     private static double log(SensorModel model, Pose2d from, double range) {

@@ -50,29 +50,18 @@ class LikelihoodFieldTest {
 
     @Test
     void outsideOfAMapThatWasCutOffBeamsCountAsTheOthersDo() {
-        DrawnMap cut = DrawnMap.grid(0.1, """
-                ##########
-                #.........
-                #....@....
-                #.........
-                ##########""");
-        var field = new LikelihoodField(cut.grid(), DistanceField.toOccupied(cut.grid()), 0.1, 0.05);
-        Pose2d at = cut.pose('@', 0);
-        double inside = field.log(beams(-0.4f, -0.5f), at.x(), at.y(), 0);
+        var field = new LikelihoodField(Seen.CUT_OFF.grid(), DistanceField.toOccupied(Seen.CUT_OFF.grid()), 0.1, 0.05);
+        Pose2d at = Seen.CUT_OFF.pose('@', 0);
+        double inside = field.log(Seen.straight(-0.4f, -0.5f), at.x(), at.y(), 0);
         double unlikely = field.unlikely();
 
-        assertThat(field.log(beams(-0.4f, -0.5f, 3), at.x(), at.y(), 0)).isCloseTo(1.5 * inside, within(1e-5));
-        assertThat(field.log(beams(-0.4f, -0.5f, 3, 4, 5), at.x(), at.y(), 0))
+        assertThat(field.log(Seen.straight(-0.4f, -0.5f, 3), at.x(), at.y(), 0)).isCloseTo(1.5 * inside, within(1e-5));
+        assertThat(field.log(Seen.straight(-0.4f, -0.5f, 3, 4, 5), at.x(), at.y(), 0))
                 .as("no more than end on it")
                 .isCloseTo(2 * inside + unlikely, within(1e-5));
-        assertThat(field.log(beams(3, 4), at.x(), at.y(), 0)).isCloseTo(2 * unlikely, within(1e-5));
-        assertThat(FIELD.log(beams(0.2f, 9), 0.35, 0.35, 0))
+        assertThat(field.log(Seen.straight(3, 4), at.x(), at.y(), 0)).isCloseTo(2 * unlikely, within(1e-5));
+        assertThat(FIELD.log(Seen.straight(0.2f, 9), 0.35, 0.35, 0))
                 .as("where walls are all around")
                 .isCloseTo(FIELD.log(0.55, 0.35) + unlikely, within(1e-5));
-    }
-
-    /// Straight ahead or behind.
-    private static Beams beams(float... x) {
-        return new Beams(x, new float[x.length], new float[x.length], new float[x.length]);
     }
 }

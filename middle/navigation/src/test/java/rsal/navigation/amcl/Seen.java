@@ -31,6 +31,14 @@ final class Seen {
             ########################################
             """);
 
+    /// The left end of a corridor, of which the rest was cut off.
+    static final DrawnMap CUT_OFF = DrawnMap.grid(0.1, """
+            ##########
+            #.........
+            #....@....
+            #.........
+            ##########""");
+
     static final Beams NOTHING = new Beams(new float[0], new float[0], new float[0], new float[0]);
 
     private final OccupancyGrid map;
@@ -53,6 +61,13 @@ final class Seen {
     Seen(DrawnMap map) {
         this.map = map.grid();
         rays = new Rays(map.grid());
+    }
+
+    /// Beams that end ahead of the base or behind it.
+    ///
+    /// @param x where, in the base frame [m]
+    static Beams straight(float... x) {
+        return new Beams(x, new float[x.length], new float[x.length], new float[x.length]);
     }
 
     boolean isFree(Pose2d mapFromBase) {
