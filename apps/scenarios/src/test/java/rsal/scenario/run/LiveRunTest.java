@@ -34,6 +34,12 @@ class LiveRunTest {
         return plan(RunOptions.NONE);
     }
 
+    /// Neither robot comes near the other, or anything else, at once.
+    private RunPlan withRoom() {
+        String text = Runs.TWO_WANDERERS.replace("pose: {free: true}", "pose: [-8.0, -1.0, 0]");
+        return Runs.plan(folder, text, RunOptions.NONE.withSpeed(5));
+    }
+
     private RunPlan plan(RunOptions options) {
         return Runs.plan(folder, Runs.TWO_WANDERERS, options);
     }
@@ -296,8 +302,7 @@ class LiveRunTest {
 
     @Test
     void oneRobotIsStoppedOrArmedWhileTheOthersGoOn() throws InterruptedException {
-        String text = Runs.TWO_WANDERERS.replace("pose: {free: true}", "pose: [-8.0, -1.0, 0]"); // with room
-        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE.withSpeed(5)))) {
+        try (var run = LiveRun.start(withRoom())) {
             var snapshots = snapshots(run);
             awaitRobots(snapshots);
             assertThat(answer(run.stop("hunter-1"))).isEqualTo(new Answer.Done());
@@ -314,8 +319,7 @@ class LiveRunTest {
 
     @Test
     void whoWasSwitchedOffStaysOffWhenAllAreArmed() throws InterruptedException {
-        String text = Runs.TWO_WANDERERS.replace("pose: {free: true}", "pose: [-8.0, -1.0, 0]"); // with room
-        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE.withSpeed(5)))) {
+        try (var run = LiveRun.start(withRoom())) {
             var snapshots = snapshots(run);
             awaitRobots(snapshots);
             answer(run.stop("hunter-1"));
