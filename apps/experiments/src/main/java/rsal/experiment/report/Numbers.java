@@ -19,7 +19,7 @@ public final class Numbers {
             digits = String.format(
                     Locale.ROOT, size >= 1000 ? "%.0f" : size >= 100 ? "%.1f" : size >= 1 ? "%.2f" : "%.3f", size);
         }
-        return value < 0 && !digits.matches("[0.]*") ? "−" + digits : digits;
+        return withMinus(value, digits);
     }
 
     /// How far it may be off beside it, both to the digit that the error leaves sure: `0.0390 ± 0.0006`. That is two
@@ -38,8 +38,12 @@ public final class Numbers {
     }
 
     private static String fixed(double value, int digits) {
-        String size = String.format(Locale.ROOT, "%." + digits + "f", Math.abs(value));
-        return value < 0 && !size.matches("[0.]*") ? "−" + size : size;
+        return withMinus(value, String.format(Locale.ROOT, "%." + digits + "f", Math.abs(value)));
+    }
+
+    /// Unless nothing is left of it in so many digits.
+    private static String withMinus(double value, String digits) {
+        return value < 0 && !digits.matches("[0.]*") ? "−" + digits : digits;
     }
 
     /// With its sign.
