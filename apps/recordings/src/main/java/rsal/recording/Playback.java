@@ -188,20 +188,24 @@ public final class Playback implements Closeable {
             return;
         }
         Fields fields = Fields.read(Own.EVENT, data);
-        Duration time = Duration.ofNanos(logTime - start);
+        Duration time = sinceStart(logTime);
         String subject = clip(fields.text("subject"));
         String text = clip(fields.text("text"));
-        Optional<Said> said = fields.within("said")
-                .map(words -> new Said(
-                        time,
-                        subject,
-                        words.text("to"),
-                        words.text("topic"),
-                        words.text("conversation"),
-                        words.text("protocol"),
-                        words.text("act"),
-                        text));
+        Optional<Said> said = fields.within("said").map(about -> said(time, subject, about, text));
         events.add(new RunEvent(events.size() + 1L, time, clip(fields.text("kind")), subject, text, said));
+    }
+
+    /// @param about to whom it is said, and what kind of message it is
+    private static Said said(Duration time, String from, Fields about, String words) {
+        return new Said(
+                time,
+                from,
+                about.text("to"),
+                about.text("topic"),
+                about.text("conversation"),
+                about.text("protocol"),
+                about.text("act"),
+                words);
     }
 
     /// Notes what an agent believes and wants that it did not when it was recorded before.
@@ -313,16 +317,9 @@ public final class Playback implements Closeable {
                         log(until),
                         channel -> channel.topic().equals(Topics.MESSAGES),
                         (_, _, logTime, _, data) -> {
-                            Fields words = Fields.read(Own.MESSAGE, data);
-                            all.add(new Said(
-                                    sinceStart(logTime),
-                                    words.text("from"),
-                                    words.text("to"),
-                                    words.text("topic"),
-                                    words.text("conversation"),
-                                    words.text("protocol"),
-                                    words.text("act"),
-                                    clip(words.text("words"))));
+                            Fields message = Fields.read(Own.MESSAGE, data);
+                            all.add(said(
+                                    sinceStart(logTime), message.text("from"), message, clip(message.text("words"))));
                         });
         return all;
     }
