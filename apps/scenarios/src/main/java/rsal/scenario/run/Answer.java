@@ -1,8 +1,6 @@
 package rsal.scenario.run;
 
 import java.time.Duration;
-import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -47,7 +45,7 @@ public sealed interface Answer {
     /// @param byTopic what agents say all the time, each topic's newest, oldest first
     record Repeated(Map<String, List<Said>> byTopic) implements Answer {
         public Repeated {
-            byTopic = Collections.unmodifiableMap(new LinkedHashMap<>(byTopic));
+            byTopic = Map.copyOf(byTopic);
         }
     }
 

@@ -2,9 +2,9 @@ package rsal.scenario.run;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /// What agents say all the time, as where they are, so that each of it is no event: the newest of each topic, for
 /// people who ask for it.
@@ -27,8 +27,7 @@ final class Routine {
 
     /// Of each topic, oldest first.
     Map<String, List<Said>> all() {
-        var all = new LinkedHashMap<String, List<Said>>();
-        byTopic.forEach((topic, said) -> all.put(topic, List.copyOf(said)));
-        return all;
+        return byTopic.entrySet().stream()
+                .collect(Collectors.toUnmodifiableMap(Map.Entry::getKey, said -> List.copyOf(said.getValue())));
     }
 }
