@@ -334,10 +334,13 @@ final class Api {
         routes.exception(
                 HttpResponseException.class,
                 (e, request) -> refuse(request, new Refusal(e.getStatus(), String.valueOf(e.getMessage()))));
-        routes.exception(
-                CancellationException.class, // as Javalin ends what takes too long: PageServer
-                (_, request) -> refuse(
-                        request, new Refusal(503, "The run did not answer in time. Maybe this machine is busy.")));
+        // what takes too long (PageServer) Javalin ends as an error of which it says nothing, then it cancels it
+        routes.error(500, request -> {
+            if (request.resultInputStream() == null) {
+                refuseLate(request);
+            }
+        });
+        routes.exception(CancellationException.class, (_, request) -> refuseLate(request));
         routes.exception(Exception.class, (e, request) -> {
             LOG.error("Could not answer {} {}.", request.method(), request.path(), e);
             refuse(request, new Refusal(500, "The server failed at this; its log says why."));
@@ -575,6 +578,10 @@ final class Api {
 
     static void answer(Context request, Object message) {
         request.contentType("application/json").result(Json.write(message));
+    }
+
+    private static void refuseLate(Context request) {
+        refuse(request, new Refusal(503, "The run did not answer in time. Maybe this machine is busy."));
     }
 
     private static void refuse(Context request, Refusal refusal) {
