@@ -559,7 +559,7 @@ final class Api {
                                 case Answer.Counted(var topics) -> answer(request, Descriptions.topics(topics));
                                 case Answer.Bridged _ -> throw new IllegalStateException("No page asks for a bridge.");
                                 case Answer.Repeated(var all) ->
-                                    answer(request, Descriptions.routine(all, topic(request)));
+                                    answer(request, Descriptions.routine(all, asked(request, "topic")));
                                 case Answer.Linked linked -> answer(request, Descriptions.links(linked));
                                 case Answer.Costed(var grid) ->
                                     grid.ifPresentOrElse(costs -> answer(request, costs), () -> request.status(204));
@@ -569,11 +569,6 @@ final class Api {
                         },
                         Thread::startVirtualThread)
                 .toCompletableFuture());
-    }
-
-    /// That somebody asks about; no topic is called as what stands for none.
-    static String topic(Context request) {
-        return String.valueOf(request.queryParam("topic"));
     }
 
     static void answer(Context request, Object message) {

@@ -58,8 +58,7 @@ final class NumberHistory {
 
     /// Somebody wants to know about a robot.
     synchronized void want(String robot) {
-        wanted.remove(robot);
-        wanted.addFirst(robot);
+        wanted.addFirst(robot); // also one that was among them
         if (wanted.size() > MOST_ROBOTS) {
             wanted.removeLast();
         }

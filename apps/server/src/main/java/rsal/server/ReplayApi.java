@@ -114,7 +114,7 @@ final class ReplayApi {
                 byTopic.computeIfAbsent(said.topic(), _ -> new ArrayList<>()).add(said);
             }
         }
-        Api.answer(request, Descriptions.routine(byTopic, Api.topic(request)));
+        Api.answer(request, Descriptions.routine(byTopic, Api.asked(request, "topic")));
     }
 
     private static void check(Context request) {
