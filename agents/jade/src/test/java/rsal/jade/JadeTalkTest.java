@@ -276,6 +276,7 @@ class JadeTalkTest {
 
     @Test
     void leavesNoFileAndNoWordOnTheTerminal() throws InterruptedException {
+        awaitEnds(); // JADE may print that a timer of a bare agent outlived it
         PrintStream out = System.out;
         PrintStream err = System.err;
         var said = new ByteArrayOutputStream();
@@ -303,6 +304,7 @@ class JadeTalkTest {
 
     @Test
     void anAgentThatNeverReturnsIsLeftAndLoggedAsTheRestIs() throws InterruptedException {
+        awaitEnds(); // as above
         var said = new ByteArrayOutputStream();
         PrintStream out = System.out;
         var begun = new CountDownLatch(1);
