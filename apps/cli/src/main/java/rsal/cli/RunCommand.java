@@ -90,7 +90,9 @@ final class RunCommand extends Subcommand {
 
     @Option(
             names = "--arm",
-            description = "Switch the motors on at the start: robots of Player servers stand until somebody does.")
+            description =
+                    "Switch the motors on at the start: robots of Player servers stand until somebody does. Not when the"
+                            + " scenario was edited in the page.")
     private boolean arm;
 
     @Override
@@ -164,7 +166,7 @@ final class RunCommand extends Subcommand {
 
             @Override
             public void began(LiveRun run) {
-                if (isMeant(run)) {
+                if (isMeant(run) && !run.plan().scenario().isEdited()) { // who typed it had read another text
                     armIfWanted(run);
                 }
             }

@@ -132,6 +132,9 @@ class CommandLineIT {
             assertThat(untilARunHasEnded(err)).noneMatch(said -> said.contains("map") || said.contains("Map"));
             choose(page, "{\"scenario\":\"explore.yaml\",\"speed\":\"2\"}"); // again
             assertThat(untilARunHasEnded(err)).contains("Map saved: maps/scout.yaml");
+            String edited = new JsonMapper().writeValueAsString(EXPLORE + "# edited\n");
+            choose(page, "{\"scenario\":\"explore.yaml\",\"speed\":\"2\",\"text\":" + edited + "}");
+            assertThat(untilARunHasEnded(err)).contains("Map saved: maps/scout.yaml");
         } finally {
             Ended.signal("INT", process);
             Ended.of(process);
@@ -139,6 +142,7 @@ class CommandLineIT {
         assertThat(operatorsEvents("run.mcap")).containsExactly("motors on");
         assertThat(operatorsEvents("run-2.mcap")).isEmpty();
         assertThat(operatorsEvents("run-3.mcap")).containsExactly("motors on");
+        assertThat(operatorsEvents("run-4.mcap")).as("nobody typed that text").isEmpty();
     }
 
     private static void choose(URI page, String wish) throws Exception {
