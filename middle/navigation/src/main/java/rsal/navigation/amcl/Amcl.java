@@ -110,6 +110,7 @@ public final class Amcl {
     private final Rivals rivals;
     private final PoseBins bins;
     private final Clusters clusters = new Clusters();
+    private final PoseBlock block = new PoseBlock();
     private double[] logs = {};
     private Particles particles;
     private Particles spare;
@@ -394,13 +395,16 @@ public final class Amcl {
 
     private void weigh(Beams beams) {
         double beamWeight = Math.min(1, settings.independentBeams() / beams.count());
-        SensorModel model = settings.model() == SensorModel.Kind.BEAM ? map.reaches : map.walls;
         double best = Double.NEGATIVE_INFINITY;
         if (particles.count > logs.length) {
             logs = new double[particles.x.length];
         }
+        switch (settings.model()) {
+            case FIELD -> map.walls.logs(beams, particles, block, logs);
+            case BEAM -> map.reaches.logs(beams, particles, logs);
+        }
         for (int i = 0; i < particles.count; i++) {
-            logs[i] = beamWeight * model.log(beams, particles.x[i], particles.y[i], particles.theta[i]);
+            logs[i] *= beamWeight;
             best = Math.max(best, logs[i]);
         }
         double sum = 0;

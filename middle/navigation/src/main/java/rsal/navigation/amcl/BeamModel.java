@@ -77,6 +77,13 @@ public final class BeamModel implements SensorModel {
         return around.joined(onMap + Math.log(product), beams.count() - outside, beyond, outside);
     }
 
+    /// The same for the poses of all particles.
+    void logs(Beams beams, Particles particles, double[] into) {
+        for (int i = 0; i < particles.count; i++) {
+            into[i] = log(beams, particles.x[i], particles.y[i], particles.theta[i]);
+        }
+    }
+
     /// Below 1, and never less than the share of random readings.
     ///
     /// @param expected +∞ when the map shows nothing there

@@ -1,5 +1,6 @@
 package rsal.navigation.amcl;
 
+import java.util.Arrays;
 import rsal.data.OccupancyGrid;
 import rsal.navigation.grid.DistanceField;
 
@@ -19,7 +20,7 @@ public final class LikelihoodField implements SensorModel {
     private final double originY;
     private final double cellsPerMeter;
     private final float unlikely;
-    private final float[] logs;
+    private final float[] logs; // row by row, with a border of one cell for all that is outside the map
     private final Outside around;
 
     /// @param toWall how far the nearest place is where a beam may end
@@ -33,14 +34,15 @@ public final class LikelihoodField implements SensorModel {
         this.cellsPerMeter = 1 / map.resolution();
         this.unlikely = (float) Math.log(randomShare);
         this.around = Outside.of(map);
-        this.logs = new float[width * height];
-        for (int i = 0; i < logs.length; i++) {
+        this.logs = new float[(width + 2) * (height + 2)];
+        Arrays.fill(logs, unlikely);
+        for (int i = 0; i < width * height; i++) {
             double deviations = toWall.at(i) / deviation;
             if (deviations > FARTHEST) { // nearly everywhere on a map, and costly to compute
-                logs[i] = unlikely;
                 continue;
             }
-            logs[i] = (float) Math.log((1 - randomShare) * Math.exp(-deviations * deviations / 2) + randomShare);
+            logs[cell(i % width, i / width)] =
+                    (float) Math.log((1 - randomShare) * Math.exp(-deviations * deviations / 2) + randomShare);
         }
     }
 
@@ -63,27 +65,76 @@ public final class LikelihoodField implements SensorModel {
         float[] beamX = beams.x();
         float[] beamY = beams.y();
         float sum = 0;
+        int outside = 0;
         for (int i = 0; i < beamX.length; i++) {
-            sum += logAt(baseX + cos * beamX[i] - sin * beamY[i], baseY + sin * beamX[i] + cos * beamY[i]);
+            int column = (int) (baseX + cos * beamX[i] - sin * beamY[i]);
+            int row = (int) (baseY + sin * beamX[i] + cos * beamY[i]);
+            sum += logs[cell(column, row)];
+            outside += outside(column, row);
         }
+        return joined(sum, beams.count(), outside);
+    }
+
+    /// The same for the poses of all particles, to the last bit. Takes one beam of many particles after the other, not
+    /// one particle after the other: of the ends of a beam, which then depend on nothing but each other's place in an
+    /// array, the compiler makes vectors; and as particles lie together, so do the cells in which a beam ends, which
+    /// the processor's fastest cache then holds.
+    void logs(Beams beams, Particles particles, PoseBlock block, double[] into) {
+        for (int first = 0; first < particles.count; first += PoseBlock.SIZE) {
+            int count = Math.min(PoseBlock.SIZE, particles.count - first);
+            block.take(particles, first, count, originX, originY, cellsPerMeter);
+            for (int beam = 0; beam < beams.count(); beam++) {
+                end(beams.x()[beam], beams.y()[beam], block, count);
+                lookUp(block.cell, block.sum, count);
+                if (around.isUnknown()) {
+                    leave(beams.x()[beam], beams.y()[beam], block, count);
+                }
+            }
+            for (int i = 0; i < count; i++) {
+                into[first + i] = joined(block.sum[i], beams.count(), block.outside[i]);
+            }
+        }
+    }
+
+    /// In which cells a beam ends.
+    private void end(float beamX, float beamY, PoseBlock block, int count) {
+        float[] baseX = block.x;
+        float[] baseY = block.y;
+        float[] cos = block.cos;
+        float[] sin = block.sin;
+        int[] cell = block.cell;
+        for (int i = 0; i < count; i++) {
+            cell[i] = cell((int) (baseX[i] + cos[i] * beamX - sin[i] * beamY), (int)
+                    (baseY[i] + sin[i] * beamX + cos[i] * beamY));
+        }
+    }
+
+    private void lookUp(int[] cell, float[] sum, int count) {
+        float[] logs = this.logs;
+        for (int i = 0; i < count; i++) {
+            sum[i] += logs[cell[i]];
+        }
+    }
+
+    /// For which poses a beam leaves the map.
+    private void leave(float beamX, float beamY, PoseBlock block, int count) {
+        float[] baseX = block.x;
+        float[] baseY = block.y;
+        float[] cos = block.cos;
+        float[] sin = block.sin;
+        int[] outside = block.outside;
+        for (int i = 0; i < count; i++) {
+            outside[i] += outside((int) (baseX[i] + cos[i] * beamX - sin[i] * beamY), (int)
+                    (baseY[i] + sin[i] * beamX + cos[i] * beamY));
+        }
+    }
+
+    private double joined(float sum, int count, int outside) {
         if (!around.isUnknown()) {
             return sum;
         }
-        int outside = outside(beams, baseX, baseY, cos, sin);
         float beyond = outside * unlikely;
-        return around.joined(sum - beyond, beams.count() - outside, beyond, outside);
-    }
-
-    private int outside(Beams beams, float baseX, float baseY, float cos, float sin) {
-        float[] beamX = beams.x();
-        float[] beamY = beams.y();
-        int outside = 0;
-        for (int i = 0; i < beamX.length; i++) {
-            float column = baseX + cos * beamX[i] - sin * beamY[i];
-            float row = baseY + sin * beamX[i] + cos * beamY[i];
-            outside += isOnMap((int) column, (int) row) ? 0 : 1;
-        }
-        return outside;
+        return around.joined(sum - beyond, count - outside, beyond, outside);
     }
 
     /// The same where the beams are already turned and in cells, and the base stands on a cell. Looks no further
@@ -97,13 +148,20 @@ public final class LikelihoodField implements SensorModel {
     }
 
     private float logAt(float column, float row) {
-        // A negative number that is cut to 0 is less than a cell outside: not worth a floor.
-        int c = (int) column;
-        int r = (int) row;
-        return isOnMap(c, r) ? logs[r * width + c] : unlikely;
+        return logs[cell((int) column, (int) row)];
     }
 
-    private boolean isOnMap(int column, int row) {
-        return column >= 0 && column < width && row >= 0 && row < height;
+    /// Where in the table a cell is; those outside the map are the border. A negative coordinate that was cut to 0 is
+    /// less than a cell outside: not worth a floor.
+    private int cell(int column, int row) {
+        int c = Math.min(Math.max(column, -1), width) + 1;
+        int r = Math.min(Math.max(row, -1), height) + 1;
+        return r * (width + 2) + c;
+    }
+
+    /// 1 outside the map, else 0, without a branch, as what is done to vectors needs it: one of the differences is
+    /// negative.
+    private int outside(int column, int row) {
+        return (column | width - 1 - column | row | height - 1 - row) >>> 31;
     }
 }

@@ -3,7 +3,10 @@ package rsal.navigation.amcl;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.navigation.grid.DistanceField;
 import rsal.testkit.DrawnMap;
@@ -63,5 +66,34 @@ class LikelihoodFieldTest {
         assertThat(FIELD.log(Seen.straight(0.2f, 9), 0.35, 0.35, 0))
                 .as("where walls are all around")
                 .isCloseTo(FIELD.log(0.55, 0.35) + unlikely, within(1e-5));
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void judgesManyPosesAsItJudgesEachAlone(boolean cutOff) {
+        var map = (cutOff ? Seen.CUT_OFF : ROOM).grid();
+        var field = new LikelihoodField(map, DistanceField.toOccupied(map), 0.1, 0.05);
+        var random = new SplittableRandom(1);
+        int many = 2 * PoseBlock.SIZE + 77;
+        var particles = new Particles(many);
+        for (int i = 0; i < many - 3; i++) { // on the map and around it
+            particles.add(
+                    random.nextDouble(-2, map.width() * map.resolution() + 2),
+                    random.nextDouble(-2, map.height() * map.resolution() + 2),
+                    random.nextDouble(-Math.PI, Math.PI));
+        }
+        particles.add(1e30, 0.5, 0);
+        particles.add(-1e30, -1e30, 1);
+        particles.add(0.5, 1e9, 2);
+        Beams beams = Seen.straight(-0.4f, 0.1f, 0.9f, 1.4f, 3);
+        var logs = new double[many];
+
+        field.logs(beams, particles, new PoseBlock(), logs);
+
+        for (int i = 0; i < many; i++) {
+            assertThat(logs[i])
+                    .as("pose %d", i)
+                    .isEqualTo(field.log(beams, particles.x[i], particles.y[i], particles.theta[i]));
+        }
     }
 }

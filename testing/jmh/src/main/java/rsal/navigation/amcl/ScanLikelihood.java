@@ -30,9 +30,9 @@ public class ScanLikelihood {
     @Param({"18", "50", "180"})
     int beams;
 
-    private final double[] x = new double[PARTICLES];
-    private final double[] y = new double[PARTICLES];
-    private final double[] theta = new double[PARTICLES];
+    private final Particles particles = new Particles(PARTICLES);
+    private final PoseBlock block = new PoseBlock();
+    private final double[] logs = new double[PARTICLES];
     private DistanceField toOccupied;
     private LikelihoodField field;
     private Beams scan;
@@ -53,20 +53,15 @@ public class ScanLikelihood {
         }
         scan = new Beams(endX, endY, new float[beams], new float[beams]);
         for (int i = 0; i < PARTICLES; i++) {
-            x[i] = 0.1 * random.nextGaussian();
-            y[i] = 0.1 * random.nextGaussian();
-            theta[i] = 0.05 * random.nextGaussian();
+            particles.add(0.1 * random.nextGaussian(), 0.1 * random.nextGaussian(), 0.05 * random.nextGaussian());
         }
     }
 
     @Benchmark
     @OperationsPerInvocation(PARTICLES)
-    public double kernel() {
-        double sum = 0;
-        for (int i = 0; i < PARTICLES; i++) {
-            sum += field.log(scan, x[i], y[i], theta[i]);
-        }
-        return sum;
+    public double[] kernel() {
+        field.logs(scan, particles, block, logs);
+        return logs;
     }
 
     @Benchmark
@@ -76,8 +71,9 @@ public class ScanLikelihood {
         for (int i = 0; i < PARTICLES; i++) {
             for (int beam = 0; beam < beams; beam++) {
                 double range = Math.hypot(scan.x()[beam], scan.y()[beam]);
-                double direction = theta[i] + Math.atan2(scan.y()[beam], scan.x()[beam]);
-                double distance = toOccupied.at(x[i] + range * Math.cos(direction), y[i] + range * Math.sin(direction));
+                double direction = particles.theta[i] + Math.atan2(scan.y()[beam], scan.x()[beam]);
+                double distance = toOccupied.at(
+                        particles.x[i] + range * Math.cos(direction), particles.y[i] + range * Math.sin(direction));
                 double deviations = distance / DEVIATION;
                 sum += Math.log((1 - RANDOM) * Math.exp(-deviations * deviations / 2) + RANDOM);
             }
