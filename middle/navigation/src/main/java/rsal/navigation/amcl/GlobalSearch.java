@@ -99,9 +99,14 @@ final class GlobalSearch {
         OUTSIDE
     }
 
-    Verdict verdict(Beams beams, int beam, Pose2d mapFromBase) {
-        return verdict(
-                beams, beam, mapFromBase, Math.cos(mapFromBase.theta()), Math.sin(mapFromBase.theta()), map.deviation);
+    /// How many beams came to which verdict, by its ordinal.
+    void count(Beams beams, Pose2d mapFromBase, int[] verdicts) {
+        double cos = Math.cos(mapFromBase.theta());
+        double sin = Math.sin(mapFromBase.theta());
+        Arrays.fill(verdicts, 0);
+        for (int i = 0; i < beams.count(); i++) {
+            verdicts[verdict(beams, i, mapFromBase, cos, sin, map.deviation).ordinal()]++;
+        }
     }
 
     private Verdict verdict(Beams beams, int beam, Pose2d mapFromBase, double cos, double sin, double deviation) {
@@ -110,11 +115,15 @@ final class GlobalSearch {
         double toX = mapFromBase.x() + cos * beams.x()[beam] - sin * beams.y()[beam];
         double toY = mapFromBase.y() + sin * beams.x()[beam] + cos * beams.y()[beam];
         double measured = Math.sqrt((toX - fromX) * (toX - fromX) + (toY - fromY) * (toY - fromY));
-        double wall = map.toOccupied.firstHit(fromX, fromY, Math.atan2(toY - fromY, toX - fromX), measured);
-        if (wall < measured - 4 * deviation) {
+        double through = measured - 4 * deviation;
+        boolean isOnMap = map.toOccupied.contains(toX, toY);
+        double looked = isOnMap ? through : measured; // steps are short near the wall at which a beam ends
+        double wall = map.toOccupied.firstHit(
+                fromX, fromY, (toX - fromX) / measured, (toY - fromY) / measured, Math.max(0, looked));
+        if (wall < through) {
             return Verdict.THROUGH;
         }
-        if (map.toOccupied.contains(toX, toY)) {
+        if (isOnMap) {
             return map.toOccupied.at(toX, toY) <= 3 * deviation ? Verdict.HIT : Verdict.SHORT;
         }
         return wall < measured ? Verdict.SHORT : Verdict.OUTSIDE;
