@@ -35,8 +35,14 @@ final class Clusters {
         int clusters = connect();
         var sums = new Sum[clusters];
         Arrays.setAll(sums, _ -> new Sum());
-        for (int i = 0; i < particles.count; i++) {
-            sums[clusterOf[binOf[i]]].add(particles.weight[i], particles.x[i], particles.y[i], particles.theta[i]);
+        int end;
+        for (int first = 0; first < particles.count; first = end) {
+            int cluster = clusterOf[binOf[first]];
+            end = first + 1;
+            while (end < particles.count && clusterOf[binOf[end]] == cluster) {
+                end++;
+            }
+            sums[cluster].add(particles, first, end);
         }
         var hypotheses = new ArrayList<Hypothesis>();
         Arrays.stream(sums)
@@ -52,6 +58,7 @@ final class Clusters {
     private int connect() {
         Arrays.fill(clusterOf, 0, bins.count(), PoseBins.NONE);
         int clusters = 0;
+        int left = bins.count(); // nearly always none soon: there is one cluster
         for (int seed = 0; seed < bins.count(); seed++) {
             if (clusterOf[seed] != PoseBins.NONE) {
                 continue;
@@ -59,13 +66,15 @@ final class Clusters {
             int waiting = 0;
             open[waiting++] = seed;
             clusterOf[seed] = clusters;
-            while (waiting > 0) {
+            left--;
+            while (waiting > 0 && left > 0) {
                 int bin = open[--waiting];
                 for (int neighbor = 0; neighbor < 27; neighbor++) {
                     int next = bins.neighbor(bin, neighbor % 3 - 1, neighbor / 3 % 3 - 1, neighbor / 9 - 1);
                     if (next != PoseBins.NONE && clusterOf[next] == PoseBins.NONE) {
                         clusterOf[next] = clusters;
                         open[waiting++] = next;
+                        left--;
                     }
                 }
             }
@@ -91,25 +100,50 @@ final class Clusters {
         private double firstX;
         private double firstY;
 
-        void add(double w, double px, double py, double theta) {
+        /// Adds a run of particles. The sums of it are variables, since the compiler would write a field again for each
+        /// particle, and wait for it to be read for the next.
+        void add(Particles particles, int first, int end) {
             if (Double.isNaN(firstTheta)) {
-                firstX = px;
-                firstY = py;
-                firstTheta = theta;
+                firstX = particles.x[first];
+                firstY = particles.y[first];
+                firstTheta = particles.theta[first];
             }
-            double dx = px - firstX;
-            double dy = py - firstY;
-            double dTheta = Angles.difference(firstTheta, theta);
-            weight += w;
-            x += w * dx;
-            y += w * dy;
-            turn += w * dTheta;
-            xx += w * dx * dx;
-            xy += w * dx * dy;
-            yy += w * dy * dy;
-            xTurn += w * dx * dTheta;
-            yTurn += w * dy * dTheta;
-            turnTurn += w * dTheta * dTheta;
+            double weight = this.weight;
+            double x = this.x;
+            double y = this.y;
+            double turn = this.turn;
+            double xx = this.xx;
+            double xy = this.xy;
+            double yy = this.yy;
+            double xTurn = this.xTurn;
+            double yTurn = this.yTurn;
+            double turnTurn = this.turnTurn;
+            for (int i = first; i < end; i++) {
+                double w = particles.weight[i];
+                double dx = particles.x[i] - firstX;
+                double dy = particles.y[i] - firstY;
+                double dTheta = Angles.difference(firstTheta, particles.theta[i]);
+                weight += w;
+                x += w * dx;
+                y += w * dy;
+                turn += w * dTheta;
+                xx += w * dx * dx;
+                xy += w * dx * dy;
+                yy += w * dy * dy;
+                xTurn += w * dx * dTheta;
+                yTurn += w * dy * dTheta;
+                turnTurn += w * dTheta * dTheta;
+            }
+            this.weight = weight;
+            this.x = x;
+            this.y = y;
+            this.turn = turn;
+            this.xx = xx;
+            this.xy = xy;
+            this.yy = yy;
+            this.xTurn = xTurn;
+            this.yTurn = yTurn;
+            this.turnTurn = turnTurn;
         }
 
         Hypothesis hypothesis() {
