@@ -114,6 +114,7 @@ public final class Amcl {
     private final PoseBlock block = new PoseBlock();
     private final int[] verdicts = new int[Verdict.values().length];
     private double[] logs = {};
+    private int[] drawn = {};
     private Particles particles;
     private Particles spare;
     private Pose2d odomFromBase = Pose2d.ORIGIN;
@@ -454,32 +455,43 @@ public final class Amcl {
 
     /// Draws as many particles as the bins of those that survive ask for. A first draw only counts these bins.
     private void resample() {
+        draw(particles.count);
         bins.clear();
-        draw(particles.count, (x, y, theta) -> bins.add(x, y, theta));
-        spare.count = 0;
-        draw(bounded(settings.kld().particles(bins.count())), spare::add);
-        spare.weighEqually();
-        swap();
+        for (int i = 0; i < particles.count; i++) {
+            if (i == 0 || drawn[i] != drawn[i - 1]) {
+                bins.add(particles.x[drawn[i]], particles.y[drawn[i]], particles.theta[drawn[i]]);
+            }
+        }
+        survive(bounded(settings.kld().particles(bins.count())));
+        particles.weighEqually();
     }
 
-    /// Low variance sampling: Thrun, Burgard, Fox, Probabilistic Robotics, table 4.4.
-    private void draw(int count, Draw into) {
+    /// Replaces the particles by so many that are drawn from them.
+    private void survive(int count) {
+        draw(count);
+        spare.take(particles, drawn, count);
+        Particles before = particles;
+        particles = spare;
+        spare = before;
+    }
+
+    /// Which particles are drawn, in their order, by low variance sampling: Thrun, Burgard, Fox, Probabilistic
+    /// Robotics, table 4.4.
+    private void draw(int count) {
+        if (count > drawn.length) {
+            drawn = new int[Math.max(count, particles.x.length)];
+        }
         double step = 1.0 / count;
         double at = random.nextDouble() * step;
         double reached = particles.weight[0];
         int i = 0;
-        for (int drawn = 0; drawn < count; drawn++) {
+        for (int n = 0; n < count; n++) {
             while (reached < at && i < particles.count - 1) {
                 reached += particles.weight[++i];
             }
-            into.take(particles.x[i], particles.y[i], particles.theta[i]);
+            drawn[n] = i;
             at += step;
         }
-    }
-
-    @FunctionalInterface
-    private interface Draw {
-        void take(double x, double y, double theta);
     }
 
     /// Puts some particles where the scans fit best, when none are there.
@@ -494,15 +506,7 @@ public final class Amcl {
     /// @return how many particles can be added now, at least as many as said
     private int makeRoom(int least) {
         int injected = Math.max(least, (int) (INJECTED_SHARE * particles.count));
-        spare.count = 0;
-        draw(Math.min(particles.count, particles.capacity() - injected), spare::add);
-        swap();
+        survive(Math.min(particles.count, particles.capacity() - injected));
         return injected;
-    }
-
-    private void swap() {
-        Particles sampled = spare;
-        spare = particles;
-        particles = sampled;
     }
 }

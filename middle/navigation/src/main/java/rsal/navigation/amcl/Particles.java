@@ -29,8 +29,8 @@ final class Particles {
         return capacity;
     }
 
-    private void makeRoom() {
-        int room = Math.min(2 * x.length, capacity);
+    private void makeRoom(int least) {
+        int room = Math.min(Math.max(2 * x.length, least), capacity);
         x = Arrays.copyOf(x, room);
         y = Arrays.copyOf(y, room);
         theta = Arrays.copyOf(theta, room);
@@ -39,12 +39,26 @@ final class Particles {
 
     void add(double x, double y, double theta) {
         if (count == this.x.length) {
-            makeRoom();
+            makeRoom(count + 1);
         }
         this.x[count] = x;
         this.y[count] = y;
         this.theta[count] = theta;
         count++;
+    }
+
+    /// Becomes those of others, some of them several times. Their weights are not taken.
+    void take(Particles others, int[] which, int count) {
+        if (count > x.length) {
+            makeRoom(count);
+        }
+        for (int i = 0; i < count; i++) {
+            int other = which[i];
+            x[i] = others.x[other];
+            y[i] = others.y[other];
+            theta[i] = others.theta[other];
+        }
+        this.count = count;
     }
 
     void weighEqually() {
