@@ -14,13 +14,14 @@ final class PoseBlock {
     final int[] cell = new int[SIZE]; // where a beam ends
     final float[] sum = new float[SIZE]; // of logarithms
     final int[] outside = new int[SIZE]; // how many beams end outside the map
+    private final Directions directions = new Directions(SIZE);
 
     /// Some of the particles, of which nothing is found yet.
     void take(Particles particles, int first, int count, double originX, double originY, double cellsPerMeter) {
+        directions.of(particles.theta, first, count);
         for (int i = 0; i < count; i++) {
-            double theta = particles.theta[first + i];
-            cos[i] = (float) (Math.cos(theta) * cellsPerMeter);
-            sin[i] = (float) (Math.sin(theta) * cellsPerMeter);
+            cos[i] = (float) (directions.cos[i] * cellsPerMeter);
+            sin[i] = (float) (directions.sin[i] * cellsPerMeter);
             x[i] = (float) ((particles.x[first + i] - originX) * cellsPerMeter);
             y[i] = (float) ((particles.y[first + i] - originY) * cellsPerMeter);
         }
