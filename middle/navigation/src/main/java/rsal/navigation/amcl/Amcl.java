@@ -10,7 +10,6 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.PoseEstimate.Quality;
-import rsal.navigation.amcl.GlobalSearch.Verdict;
 
 /// Adaptive Monte Carlo localization: Thrun, Burgard, Fox, Probabilistic Robotics, table 8.3, with as many
 /// particles as the belief needs ([Kld]).
@@ -112,7 +111,6 @@ public final class Amcl {
     private final PoseBins bins;
     private final Clusters clusters = new Clusters();
     private final PoseBlock block = new PoseBlock();
-    private final int[] verdicts = new int[Verdict.values().length];
     private double[] logs = {};
     private int[] drawn = {};
     private Particles particles;
@@ -428,10 +426,19 @@ public final class Amcl {
     /// something may stand there, unless most do so for long; beams that left the map never do; beams that went
     /// through walls can't be explained at all.
     private boolean fits(Beams beams, Pose2d mapFromBase) {
-        search.count(beams, mapFromBase, verdicts);
-        int hits = verdicts[Verdict.HIT.ordinal()];
-        int through = verdicts[Verdict.THROUGH.ordinal()];
-        int shorter = verdicts[Verdict.SHORT.ordinal()];
+        double cos = Math.cos(mapFromBase.theta());
+        double sin = Math.sin(mapFromBase.theta());
+        int hits = 0;
+        int through = 0;
+        int shorter = 0;
+        for (int i = 0; i < beams.count(); i++) {
+            switch (search.verdict(beams, i, mapFromBase, cos, sin)) {
+                case HIT -> hits++;
+                case THROUGH -> through++;
+                case SHORT -> shorter++;
+                case OUTSIDE -> {}
+            }
+        }
         int told = hits + through;
         if (told + shorter > 0) {
             shortShare += SLOW * ((double) shorter / (told + shorter) - shortShare);

@@ -99,14 +99,10 @@ final class GlobalSearch {
         OUTSIDE
     }
 
-    /// How many beams came to which verdict, by its ordinal.
-    void count(Beams beams, Pose2d mapFromBase, int[] verdicts) {
-        double cos = Math.cos(mapFromBase.theta());
-        double sin = Math.sin(mapFromBase.theta());
-        Arrays.fill(verdicts, 0);
-        for (int i = 0; i < beams.count(); i++) {
-            verdicts[verdict(beams, i, mapFromBase, cos, sin, map.deviation).ordinal()]++;
-        }
+    /// @param cos of the heading
+    /// @param sin likewise
+    Verdict verdict(Beams beams, int beam, Pose2d mapFromBase, double cos, double sin) {
+        return verdict(beams, beam, mapFromBase, cos, sin, map.deviation);
     }
 
     private Verdict verdict(Beams beams, int beam, Pose2d mapFromBase, double cos, double sin, double deviation) {
