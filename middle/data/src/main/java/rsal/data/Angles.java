@@ -11,6 +11,9 @@ public final class Angles {
         if (angle >= -Math.PI && angle < Math.PI) {
             return angle;
         }
+        if (Math.abs(angle) < TURN) { // nearly always; exact, too: P. Sterbenz, Floating-Point Computation (1974), 4.3
+            return angle < 0 ? angle + TURN : angle - TURN;
+        }
         double wrapped = Math.IEEEremainder(angle, TURN); // exact, however far the angle is
         return wrapped == Math.PI ? -Math.PI : wrapped;
     }

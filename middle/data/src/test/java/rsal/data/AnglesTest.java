@@ -21,6 +21,15 @@ class AnglesTest {
         }
     }
 
+    @Test
+    void wrapsAsIfByTheRemainderToTheLastBit() {
+        var random = new Random(1);
+        for (int i = 0; i < 100_000; i++) {
+            double angle = (2 * random.nextDouble() - 1) * 3 * Math.PI;
+            assertThat(Angles.wrap(angle)).as("%s", angle).isEqualTo(Math.IEEEremainder(angle, 2 * Math.PI));
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(doubles = {-Math.PI, 0, 1, -1, 3.14})
     void leavesWrappedAnglesAsTheyAre(double angle) {
