@@ -26,22 +26,24 @@ import rsal.recording.proto.ProtoReader;
 /// are fields ([Table]). Of maps the tables tell when they were drawn; the last of each lies beside its table as ROS
 /// has maps ([RosMap]). Things, the world and bodies are left out. For one thread.
 public final class CsvExport {
-    private static final Map<String, MessageType> KNOWN = Stream.of(
-                    Foxglove.FRAME_TRANSFORMS,
-                    Foxglove.POSE_IN_FRAME,
-                    Foxglove.LASER_SCAN,
-                    Foxglove.GRID,
-                    Foxglove.POINT_CLOUD,
-                    Foxglove.SCENE_UPDATE,
-                    Foxglove.LOG,
-                    Own.STATE,
-                    Own.ROBOT,
-                    Own.DEVICE,
-                    Own.RANGES,
-                    Own.EVENT,
-                    Own.MESSAGE,
-                    Own.AGENT,
-                    Own.MIND)
+    private static final Map<String, MessageType> KNOWN = Stream.concat(
+                    ReadingType.ALL.stream().map(ReadingType::message),
+                    Stream.of(
+                            Foxglove.FRAME_TRANSFORMS,
+                            Foxglove.POSE_IN_FRAME,
+                            Foxglove.LASER_SCAN,
+                            Foxglove.GRID,
+                            Foxglove.POINT_CLOUD,
+                            Foxglove.SCENE_UPDATE,
+                            Foxglove.LOG,
+                            Own.STATE,
+                            Own.ROBOT,
+                            Own.DEVICE,
+                            Own.RANGES,
+                            Own.EVENT,
+                            Own.MESSAGE,
+                            Own.AGENT,
+                            Own.MIND))
             .collect(Collectors.toUnmodifiableMap(MessageType::name, type -> type));
 
     private static final String TABLE = ".csv";

@@ -48,6 +48,7 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.DeviceView;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.Reading;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Teammate;
@@ -64,10 +65,25 @@ final class Decoder {
     private IdentityHashMap<Raw, Optional<Object>> before =
             new IdentityHashMap<>(); // what the last snapshot was made of
     private IdentityHashMap<Raw, Optional<Object>> now = new IdentityHashMap<>();
-    private final Map<String, RangeLimits> limits = new HashMap<>(); // of lasers, by robot
+    private final Map<String, RangeLimits> limits; // of lasers, by robot
+    private final Map<String, ReadingType<?>> types; // of what devices tell, by topic
 
     /// Of a laser, which tells them once.
     private record RangeLimits(double min, double max) {}
+
+    /// A device.
+    ///
+    /// @param topic where what it tells was recorded; empty where that is not known, as in older recordings
+    private record Recorded(DeviceView view, String topic) {}
+
+    /// What devices of a robot told last: what is drawn of it, and all of it.
+    private record Told(
+            Optional<Stamped<Odometry>> odometry,
+            Optional<Stamped<PoseEstimate>> estimate,
+            Optional<Stamped<LaserScan>> scan,
+            Optional<Stamped<RangeArray>> ranges,
+            Optional<Stamped<OccupancyGrid>> map,
+            List<Reading> readings) {}
 
     private interface Reader<T> {
         T read(Fields fields, Instant time);
@@ -78,6 +94,20 @@ final class Decoder {
         this.start = start;
         this.planned =
                 plan.robots().stream().map(robot -> mate(plan, robot.spec())).toList();
+        this.limits = new HashMap<>();
+        this.types = new HashMap<>();
+    }
+
+    private Decoder(Decoder other) {
+        this.start = other.start;
+        this.planned = other.planned;
+        this.limits = other.limits;
+        this.types = other.types;
+    }
+
+    /// One that knows as much, now and later, and has made no snapshot yet: each makes what is new since its last.
+    Decoder another() {
+        return new Decoder(this);
     }
 
     /// A robot as it is planned.
@@ -107,6 +137,11 @@ final class Decoder {
         }
     }
 
+    /// What a channel is of.
+    void reads(String topic, ReadingType<?> type) {
+        types.put(topic, type);
+    }
+
     /// Of a run of which no state was recorded.
     Snapshot nothing() {
         return new Snapshot(
@@ -116,7 +151,7 @@ final class Decoder {
     Snapshot snapshot(Held held, Duration time, Optional<String> outcome) {
         now = new IdentityHashMap<>();
         Optional<Fields> state = read(held, Topics.STATE, Own.STATE, (fields, _) -> fields);
-        var devices = new HashMap<String, List<DeviceView>>(); // by robot
+        var devices = new HashMap<String, List<Recorded>>(); // by robot
         var mates = new ArrayList<Teammate>();
         var agents = new ArrayList<AgentView>();
         var things = new ArrayList<Standing>();
@@ -159,6 +194,24 @@ final class Decoder {
                 agents,
                 List.copyOf(team.values()),
                 things);
+    }
+
+    /// What devices of a robot had told last; nothing of one that was not there.
+    List<Reading> readings(Held held, Duration time, String robot) {
+        now = new IdentityHashMap<>();
+        var devices = new ArrayList<Recorded>();
+        held.messages().keySet().stream()
+                .filter(key -> key.startsWith(devices(robot)))
+                .forEach(key -> read(held, key, Own.DEVICE, (fields, _) -> device(fields))
+                        .ifPresent(devices::add));
+        List<Reading> readings = read(held, Topics.STATE, Own.STATE, (fields, _) -> fields)
+                .flatMap(state -> state.all("robots").stream()
+                        .filter(one -> one.text("id").equals(robot))
+                        .findFirst())
+                .map(one -> told(one, robot, held, devices, start.plus(time)).readings)
+                .orElse(List.of());
+        before = now;
+        return readings;
     }
 
     Optional<Mind.View> mind(Held held, String agent) {
@@ -223,10 +276,10 @@ final class Decoder {
                 like.body());
     }
 
-    private RobotView robot(Fields robot, RobotSpec spec, Held held, List<DeviceView> devices, Duration time) {
+    private RobotView robot(Fields robot, RobotSpec spec, Held held, List<Recorded> devices, Duration time) {
         String id = spec.id();
         Instant when = start.plus(time);
-        List<String> lacks = robot.texts("lacks");
+        Told told = told(robot, id, held, devices, when);
         return new RobotView(
                 id,
                 spec.role(),
@@ -234,23 +287,12 @@ final class Decoder {
                 spec.model().name(),
                 robot.flag("gone"),
                 robot.pose("truth"),
-                robot.pose("odometry")
-                        .map(pose -> new Odometry(
-                                pose,
-                                new Twist2d(robot.number("vx"), robot.number("vy"), robot.number("omega")),
-                                robot.flag("stalled")))
-                        .map(odometry -> new Stamped<>(when, id + "/odom", odometry)),
-                robot.within("estimate")
-                        .map(belief -> new Stamped<>(
-                                Optional.ofNullable(held.messages().get(Topics.of(id, Topics.ESTIMATE)))
-                                        .map(Decoder::time)
-                                        .orElse(when),
-                                belief.text("frame_id"),
-                                estimate(belief))),
-                reading(held, id, Topics.PARTICLES, lacks, Foxglove.POINT_CLOUD, Decoder::particles),
-                reading(held, id, Topics.SCAN, lacks, Foxglove.LASER_SCAN, (fields, taken) -> scan(id, fields, taken)),
-                reading(held, id, Topics.RANGES, lacks, Own.RANGES, Decoder::ranges),
-                reading(held, id, Topics.MAP, lacks, Foxglove.GRID, Decoder::grid),
+                told.odometry,
+                told.estimate,
+                reading(held, id, Topics.PARTICLES, robot.texts("lacks"), Foxglove.POINT_CLOUD, Decoder::particles),
+                told.scan,
+                told.ranges,
+                told.map,
                 read(held, Topics.of(id, Topics.PATH), Foxglove.SCENE_UPDATE, (fields, _) -> path(fields))
                         .orElse(Path2d.EMPTY),
                 robot.pose("goal"),
@@ -259,7 +301,8 @@ final class Decoder {
                 robot.text("driver"),
                 Optional.of(robot)
                         .filter(has -> has.flag("has_gripper"))
-                        .map(has -> new Stamped<>(when, id + "/gripper", gripper(has))),
+                        .map(has -> gripper(told.readings)
+                                .orElseGet(() -> new Stamped<>(when, id + "/gripper", gripper(has)))),
                 robot.flag("stopped"),
                 robot.flag("switched_off"),
                 robot.flag("lit"),
@@ -267,7 +310,82 @@ final class Decoder {
                 Optional.of(robot)
                         .filter(all -> all.flag("real") || all.pose("stand_in").isPresent())
                         .map(Decoder::real),
-                devices);
+                devices.stream().map(Recorded::view).toList(),
+                told.readings);
+    }
+
+    private Told told(Fields robot, String id, Held held, List<Recorded> devices, Instant when) {
+        List<String> lacks = robot.texts("lacks");
+        Optional<Stamped<Odometry>> odometry = robot.pose("odometry")
+                .map(pose -> new Odometry(
+                        pose,
+                        new Twist2d(robot.number("vx"), robot.number("vy"), robot.number("omega")),
+                        robot.flag("stalled")))
+                .map(moved -> new Stamped<>(when, id + "/odom", moved));
+        Optional<Stamped<PoseEstimate>> estimate = robot.within("estimate")
+                .map(belief -> new Stamped<>(
+                        Optional.ofNullable(held.messages().get(Topics.of(id, Topics.ESTIMATE)))
+                                .map(Decoder::time)
+                                .orElse(when),
+                        belief.text("frame_id"),
+                        estimate(belief)));
+        Optional<Stamped<LaserScan>> scan =
+                reading(held, id, Topics.SCAN, lacks, Foxglove.LASER_SCAN, (fields, taken) -> scan(id, fields, taken));
+        Optional<Stamped<RangeArray>> ranges = reading(held, id, Topics.RANGES, lacks, Own.RANGES, Decoder::ranges);
+        Optional<Stamped<OccupancyGrid>> map = reading(held, id, Topics.MAP, lacks, Foxglove.GRID, Decoder::grid);
+        var drawn = Map.of(
+                Topics.STATE,
+                odometry,
+                Topics.of(id, Topics.ESTIMATE),
+                estimate,
+                Topics.of(id, Topics.SCAN),
+                scan,
+                Topics.of(id, Topics.RANGES),
+                ranges,
+                Topics.of(id, Topics.MAP),
+                map);
+        var readings = new ArrayList<Reading>();
+        for (Recorded device : devices) {
+            String topic = device.topic().isEmpty() ? usualTopic(id, device, devices) : device.topic();
+            Optional<? extends Stamped<?>> value = drawn.getOrDefault(topic, Optional.empty());
+            (value.isPresent() ? value : told(held, device, lacks))
+                    .map(told -> new Reading(device.view().name(), told, Duration.between(told.time(), when)))
+                    .ifPresent(readings::add);
+        }
+        return new Told(odometry, estimate, scan, ranges, map, readings);
+    }
+
+    /// What a device told for itself alone.
+    private Optional<? extends Stamped<?>> told(Held held, Recorded device, List<String> lacks) {
+        ReadingType<?> type = types.get(device.topic());
+        return type == null || lacks.contains(Topics.DEVICE + device.view().name())
+                ? Optional.empty()
+                : read(held, device.topic(), type.message(), type::read);
+    }
+
+    /// Of a recording that does not say where what a device told is: of several of a type it is the first that is
+    /// drawn.
+    private static String usualTopic(String robot, Recorded device, List<Recorded> devices) {
+        String type = device.view().type();
+        boolean first = devices.stream()
+                .filter(other -> other.view().type().equals(type))
+                .findFirst()
+                .equals(Optional.of(device));
+        return switch (first ? type : "") { // as DeviceView calls them
+            case "DriveBase" -> Topics.STATE;
+            case "LaserScanner" -> Topics.of(robot, Topics.SCAN);
+            case "SonarArray" -> Topics.of(robot, Topics.RANGES);
+            case "Localizer" -> Topics.of(robot, Topics.ESTIMATE);
+            default -> "";
+        };
+    }
+
+    private static Optional<Stamped<GripperState>> gripper(List<Reading> readings) {
+        return readings.stream()
+                .map(Reading::value)
+                .filter(told -> told.value() instanceof GripperState)
+                .map(told -> new Stamped<>(told.time(), told.frame(), (GripperState) told.value()))
+                .findFirst();
     }
 
     private <T> Optional<Stamped<T>> reading(
@@ -294,7 +412,7 @@ final class Decoder {
         return otherwise;
     }
 
-    /// Only how far it is closed and raised and whether it holds something is recorded, which is what people see.
+    /// Of an older recording, which has only what is drawn.
     private static GripperState gripper(Fields robot) {
         return new GripperState(
                 GripperState.Paddles.STOPPED,
@@ -392,13 +510,15 @@ final class Decoder {
                 .toList());
     }
 
-    private static DeviceView device(Fields fields) {
+    private static Recorded device(Fields fields) {
         Health health = switch (fields.text("health")) {
             case "OK" -> Health.ok();
             case "STALE" -> new Health.Stale(fields.text("reason"));
             default -> new Health.Lost(fields.text("reason"));
         };
-        return new DeviceView(fields.text("name"), fields.text("driver"), fields.text("type"), health);
+        return new Recorded(
+                new DeviceView(fields.text("name"), fields.text("driver"), fields.text("type"), health),
+                fields.text("topic"));
     }
 
     private static AgentView agent(Fields fields, Speech speech) {

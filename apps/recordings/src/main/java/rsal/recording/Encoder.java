@@ -7,7 +7,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import rsal.agent.bdi.Mind;
 import rsal.data.Footprint;
@@ -32,6 +34,7 @@ import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.DeviceView;
+import rsal.scenario.run.Reading;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Said;
@@ -48,6 +51,7 @@ public final class Encoder {
     private final Map<String, Integer> channels = new HashMap<>(); // by topic
     private final Map<String, Object> last = new HashMap<>(); // what was written of a thing
     private final Map<String, String> frames = new HashMap<>(); // of bases, by robot
+    private final Map<String, String> topics = new HashMap<>(); // by robot and device
     private final ProtoWriter out = new ProtoWriter(new ByteSink(1 << 12));
     private List<Standing> things = List.of();
     private boolean thingsAgain;
@@ -219,6 +223,7 @@ public final class Encoder {
         lacks(robot.id(), Topics.RANGES, robot.ranges());
         lacks(robot.id(), Topics.PARTICLES, robot.particles());
         lacks(robot.id(), Topics.MAP, robot.map());
+        silentDevices(robot);
         robot.gripper().ifPresent(gripper -> out.number(24, gripper.value().raised()));
         for (Carried load : robot.carried()) {
             int begun = out.begin(25);
@@ -234,6 +239,16 @@ public final class Encoder {
     private void lacks(String id, String what, Optional<?> reading) {
         if (reading.isEmpty() && last.containsKey(id + " " + what)) {
             out.string(23, what);
+        }
+    }
+
+    private void silentDevices(RobotView robot) {
+        if (robot.readings().size() < robot.devices().size()) {
+            Set<String> telling = robot.readings().stream().map(Reading::device).collect(Collectors.toSet());
+            robot.devices().stream()
+                    .map(DeviceView::name)
+                    .filter(device -> !telling.contains(device))
+                    .forEach(device -> lacks(robot.id(), Topics.DEVICE + device, Optional.empty()));
         }
     }
 
@@ -288,12 +303,56 @@ public final class Encoder {
         if (isNew(id + " path", robot.path())) {
             path(id, robot.path(), robot.color(), time);
         }
-        if (isNew(id + " devices", robot.devices())) {
+        boolean moved = false;
+        for (Reading reading : robot.readings()) {
+            String topic = topic(robot, reading);
+            moved |= !topic.equals(topics.put(id + " " + reading.device(), topic));
+            if (topic.equals(Topics.of(id, Topics.DEVICE + reading.device()))) {
+                told(id, reading, topic, time);
+            }
+        }
+        if (isNew(id + " devices", robot.devices()) || moved) {
             for (DeviceView device : robot.devices()) {
-                if (isNew(id + " device " + device.name(), device)) {
-                    device(id, device, time);
+                String topic = topics.getOrDefault(id + " " + device.name(), "");
+                if (isNew(id + " view of " + device.name(), List.of(device, topic))) {
+                    device(id, device, topic, time);
                 }
             }
+        }
+    }
+
+    /// Where what a device tells is written; empty when it is not.
+    private static String topic(RobotView robot, Reading reading) {
+        String id = robot.id();
+        Stamped<?> told = reading.value();
+        if (is(robot.odometry(), told)) {
+            return Topics.STATE;
+        } else if (is(robot.scan(), told)) {
+            return Topics.of(id, Topics.SCAN);
+        } else if (is(robot.ranges(), told)) {
+            return Topics.of(id, Topics.RANGES);
+        } else if (is(robot.estimate(), told)) {
+            return Topics.of(id, Topics.ESTIMATE);
+        } else if (is(robot.map(), told)) {
+            return Topics.of(id, Topics.MAP);
+        }
+        return ReadingType.of(told.value()).isPresent() ? Topics.of(id, Topics.DEVICE + reading.device()) : "";
+    }
+
+    private static boolean is(Optional<? extends Stamped<?>> one, Stamped<?> told) {
+        return one.isPresent() && one.get().equals(told);
+    }
+
+    private void told(String id, Reading reading, String topic, long time) throws IOException {
+        Stamped<?> told = reading.value();
+        if (isNew(id + " " + Topics.DEVICE + reading.device(), told.time())) {
+            ReadingType<?> type = ReadingType.of(told.value()).orElseThrow();
+            long taken = nanos(told.time());
+            out.clear();
+            timestamp(1, taken);
+            out.string(2, told.frame());
+            type.write(out, told.value());
+            write(topic, type.message(), time, taken, Map.of());
         }
     }
 
@@ -393,7 +452,7 @@ public final class Encoder {
         write(Topics.of(id, Topics.PATH), Foxglove.SCENE_UPDATE, time, time, Map.of());
     }
 
-    private void device(String id, DeviceView device, long time) throws IOException {
+    private void device(String id, DeviceView device, String topic, long time) throws IOException {
         out.clear();
         timestamp(1, time);
         out.string(2, id);
@@ -414,6 +473,7 @@ public final class Encoder {
                     case Health.Stale stale -> stale.reason();
                     case Health.Lost lost -> lost.reason();
                 });
+        out.string(8, topic);
         write(Topics.DEVICES, Own.DEVICE, time, time, Map.of());
     }
 
@@ -580,11 +640,7 @@ public final class Encoder {
     }
 
     private void pose(int field, Pose2d pose) {
-        int begun = out.begin(field);
-        out.number(1, pose.x());
-        out.number(2, pose.y());
-        out.number(3, pose.theta());
-        out.end(begun);
+        Own.pose(out, field, pose);
     }
 
     private void foxglovePose(int field, Pose2d pose) {

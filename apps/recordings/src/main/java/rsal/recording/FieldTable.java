@@ -11,10 +11,16 @@ import rsal.recording.proto.MessageType.Field;
 import rsal.recording.proto.MessageType.Kind;
 
 /// A row is a message, or an element of its list. Columns are fields, those of messages within by their path
-/// (`pose.position.x`). Numbers of which there are many are in one cell, with spaces between them. Bytes are left out.
+/// (`pose.position.x`). Numbers of which there are many are in one cell, with spaces between them, as are messages,
+/// with
+/// colons between their fields. Bytes are left out. A device that saw nothing has a row, too, without an element.
 record FieldTable(MessageType type, String list) implements Table {
-    private static final Map<String, String> LISTS =
-            Map.of("rsal.State", "robots", "foxglove.FrameTransforms", "transforms");
+    private static final Map<String, String> LISTS = Map.of(
+            "rsal.State", "robots",
+            "foxglove.FrameTransforms", "transforms",
+            "rsal.Blobs", "blobs",
+            "rsal.BumperState", "bumpers",
+            "rsal.Fiducials", "fiducials");
 
     FieldTable(MessageType type) {
         this(type, LISTS.getOrDefault(type.name(), ""));
@@ -30,7 +36,7 @@ record FieldTable(MessageType type, String list) implements Table {
     @Override
     public List<Map<String, String>> rows(Map<String, Object> message) {
         var rows = new ArrayList<Map<String, String>>();
-        for (Map<String, Object> element : elements(message, list)) {
+        for (Map<String, Object> element : elements(message)) {
             var cells = new HashMap<String, String>();
             cells(message, "", list, cells);
             cells(element, list + ".", "", cells);
@@ -39,13 +45,11 @@ record FieldTable(MessageType type, String list) implements Table {
         return rows;
     }
 
-    private static List<Map<String, Object>> elements(Map<String, Object> message, String list) {
-        if (list.isEmpty()) {
-            return List.of(Map.of());
-        }
-        return message.get(list) instanceof List<?> all
-                ? all.stream().map(FieldTable::fields).toList()
-                : List.of();
+    private List<Map<String, Object>> elements(Map<String, Object> message) {
+        List<?> all = message.get(list) instanceof List<?> many ? many : List.of();
+        boolean isOne = list.isEmpty()
+                || all.isEmpty() && ReadingType.named(type.name()).isPresent();
+        return isOne ? List.of(Map.of()) : all.stream().map(FieldTable::fields).toList();
     }
 
     private static void columns(MessageType type, String path, String list, List<String> columns) {
@@ -80,9 +84,12 @@ record FieldTable(MessageType type, String list) implements Table {
 
     /// Of a list: pairs as `key=value`.
     private static String cell(Object value) {
-        return value instanceof Map<?, ?> pair && pair.containsKey("key")
-                ? pair.get("key") + "=" + pair.get("value")
-                : value.toString();
+        if (!(value instanceof Map<?, ?> map)) {
+            return value.toString();
+        }
+        return map.containsKey("key")
+                ? map.get("key") + "=" + map.get("value")
+                : map.values().stream().map(FieldTable::cell).collect(Collectors.joining(":"));
     }
 
     private static Map<String, Object> fields(Object message) {

@@ -1,7 +1,10 @@
 package rsal.recording;
 
+import rsal.data.Pose2d;
+import rsal.data.Twist2d;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
+import rsal.recording.proto.ProtoWriter;
 
 /// Our own kinds of messages, for what Foxglove has none for. Units and meanings are in `docs/reference/recordings.md`.
 final class Own {
@@ -83,7 +86,8 @@ final class Own {
             .with(4, "driver", Kind.STRING)
             .with(5, "type", Kind.STRING)
             .with(6, "health", Kind.STRING)
-            .with(7, "reason", Kind.STRING);
+            .with(7, "reason", Kind.STRING)
+            .with(8, "topic", Kind.STRING);
     static final MessageType RANGES = MessageType.named("rsal.Ranges")
             .with(1, "timestamp", Foxglove.TIMESTAMP)
             .with(2, "frame_id", Kind.STRING)
@@ -137,5 +141,103 @@ final class Own {
             .withMany(3, "beliefs", Foxglove.KEY_VALUE)
             .withMany(4, "goals", GOAL);
 
+    // what devices tell: see ReadingType
+
+    static final MessageType TWIST = MessageType.named("rsal.Twist")
+            .with(1, "vx", Kind.DOUBLE)
+            .with(2, "vy", Kind.DOUBLE)
+            .with(3, "omega", Kind.DOUBLE);
+    static final MessageType ACTUATOR_STATE = reading("rsal.ActuatorState")
+            .with(3, "joint", Kind.STRING)
+            .with(4, "position", Kind.DOUBLE)
+            .with(5, "speed", Kind.DOUBLE)
+            .with(6, "least", Kind.DOUBLE)
+            .with(7, "most", Kind.DOUBLE)
+            .with(8, "motion", Kind.STRING);
+    static final MessageType BATTERY_STATE = reading("rsal.BatteryState")
+            .with(3, "charge", Kind.DOUBLE)
+            .with(4, "capacity", Kind.DOUBLE)
+            .with(5, "level", Kind.DOUBLE)
+            .with(6, "power", Kind.DOUBLE)
+            .with(7, "voltage", Kind.DOUBLE)
+            .with(8, "charging", Kind.STRING);
+    static final MessageType BLOB = MessageType.named("rsal.Blob")
+            .with(1, "color", Kind.STRING)
+            .with(2, "left", Kind.INT64)
+            .with(3, "top", Kind.INT64)
+            .with(4, "right", Kind.INT64)
+            .with(5, "bottom", Kind.INT64)
+            .with(6, "x", Kind.DOUBLE)
+            .with(7, "y", Kind.DOUBLE)
+            .with(8, "area", Kind.INT64)
+            .with(9, "range", Kind.DOUBLE);
+    static final MessageType BLOBS = reading("rsal.Blobs")
+            .with(3, "pose", POSE)
+            .with(4, "width", Kind.INT64)
+            .with(5, "height", Kind.INT64)
+            .with(6, "field_of_view", Kind.DOUBLE)
+            .withMany(7, "blobs", BLOB);
+    static final MessageType BUMPER =
+            MessageType.named("rsal.Bumper").with(1, "pose", POSE).with(2, "pressed", Kind.BOOL);
+    static final MessageType BUMPER_STATE = reading("rsal.BumperState").withMany(3, "bumpers", BUMPER);
+    static final MessageType OPINION = MessageType.named("rsal.Opinion")
+            .with(1, "layer", Kind.STRING)
+            .with(2, "twist", TWIST)
+            .with(3, "state", Kind.STRING);
+    static final MessageType DECISION = reading("rsal.Decision")
+            .with(3, "twist", TWIST)
+            .with(4, "in_charge", Kind.STRING)
+            .withMany(5, "opinions", OPINION);
+    static final MessageType FIDUCIAL = MessageType.named("rsal.Fiducial")
+            .with(1, "has_id", Kind.BOOL)
+            .with(2, "id", Kind.INT64)
+            .with(3, "pose", POSE);
+    static final MessageType FIDUCIALS = reading("rsal.Fiducials")
+            .with(3, "pose", POSE)
+            .with(4, "field_of_view", Kind.DOUBLE)
+            .with(5, "range_max", Kind.DOUBLE)
+            .withMany(6, "fiducials", FIDUCIAL);
+    static final MessageType GRIPPER_STATE = reading("rsal.GripperState")
+            .with(3, "paddles", Kind.STRING)
+            .with(4, "closed", Kind.DOUBLE)
+            .with(5, "lift", Kind.STRING)
+            .with(6, "raised", Kind.DOUBLE)
+            .with(7, "inner_beam_broken", Kind.BOOL)
+            .with(8, "outer_beam_broken", Kind.BOOL)
+            .with(9, "left_contact", Kind.BOOL)
+            .with(10, "right_contact", Kind.BOOL)
+            .with(11, "holding", Kind.BOOL);
+    static final MessageType LIGHT_STATE = reading("rsal.LightState")
+            .with(3, "color", Kind.STRING)
+            .with(4, "period", Kind.DOUBLE)
+            .with(5, "duty_cycle", Kind.DOUBLE)
+            .with(6, "lit", Kind.BOOL);
+    static final MessageType NAVIGATOR_STATE = reading("rsal.NavigatorState")
+            .with(3, "goal", POSE)
+            .with(4, "remaining", Kind.DOUBLE)
+            .with(5, "paused", Kind.BOOL);
+
     private Own() {}
+
+    private static MessageType reading(String name) {
+        return MessageType.named(name).with(1, "timestamp", Foxglove.TIMESTAMP).with(2, "frame_id", Kind.STRING);
+    }
+
+    /// Writes a [#POSE].
+    static void pose(ProtoWriter out, int field, Pose2d pose) {
+        int begun = out.begin(field);
+        out.number(1, pose.x());
+        out.number(2, pose.y());
+        out.number(3, pose.theta());
+        out.end(begun);
+    }
+
+    /// Writes a [#TWIST].
+    static void twist(ProtoWriter out, int field, Twist2d twist) {
+        int begun = out.begin(field);
+        out.number(1, twist.vx());
+        out.number(2, twist.vy());
+        out.number(3, twist.omega());
+        out.end(begun);
+    }
 }

@@ -19,11 +19,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import rsal.agent.bdi.Mind;
+import rsal.data.Stamped;
 import rsal.recording.mcap.Channel;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.MindChange;
+import rsal.scenario.run.Reading;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Said;
@@ -57,6 +59,7 @@ public final class Playback implements Closeable {
     private final Recording recording;
     private final RunPlan plan;
     private final Decoder decoder;
+    private final Decoder aside; // of what is asked besides what is shown
     private final long start; // of the run, on its own clock, in ns
     private final List<RunEvent> events = new ArrayList<>();
     private final Map<String, List<MindChange>> changes = new HashMap<>(); // by topic and agent
@@ -73,7 +76,8 @@ public final class Playback implements Closeable {
         this.recording = recording;
         this.plan = plan;
         this.start = start;
-        this.decoder = new Decoder(plan, clock(Duration.ZERO));
+        this.decoder = new Decoder(plan, Instant.EPOCH.plusNanos(start));
+        this.aside = decoder.another();
     }
 
     /// Reads a recording through.
@@ -86,6 +90,7 @@ public final class Playback implements Closeable {
         long start = plan.clock() == RunPlan.Clock.SIMULATED ? 0 : started(recording);
         var playback = new Playback(recording, plan, start);
         recording.file().channels().forEach(playback::limits);
+        recording.file().channels().forEach(playback::reads);
         playback.readThrough();
         playback.newest.clear();
         return playback;
@@ -108,6 +113,14 @@ public final class Playback implements Closeable {
                     number(channel, "range_min"),
                     number(channel, "range_max"));
         }
+    }
+
+    private void reads(Channel channel) {
+        recording
+                .file()
+                .schema(channel)
+                .flatMap(schema -> ReadingType.named(schema.name()))
+                .ifPresent(type -> decoder.reads(channel.topic(), type));
     }
 
     private static double number(Channel channel, String name) {
@@ -291,11 +304,6 @@ public final class Playback implements Closeable {
         return Duration.ofNanos(logTime - start);
     }
 
-    /// What the run's clock showed at a time since its start.
-    public Instant clock(Duration time) {
-        return Instant.EPOCH.plusNanos(start).plus(time);
-    }
-
     /// What an agent came to believe and want until then, oldest first: as its mind was recorded, once a second, else
     /// what it showed of itself. Of the first 100,000 changes of all agents.
     public List<MindChange> changes(Duration until, String agent) {
@@ -324,6 +332,94 @@ public final class Playback implements Closeable {
         return all;
     }
 
+    /// What a device had told last.
+    ///
+    /// @param time since the run's start, when a state was recorded
+    /// @param value empty when it had told nothing, or its robot was gone
+    public record Told(Duration time, Optional<Stamped<?>> value) {}
+
+    /// What a device of a robot had told last, at the times within some when states were recorded, oldest first. What
+    /// it takes long for holds up who wants to see something.
+    ///
+    /// @param from which does not belong to it
+    /// @param spacing between them, at least
+    public synchronized List<Told> told(String robot, String device, Duration from, Duration until, Duration spacing)
+            throws IOException {
+        int next = count == 0 ? 0 : firstAfter(log(from));
+        int end = count == 0 ? 0 : firstAfter(log(until));
+        var all = new ArrayList<Told>();
+        if (next < end) {
+            var telling = new Telling(
+                    robot,
+                    device,
+                    next,
+                    end,
+                    spacing.toNanos(),
+                    held(states[next]).copy(),
+                    all);
+            recording
+                    .file()
+                    .read(
+                            states[next] + 1,
+                            states[end - 1],
+                            channel -> isAbout(channel.topic(), robot),
+                            (channel, _, logTime, publishTime, data) -> {
+                                telling.passTo(logTime);
+                                take(telling.held, channel, publishTime, data);
+                            });
+            telling.passTo(Long.MAX_VALUE);
+        }
+        return all;
+    }
+
+    /// Goes through states in their order: each is as it was when all that was recorded with it is there.
+    private final class Telling {
+        private final String robot;
+        private final String device;
+        private final int end;
+        private final long spacing;
+        private final Held held;
+        private final List<Told> told;
+        private int next; // which state
+        private long last = Long.MIN_VALUE / 2; // log time of the one that was told
+
+        Telling(String robot, String device, int next, int end, long spacing, Held held, List<Told> told) {
+            this.robot = robot;
+            this.device = device;
+            this.next = next;
+            this.end = end;
+            this.spacing = spacing;
+            this.held = held;
+            this.told = told;
+        }
+
+        /// Before what was recorded then.
+        void passTo(long logTime) {
+            for (; next < end && states[next] < logTime; next++) {
+                if (states[next] - last >= spacing) {
+                    last = states[next];
+                    Duration time = sinceStart(last);
+                    Optional<Stamped<?>> value = aside.readings(held, time, robot).stream()
+                            .filter(reading -> reading.device().equals(device))
+                            .<Stamped<?>>map(Reading::value)
+                            .findFirst();
+                    told.add(new Told(time, value));
+                }
+            }
+        }
+    }
+
+    /// Whether what devices of a robot told is, or depends on, what a topic is of.
+    private static boolean isAbout(String topic, String robot) {
+        return switch (topic) {
+            case Topics.STATE, Topics.DEVICES -> true;
+            default ->
+                topic.startsWith(Topics.of(robot, ""))
+                        && !topic.equals(Topics.of(robot, Topics.PARTICLES))
+                        && !topic.equals(Topics.of(robot, Topics.PATH));
+        };
+    }
+
     /// What happened, oldest first, numbered from 1.
     public List<RunEvent> events() {
         return Collections.unmodifiableList(events);
@@ -332,6 +428,12 @@ public final class Playback implements Closeable {
     /// When a state was recorded, so many states after the last that was by a time, or before it.
     public synchronized Duration states(Duration time, int after) {
         return count == 0 ? Duration.ZERO : sinceStart(states[Math.clamp((long) newest(time) + after, 0, count - 1)]);
+    }
+
+    /// Number of the first state after that; of all when there is none.
+    private int firstAfter(long logTime) {
+        int found = Arrays.binarySearch(states, 0, count, logTime);
+        return found >= 0 ? found + 1 : -found - 1;
     }
 
     /// Number of the newest state by then; of the first when there was none yet.

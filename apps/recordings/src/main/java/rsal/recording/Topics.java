@@ -16,6 +16,7 @@ final class Topics {
     static final String MAP = "map";
     static final String PATH = "path";
     static final String ESTIMATE = "estimate";
+    static final String DEVICE = "device/";
 
     private Topics() {}
 

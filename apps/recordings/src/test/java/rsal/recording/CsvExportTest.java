@@ -71,6 +71,21 @@ class CsvExportTest {
     }
 
     @Test
+    void whatDevicesToldHasATableForEachOfThem() throws Exception {
+        List<Map<String, String>> grippers = table("collector-1.device.gripper.csv");
+        assertThat(grippers).hasSizeGreaterThan(100).allSatisfy(row -> {
+            assertThat(row.get("paddles")).isIn("OPEN", "OPENING");
+            assertThat(row.get("holding")).isEqualTo("false");
+        });
+        assertThat(table("explorer-1.device.navigator.csv"))
+                .anySatisfy(row -> assertThat(row.get("goal.x")).isNotEmpty());
+        assertThat(table("explorer-1.device.camera.csv"))
+                .anySatisfy(row -> assertThat(row.get("blobs.color")).isEmpty())
+                .anySatisfy(row -> assertThat(row.get("blobs.color")).startsWith("#"));
+        assertThat(table("explorer-1.device.pilot.csv").getFirst()).containsKeys("twist.vx", "in_charge", "opinions");
+    }
+
+    @Test
     void theWorldsMapIsWrittenAsRosReadsIt() throws Exception {
         OccupancyGrid told = Recorded.plan(SCENARIO, 1, 20).map();
         OccupancyGrid read = new Maps(FileSource.folder(folder)).read("map.yaml", Location.of("test"));

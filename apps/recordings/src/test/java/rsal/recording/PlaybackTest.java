@@ -8,19 +8,29 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.agent.bdi.Mind;
+import rsal.behavior.Decision;
+import rsal.data.Blobs;
+import rsal.data.GripperState;
+import rsal.data.LaserScan;
 import rsal.data.Pose2d;
+import rsal.data.Stamped;
+import rsal.recording.Playback.Told;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.NavigatorState;
+import rsal.scenario.run.Reading;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Said;
@@ -75,6 +85,105 @@ class PlaybackTest {
                 }
             }
         }
+    }
+
+    @Test
+    void whatDevicesToldIsToldAgain() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        Seen seen = record(Recorded.plan("find-and-collect", 7, 40), file);
+        var kinds = new HashSet<Class<?>>();
+        try (Playback playback = open(file)) {
+            for (Snapshot then : seen.snapshots) {
+                Snapshot now = playback.at(then.time());
+                for (int i = 0; i < then.robots().size(); i++) {
+                    List<Reading> told = then.robots().get(i).readings();
+                    List<Reading> read = now.robots().get(i).readings();
+                    assertThat(read)
+                            .extracting(Reading::device)
+                            .isEqualTo(told.stream().map(Reading::device).toList());
+                    assertThat(ofOwnTopics(read)).isEqualTo(ofOwnTopics(told));
+                    told.forEach(reading -> kinds.add(reading.value().value().getClass()));
+                }
+            }
+        }
+        assertThat(kinds)
+                .contains(Blobs.class, Decision.class, GripperState.class, NavigatorState.class, LaserScan.class);
+    }
+
+    private static List<Reading> ofOwnTopics(List<Reading> readings) {
+        return readings.stream()
+                .filter(reading -> ReadingType.of(reading.value().value()).isPresent())
+                .toList();
+    }
+
+    /// From wherever one begins, and whatever else is looked at.
+    @Test
+    void whatADeviceToldInATimeIsWhatItToldAtEachMoment() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        record(Recorded.plan("find-and-collect", 7, 12), file);
+        var from = Duration.ofMillis(7_300);
+        var until = Duration.ofMillis(9_650);
+        try (Playback playback = open(file)) {
+            String robot = "collector-1";
+            playback.at(Duration.ofSeconds(11));
+            for (String device : List.of("base", "laser", "localizer", "gripper", "navigator", "pilot", "nothing")) {
+                List<Told> told = playback.told(robot, device, from, until, Duration.ZERO);
+                assertThat(told).extracting(Told::time).hasSize(23).isSorted();
+                assertThat(told.getFirst().time()).isEqualTo(Duration.ofMillis(7_400));
+                assertThat(told.getLast().time()).isEqualTo(Duration.ofMillis(9_600));
+                for (Told one : told) {
+                    assertThat(one.value())
+                            .usingRecursiveComparison()
+                            .as("%s at %s", device, one.time())
+                            .isEqualTo(value(playback.at(one.time()), robot, device));
+                }
+            }
+            assertThat(playback.told(robot, "laser", from, until, Duration.ofSeconds(1)))
+                    .extracting(Told::time)
+                    .containsExactly(Duration.ofMillis(7_400), Duration.ofMillis(8_400), Duration.ofMillis(9_400));
+            assertThat(playback.told(robot, "laser", until, from, Duration.ZERO))
+                    .isEmpty();
+            assertThat(playback.told("nobody", "laser", from, until, Duration.ZERO))
+                    .allMatch(one -> one.value().isEmpty());
+            assertThat(playback.told(robot, "laser", Duration.ofSeconds(-9), Duration.ofDays(1), Duration.ZERO))
+                    .hasSize(120);
+        }
+    }
+
+    private static Optional<Stamped<?>> value(Snapshot snapshot, String robot, String device) {
+        return snapshot.robots().stream()
+                .filter(one -> one.id().equals(robot))
+                .flatMap(one -> one.readings().stream())
+                .filter(reading -> reading.device().equals(device))
+                .<Stamped<?>>map(Reading::value)
+                .findFirst();
+    }
+
+    /// One that a fault took away says nothing, here as there.
+    @Test
+    void whatDevicesOfARobotThatIsGoneToldIsNotToldOn() throws Exception {
+        Path scenario = Files.writeString(folder.resolve("own.yaml"), """
+                rsal: 1
+                scenario: own
+                world: {map: office}
+                robots: {guard: {model: pioneer2dx, pose: [0, -1, 0], devices: {laser: urg04lx, pilot: {}}}}
+                agents: {walk: {type: wander, robot: guard}}
+                faults: [{kind: gone, robots: guard, at: 3, for: 2}]
+                run: {stop: [{when: time > 8, outcome: success}]}
+                """);
+        Path file = folder.resolve("run.mcap");
+        record(Recorded.plan(scenario.toString(), 1, 20), file);
+        try (Playback playback = open(file)) {
+            assertThat(told(playback, 2)).contains("base", "laser", "pilot");
+            assertThat(told(playback, 4)).isEmpty();
+            assertThat(told(playback, 7)).contains("base", "laser", "pilot");
+        }
+    }
+
+    private static List<String> told(Playback playback, int second) throws IOException {
+        return playback.at(Duration.ofSeconds(second)).robots().getFirst().readings().stream()
+                .map(Reading::device)
+                .toList();
     }
 
     @Test

@@ -99,7 +99,7 @@ final class ReplayApi {
                 .findFirst()
                 .orElseThrow(
                         () -> new Refusal(404, "No robot (%s) was there then.".formatted(Refusal.shortened(robot))));
-        return new Answer.Read(then.time(), RecordedReadings.of(view, playback.clock(then.time())));
+        return new Answer.Read(then.time(), view.readings());
     }
 
     /// What was said shortly before, but for what is among the events.

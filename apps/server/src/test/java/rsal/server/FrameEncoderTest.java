@@ -143,6 +143,7 @@ class FrameEncoderTest {
                 false,
                 List.of(),
                 Optional.empty(),
+                List.of(),
                 List.of());
         byte[] frame = encode(List.of(robot));
         ByteBuffer bytes = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
@@ -231,6 +232,7 @@ class FrameEncoderTest {
                 true,
                 List.of(),
                 Optional.empty(),
+                List.of(),
                 List.of());
     }
 
@@ -284,6 +286,7 @@ class FrameEncoderTest {
                 false,
                 List.of(),
                 Optional.empty(),
+                List.of(),
                 List.of());
     }
 

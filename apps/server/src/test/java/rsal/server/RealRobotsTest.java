@@ -44,6 +44,7 @@ class RealRobotsTest {
                 false,
                 List.of(),
                 real,
+                List.of(),
                 List.of());
         return new Snapshot(
                 1,

@@ -33,6 +33,7 @@ import rsal.device.SimulationControl.Carried;
 /// @param lit whether its light shines
 /// @param carried what of it its actuators have carried elsewhere; pieces by their numbers in [Teammate#body]
 /// @param real what there is to say of one that is not simulated; else empty
+/// @param readings what its devices have told last, in their order; as [LiveRun#readings] has it
 public record RobotView(
         String id,
         String role,
@@ -57,10 +58,12 @@ public record RobotView(
         boolean lit,
         List<Carried> carried,
         Optional<Real> real,
-        List<DeviceView> devices) {
+        List<DeviceView> devices,
+        List<Reading> readings) {
     public RobotView {
         carried = List.copyOf(carried);
         devices = List.copyOf(devices);
+        readings = List.copyOf(readings);
     }
 
     /// A robot of a system that does not simulate.

@@ -49,11 +49,14 @@ final class RobotViews {
 
     /// What its devices have told last, where it is now.
     List<Reading> readings(Robot robot) {
-        String id = robot.id();
+        return readings(robot.id(), devices(robot, team.controls(robot.id())));
+    }
+
+    private List<Reading> readings(String id, List<Device> devices) {
         if (faults.isGone(id) || world.lacks(id)) {
             return List.of();
         }
-        return devices(robot, team.controls(id)).stream()
+        return devices.stream()
                 .flatMap(device -> reading(device).stream())
                 .filter(reading -> world.placements().isOfHere(id, reading.value()))
                 .toList();
@@ -94,6 +97,7 @@ final class RobotViews {
                 .filter(spare -> spare.goal().isPresent())
                 .or(() -> robot.find(Navigator.class))
                 .filter(_ -> there);
+        List<Device> devices = devices(robot, told);
         return new RobotView(
                 id,
                 robot.role(),
@@ -130,7 +134,8 @@ final class RobotViews {
                         .isPresent(),
                 there ? world.carried(id) : List.of(),
                 world.isSimulated(id) ? Optional.empty() : Optional.of(real(robot)),
-                devices(robot, told).stream().map(DeviceView::of).toList());
+                devices.stream().map(DeviceView::of).toList(),
+                readings(id, devices));
     }
 
     private RobotView.Real real(Robot robot) {

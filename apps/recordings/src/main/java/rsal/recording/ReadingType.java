@@ -1,0 +1,287 @@
+package rsal.recording;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.BiConsumer;
+import java.util.function.Function;
+import rsal.behavior.Decision;
+import rsal.behavior.Decision.Opinion;
+import rsal.data.ActuatorState;
+import rsal.data.BatteryState;
+import rsal.data.Blobs;
+import rsal.data.Blobs.Blob;
+import rsal.data.BumperState;
+import rsal.data.Fiducials;
+import rsal.data.Fiducials.Fiducial;
+import rsal.data.GripperState;
+import rsal.data.Interval;
+import rsal.data.LightState;
+import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.recording.proto.MessageType;
+import rsal.recording.proto.ProtoWriter;
+import rsal.scenario.run.NavigatorState;
+
+/// How what a device tells is written and read again, where Foxglove has no kind of message for it. Names of fields and
+/// their meanings are those of the records.
+///
+/// @param told what the device tells
+/// @param message which has a timestamp, a frame, and its own fields from 3 on
+/// @param writer of these
+/// @param reader of these
+record ReadingType<T>(
+        Class<T> told, MessageType message, BiConsumer<ProtoWriter, T> writer, Function<Fields, T> reader) {
+    private static final ReadingType<ActuatorState> ACTUATOR =
+            new ReadingType<>(ActuatorState.class, Own.ACTUATOR_STATE, ReadingType::write, ReadingType::actuator);
+    private static final ReadingType<BatteryState> BATTERY =
+            new ReadingType<>(BatteryState.class, Own.BATTERY_STATE, ReadingType::write, ReadingType::battery);
+    private static final ReadingType<Blobs> BLOBS =
+            new ReadingType<>(Blobs.class, Own.BLOBS, ReadingType::write, ReadingType::blobs);
+    private static final ReadingType<BumperState> BUMPERS =
+            new ReadingType<>(BumperState.class, Own.BUMPER_STATE, ReadingType::write, ReadingType::bumpers);
+    private static final ReadingType<Decision> DECISION =
+            new ReadingType<>(Decision.class, Own.DECISION, ReadingType::write, ReadingType::decision);
+    private static final ReadingType<Fiducials> FIDUCIALS =
+            new ReadingType<>(Fiducials.class, Own.FIDUCIALS, ReadingType::write, ReadingType::fiducials);
+    private static final ReadingType<GripperState> GRIPPER =
+            new ReadingType<>(GripperState.class, Own.GRIPPER_STATE, ReadingType::write, ReadingType::gripper);
+    private static final ReadingType<LightState> LIGHT =
+            new ReadingType<>(LightState.class, Own.LIGHT_STATE, ReadingType::write, ReadingType::light);
+    private static final ReadingType<NavigatorState> NAVIGATOR =
+            new ReadingType<>(NavigatorState.class, Own.NAVIGATOR_STATE, ReadingType::write, ReadingType::navigator);
+
+    /// All there are.
+    static final List<ReadingType<?>> ALL =
+            List.of(ACTUATOR, BATTERY, BLOBS, BUMPERS, DECISION, FIDUCIALS, GRIPPER, LIGHT, NAVIGATOR);
+
+    /// Of what a device tells; empty when nobody thought of that here.
+    static Optional<ReadingType<?>> of(Object value) {
+        for (ReadingType<?> type : ALL) { // for each reading of a run: no stream
+            if (type.told.isInstance(value)) {
+                return Optional.of(type);
+            }
+        }
+        return Optional.empty();
+    }
+
+    /// @param schema name of a kind of messages
+    static Optional<ReadingType<?>> named(String schema) {
+        return ALL.stream().filter(type -> type.message.name().equals(schema)).findFirst();
+    }
+
+    void write(ProtoWriter out, Object value) {
+        writer.accept(out, told.cast(value));
+    }
+
+    /// @throws IllegalArgumentException when no device tells that
+    Stamped<T> read(Fields fields, Instant taken) {
+        return new Stamped<>(taken, fields.text("frame_id"), reader.apply(fields));
+    }
+
+    private static void write(ProtoWriter out, ActuatorState state) {
+        out.string(3, state.joint().name());
+        out.number(4, state.position());
+        out.number(5, state.speed());
+        out.number(6, state.limits().least());
+        out.number(7, state.limits().most());
+        out.string(8, state.motion().name());
+    }
+
+    private static ActuatorState actuator(Fields fields) {
+        return new ActuatorState(
+                ActuatorState.Joint.valueOf(fields.text("joint")),
+                fields.number("position"),
+                fields.number("speed"),
+                new Interval(fields.number("least"), fields.number("most")),
+                ActuatorState.Motion.valueOf(fields.text("motion")));
+    }
+
+    private static void write(ProtoWriter out, BatteryState state) {
+        out.number(3, state.charge());
+        out.number(4, state.capacity());
+        out.number(5, state.level());
+        out.number(6, state.power());
+        out.number(7, state.voltage());
+        out.string(8, state.charging().name());
+    }
+
+    private static BatteryState battery(Fields fields) {
+        return new BatteryState(
+                fields.number("charge"),
+                fields.number("capacity"),
+                fields.number("level"),
+                fields.number("power"),
+                fields.number("voltage"),
+                BatteryState.Charging.valueOf(fields.text("charging")));
+    }
+
+    private static void write(ProtoWriter out, Blobs seen) {
+        Own.pose(out, 3, seen.baseFromCamera());
+        out.varint(4, seen.width());
+        out.varint(5, seen.height());
+        out.number(6, seen.fieldOfView());
+        for (Blob blob : seen.blobs()) {
+            int begun = out.begin(7);
+            out.string(1, blob.color().toString());
+            out.varint(2, blob.left());
+            out.varint(3, blob.top());
+            out.varint(4, blob.right());
+            out.varint(5, blob.bottom());
+            out.number(6, blob.x());
+            out.number(7, blob.y());
+            out.varint(8, blob.area());
+            out.number(9, blob.range());
+            out.end(begun);
+        }
+    }
+
+    private static Blobs blobs(Fields fields) {
+        return new Blobs(
+                mounted(fields),
+                (int) fields.count("width"),
+                (int) fields.count("height"),
+                fields.number("field_of_view"),
+                fields.all("blobs").stream()
+                        .map(blob -> new Blob(
+                                color(blob),
+                                (int) blob.count("left"),
+                                (int) blob.count("top"),
+                                (int) blob.count("right"),
+                                (int) blob.count("bottom"),
+                                blob.number("x"),
+                                blob.number("y"),
+                                (int) blob.count("area"),
+                                blob.number("range")))
+                        .toList());
+    }
+
+    private static void write(ProtoWriter out, BumperState state) {
+        for (int i = 0; i < state.pressed().size(); i++) {
+            int begun = out.begin(3);
+            Own.pose(out, 1, state.baseFromBumpers().get(i));
+            out.bool(2, state.pressed().get(i));
+            out.end(begun);
+        }
+    }
+
+    private static BumperState bumpers(Fields fields) {
+        List<Fields> bumpers = fields.all("bumpers");
+        return new BumperState(
+                bumpers.stream().map(ReadingType::mounted).toList(),
+                bumpers.stream().map(bumper -> bumper.flag("pressed")).toList());
+    }
+
+    private static void write(ProtoWriter out, Decision decision) {
+        Own.twist(out, 3, decision.twist());
+        out.string(4, decision.inCharge());
+        for (Opinion opinion : decision.opinions()) {
+            int begun = out.begin(5);
+            out.string(1, opinion.layer());
+            Own.twist(out, 2, opinion.twist());
+            out.string(3, opinion.state());
+            out.end(begun);
+        }
+    }
+
+    private static Decision decision(Fields fields) {
+        return new Decision(
+                twist(fields),
+                fields.text("in_charge"),
+                fields.all("opinions").stream()
+                        .map(opinion -> new Opinion(opinion.text("layer"), twist(opinion), opinion.text("state")))
+                        .toList());
+    }
+
+    private static void write(ProtoWriter out, Fiducials seen) {
+        Own.pose(out, 3, seen.baseFromFinder());
+        out.number(4, seen.fieldOfView());
+        out.number(5, seen.rangeMax());
+        for (Fiducial marker : seen.fiducials()) {
+            int begun = out.begin(6);
+            out.bool(1, marker.id().isPresent());
+            out.varint(2, marker.id().orElse(0));
+            Own.pose(out, 3, marker.baseFromFiducial());
+            out.end(begun);
+        }
+    }
+
+    private static Fiducials fiducials(Fields fields) {
+        return new Fiducials(
+                mounted(fields),
+                fields.number("field_of_view"),
+                fields.number("range_max"),
+                fields.all("fiducials").stream()
+                        .map(marker -> new Fiducial(
+                                marker.flag("has_id") ? OptionalInt.of((int) marker.count("id")) : OptionalInt.empty(),
+                                mounted(marker)))
+                        .toList());
+    }
+
+    private static void write(ProtoWriter out, GripperState state) {
+        out.string(3, state.paddles().name());
+        out.number(4, state.closed());
+        out.string(5, state.lift().name());
+        out.number(6, state.raised());
+        out.bool(7, state.innerBeamBroken());
+        out.bool(8, state.outerBeamBroken());
+        out.bool(9, state.leftContact());
+        out.bool(10, state.rightContact());
+        out.bool(11, state.holding());
+    }
+
+    private static GripperState gripper(Fields fields) {
+        return new GripperState(
+                GripperState.Paddles.valueOf(fields.text("paddles")),
+                fields.number("closed"),
+                GripperState.Lift.valueOf(fields.text("lift")),
+                fields.number("raised"),
+                fields.flag("inner_beam_broken"),
+                fields.flag("outer_beam_broken"),
+                fields.flag("left_contact"),
+                fields.flag("right_contact"),
+                fields.flag("holding"));
+    }
+
+    private static void write(ProtoWriter out, LightState state) {
+        out.string(3, state.color().toString());
+        out.number(4, state.signal().period().toNanos() / 1e9);
+        out.number(5, state.signal().dutyCycle());
+        out.bool(6, state.lit());
+    }
+
+    private static LightState light(Fields fields) {
+        var period = Duration.ofNanos(Math.round(fields.number("period") * 1e9));
+        return new LightState(
+                color(fields), new LightState.Signal(period, fields.number("duty_cycle")), fields.flag("lit"));
+    }
+
+    private static void write(ProtoWriter out, NavigatorState state) {
+        state.mapFromGoal().ifPresent(goal -> Own.pose(out, 3, goal));
+        out.number(4, state.remaining());
+        out.bool(5, state.paused());
+    }
+
+    private static NavigatorState navigator(Fields fields) {
+        return new NavigatorState(fields.pose("goal"), fields.number("remaining"), fields.flag("paused"));
+    }
+
+    /// Where something is on the base.
+    private static Pose2d mounted(Fields fields) {
+        return fields.pose("pose").orElse(Pose2d.ORIGIN);
+    }
+
+    private static Twist2d twist(Fields fields) {
+        return fields.within("twist")
+                .map(twist -> new Twist2d(twist.number("vx"), twist.number("vy"), twist.number("omega")))
+                .orElse(Twist2d.STOP);
+    }
+
+    private static Rgb color(Fields fields) {
+        return Rgb.parse(fields.text("color")).orElseThrow(() -> new IllegalArgumentException("A color is #rrggbb."));
+    }
+}

@@ -1,0 +1,125 @@
+package rsal.recording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rsal.behavior.Decision;
+import rsal.behavior.Decision.Opinion;
+import rsal.data.ActuatorState;
+import rsal.data.BatteryState;
+import rsal.data.Blobs;
+import rsal.data.Blobs.Blob;
+import rsal.data.BumperState;
+import rsal.data.Fiducials;
+import rsal.data.Fiducials.Fiducial;
+import rsal.data.GripperState;
+import rsal.data.Interval;
+import rsal.data.LightState;
+import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.recording.mcap.ByteSink;
+import rsal.recording.proto.ProtoWriter;
+import rsal.scenario.run.NavigatorState;
+
+class ReadingTypeTest {
+    private static final Pose2d POSE = new Pose2d(1.5, -2, 0.25);
+    private static final Twist2d TWIST = new Twist2d(0.5, 0, -0.25);
+
+    /// With much that is 0, empty or unknown, which messages leave out.
+    static List<Record> values() {
+        return List.of(
+                new ActuatorState(
+                        ActuatorState.Joint.ROTATIONAL, 0, -0.5, Interval.around0(1), ActuatorState.Motion.MOVING),
+                BatteryState.of(20, Double.POSITIVE_INFINITY, -3, BatteryState.Charging.DISCHARGING),
+                new Blobs(POSE, 80, 60, 1.25, List.of()),
+                new Blobs(
+                        Pose2d.ORIGIN,
+                        80,
+                        60,
+                        1.25,
+                        List.of(
+                                new Blob(new Rgb(255, 0, 16), 0, 0, 4, 3, 2, 1.5, 12, 3.5),
+                                new Blob(new Rgb(0, 0, 0), -1, 7, 80, 60, 40, 30, 4000, Double.NaN))),
+                new BumperState(List.of(POSE, Pose2d.ORIGIN), List.of(false, true)),
+                new Decision(
+                        TWIST,
+                        "avoid",
+                        List.of(new Opinion("avoid", TWIST, ""), new Opinion("", Twist2d.STOP, "turns"))),
+                new Decision(Twist2d.STOP, "", List.of()),
+                new Fiducials(
+                        POSE,
+                        1,
+                        5,
+                        List.of(
+                                new Fiducial(OptionalInt.of(0), POSE),
+                                new Fiducial(OptionalInt.empty(), Pose2d.ORIGIN))),
+                new GripperState(
+                        GripperState.Paddles.CLOSING,
+                        Double.NaN,
+                        GripperState.Lift.UP,
+                        1,
+                        true,
+                        false,
+                        true,
+                        false,
+                        true),
+                new GripperState(
+                        GripperState.Paddles.OPEN, 0, GripperState.Lift.DOWN, 0, false, true, false, true, false),
+                new LightState(new Rgb(1, 2, 3), new LightState.Signal(Duration.ofMillis(300), 0.5), true),
+                new NavigatorState(Optional.of(Pose2d.ORIGIN), 3.5, false),
+                new NavigatorState(Optional.empty(), 0, true));
+    }
+
+    @ParameterizedTest
+    @MethodSource("values")
+    void whatIsWrittenIsRead(Record value) throws IOException {
+        ReadingType<?> type = ReadingType.of(value).orElseThrow();
+        var taken = Instant.ofEpochMilli(2500);
+        assertThat(ReadingType.named(type.message().name())).contains(type);
+        assertThat(type.read(written(type, value), taken)).isEqualTo(new Stamped<>(taken, "r1/there", value));
+    }
+
+    @Test
+    void allTypesAreTried() {
+        Set<String> tried = values().stream()
+                .map(value -> ReadingType.of(value).orElseThrow().message().name())
+                .collect(Collectors.toSet());
+        assertThat(ReadingType.ALL).extracting(type -> type.message().name()).hasSameElementsAs(tried);
+    }
+
+    /// A file may be from anywhere.
+    @Test
+    void whatNoDeviceTellsIsRefused() {
+        assertThat(ReadingType.ALL.stream()
+                        .filter(type -> Stream.of("Actuator", "Battery", "Gripper", "Light")
+                                .anyMatch(type.message().name()::contains)))
+                .hasSize(4)
+                .allSatisfy(type -> assertThatThrownBy(() -> type.read(empty(type), Instant.EPOCH))
+                        .isInstanceOf(IllegalArgumentException.class));
+    }
+
+    private static Fields empty(ReadingType<?> type) throws IOException {
+        return Fields.read(type.message(), new ByteSink(1).written());
+    }
+
+    private static Fields written(ReadingType<?> type, Record value) throws IOException {
+        var out = new ProtoWriter(new ByteSink(16));
+        out.string(2, "r1/there");
+        type.write(out, value);
+        return Fields.read(type.message(), out.sink().written());
+    }
+}
