@@ -19,7 +19,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import rsal.agent.bdi.Mind;
-import rsal.data.Stamped;
 import rsal.recording.mcap.Channel;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
@@ -332,65 +331,59 @@ public final class Playback implements Closeable {
         return all;
     }
 
-    /// What a device had told last.
+    /// What devices of a robot had told last.
     ///
     /// @param time since the run's start, when a state was recorded
-    /// @param value empty when it had told nothing, or its robot was gone
-    public record Told(Duration time, Optional<Stamped<?>> value) {}
+    public record Told(Duration time, List<Reading> readings) {
+        public Told {
+            readings = List.copyOf(readings);
+        }
+    }
 
-    /// What a device of a robot had told last, at the times within some when states were recorded, oldest first. What
+    /// What devices of a robot had told last, at the times within some when states were recorded, oldest first. What
     /// it takes long for holds up who wants to see something.
     ///
     /// @param from which does not belong to it
     /// @param spacing between them, at least
-    public synchronized List<Told> told(String robot, String device, Duration from, Duration until, Duration spacing)
+    public synchronized List<Told> told(String robot, Duration from, Duration until, Duration spacing)
             throws IOException {
         int next = count == 0 ? 0 : firstAfter(log(from));
         int end = count == 0 ? 0 : firstAfter(log(until));
-        var all = new ArrayList<Told>();
-        if (next < end) {
-            var telling = new Telling(
-                    robot,
-                    device,
-                    next,
-                    end,
-                    spacing.toNanos(),
-                    held(states[next]).copy(),
-                    all);
-            recording
-                    .file()
-                    .read(
-                            states[next] + 1,
-                            states[end - 1],
-                            channel -> isAbout(channel.topic(), robot),
-                            (channel, _, logTime, publishTime, data) -> {
-                                telling.passTo(logTime);
-                                take(telling.held, channel, publishTime, data);
-                            });
-            telling.passTo(Long.MAX_VALUE);
+        if (next >= end) {
+            return List.of();
         }
-        return all;
+        var telling = new Telling(
+                robot, next, end, spacing.toNanos(), held(states[next]).copy());
+        recording
+                .file()
+                .read(
+                        states[next] + 1,
+                        states[end - 1],
+                        channel -> isAbout(channel.topic(), robot),
+                        (channel, _, logTime, publishTime, data) -> {
+                            telling.passTo(logTime);
+                            take(telling.held, channel, publishTime, data);
+                        });
+        telling.passTo(Long.MAX_VALUE);
+        return telling.told;
     }
 
     /// Goes through states in their order: each is as it was when all that was recorded with it is there.
     private final class Telling {
         private final String robot;
-        private final String device;
         private final int end;
         private final long spacing;
         private final Held held;
-        private final List<Told> told;
+        private final List<Told> told = new ArrayList<>();
         private int next; // which state
         private long last = Long.MIN_VALUE / 2; // log time of the one that was told
 
-        Telling(String robot, String device, int next, int end, long spacing, Held held, List<Told> told) {
+        Telling(String robot, int next, int end, long spacing, Held held) {
             this.robot = robot;
-            this.device = device;
             this.next = next;
             this.end = end;
             this.spacing = spacing;
             this.held = held;
-            this.told = told;
         }
 
         /// Before what was recorded then.
@@ -399,11 +392,7 @@ public final class Playback implements Closeable {
                 if (states[next] - last >= spacing) {
                     last = states[next];
                     Duration time = sinceStart(last);
-                    Optional<Stamped<?>> value = aside.readings(held, time, robot).stream()
-                            .filter(reading -> reading.device().equals(device))
-                            .<Stamped<?>>map(Reading::value)
-                            .findFirst();
-                    told.add(new Told(time, value));
+                    told.add(new Told(time, aside.readings(held, time, robot)));
                 }
             }
         }
@@ -457,12 +446,22 @@ public final class Playback implements Closeable {
         Optional<String> outcome = Optional.of(recording.result())
                 .filter(_ -> state == count - 1)
                 .flatMap(result -> Optional.ofNullable(result.get("outcome")));
-        return decoder.snapshot(held(states[state]), sinceStart(states[state]), outcome);
+        return decoder.snapshot(seen(states[state]), sinceStart(states[state]), outcome);
     }
 
     /// What an agent believed and wanted; empty when it did not show that.
     public synchronized Optional<Mind.View> mind(Duration time, String agent) throws IOException {
-        return count == 0 ? Optional.empty() : decoder.mind(held(states[newest(time)]), agent);
+        return count == 0 ? Optional.empty() : decoder.mind(seen(states[newest(time)]), agent);
+    }
+
+    /// The same, from where a viewer is from now on.
+    private Held seen(long logTime) throws IOException {
+        Held held = held(logTime);
+        recent.put(logTime, held);
+        if (recent.size() > RECENT) {
+            recent.remove(recent.keySet().iterator().next());
+        }
+        return held;
     }
 
     /// The newest of all that was recorded by then.
@@ -491,10 +490,6 @@ public final class Playback implements Closeable {
                         logTime,
                         Playback::isOfUse,
                         (channel, _, _, publishTime, data) -> take(held, channel, publishTime, data));
-        recent.put(logTime, held);
-        if (recent.size() > RECENT) {
-            recent.remove(recent.keySet().iterator().next());
-        }
         return held;
     }
 

@@ -27,6 +27,7 @@ import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Said;
 import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Spoken;
+import rsal.server.Messages.RobotInfo;
 import rsal.server.Messages.RunInfo;
 
 /// What can be asked about a recording over HTTP, as [Api] has it of a run. What asks for a time takes `time` in s of
@@ -40,12 +41,15 @@ final class ReplayApi {
 
     private final Playback playback;
     private final RunInfo run;
+    private final RecordedNumbers numbers;
     private final Gate gate;
     private final Page page;
 
     ReplayApi(Playback playback, RunInfo run, Gate gate, Page page) {
         this.playback = playback;
         this.run = run;
+        this.numbers = new RecordedNumbers(
+                playback, run.robots().stream().map(RobotInfo::id).collect(Collectors.toSet()));
         this.gate = gate;
         this.page = page;
     }
@@ -64,6 +68,17 @@ final class ReplayApi {
                 request -> Api.answer(request, ReadingWords.of(readings(request).readings())));
         routes.get("/api/routine", this::routine);
         routes.get("/api/numbers", request -> Api.answer(request, Numbers.of(readings(request))));
+        routes.get(
+                "/api/numbers/past",
+                request -> Api.answer(
+                        request,
+                        numbers.past(
+                                Api.asked(request, "robot"),
+                                Api.asked(request, "device"),
+                                Api.asked(request, "number"))));
+        routes.get(
+                "/api/blobs",
+                request -> Api.answer(request, CameraViews.of(readings(request).readings())));
         routes.get("/api/*", _ -> {
             throw new Refusal(409, "This was not recorded.");
         });

@@ -4,13 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.server.Messages.PastNumbers;
 import rsal.server.RawHttp.Response;
+import tools.jackson.databind.ObjectMapper;
 
 class ReplayServerTest {
     private static final String TOKEN = "a-token-of-a-test";
@@ -107,6 +110,36 @@ class ReplayServerTest {
         assertThat(get("/api/numbers?robot=hunter-1&time=3").body())
                 .isNotEqualTo(get("/api/numbers?robot=hunter-1&time=4").body())
                 .isEqualTo(get("/api/numbers?robot=hunter-1&time=3").body());
+    }
+
+    @Test
+    void tellsWhatANumberHasBeen() throws Exception {
+        String speed = "/api/numbers/past?robot=hunter-1&device=base&number=velocity.vx";
+        PastNumbers past = pastNumbers(speed);
+        assertThat(past.times()).hasSize(50).isSorted().endsWith(4.9, 5.0);
+        assertThat(past.values().stream().distinct()).hasSizeGreaterThan(5);
+        int at = past.times().indexOf(3.0);
+        assertThat(get("/api/numbers?robot=hunter-1&time=3").body())
+                .contains("\"name\":\"velocity.vx\",\"title\":\"speed ahead\",\"unit\":\"m/s\",\"value\":"
+                        + past.values().get(at).orElseThrow());
+        assertThat(pastNumbers("/api/numbers/past?robot=nobody&device=base&number=velocity.vx")
+                        .times())
+                .isEmpty();
+        assertThat(pastNumbers("/api/numbers/past?robot=hunter-1&device=base&number=nothing")
+                        .values())
+                .hasSize(50)
+                .allMatch(Optional::isEmpty);
+    }
+
+    private PastNumbers pastNumbers(String path) throws Exception {
+        return new ObjectMapper().readValue(get(path).body(), PastNumbers.class);
+    }
+
+    @Test
+    void tellsWhatCamerasMadeOut() throws Exception {
+        server.close();
+        show("find-and-collect", 5);
+        assertThat(get("/api/blobs?robot=explorer-1&time=5").body()).contains("{\"cameras\":[{\"name\":\"camera\"");
     }
 
     @Test
