@@ -290,16 +290,27 @@ export const texts = {
     remove: (name: string) => `Plot ${name} no more`,
     now: 'now',
     end: 'end',
-    before: (seconds: string) => `−${seconds} s`,
+    before: (time: string) => `−${time}`,
+    span: 'How much of the past plots show at most',
+    all: 'all',
+    part: (span: string) => `${span} of it`,
+    zoomIn: 'Show less of the time (the wheel, or drag over what you want to see)',
+    zoomOut: 'Show more of the time (the wheel)',
+    earlier: 'Show what was before (Shift and the wheel)',
+    later: 'Show what was after (Shift and the wheel)',
+    reset: 'Show the newest again, as chosen (a double click)',
+    csv: 'CSV',
+    csvHint: (names: readonly string[]) => `Save all that is kept of ${names.join(' and ')} as CSV`,
+    csvFile: 'plot.csv',
     nothing: 'nothing to plot',
     unknown: 'Of that time nothing is known.',
     option: (title: string, unit: string) => (unit === '' ? title : `${title} [${unit}]`),
     same: (name: string) => `${name}, of other robots`,
     /** @param end what is at the right */
-    at: (seconds: string, end: string, values: string[]) =>
-      `${seconds} s before ${end}: ${values.join(', ')}`,
-    label: (names: string[], least: string, greatest: string, span: number, end: string) =>
-      `${names.join(' and ')} over ${span} s until ${end}: from ${least} to ${greatest}`,
+    ago: (time: string, end: string) => `${time} before ${end}`,
+    at: (when: string, values: string[]) => `${when}: ${values.join(', ')}`,
+    label: (names: string[], least: string, greatest: string, span: string, end: string) =>
+      `${names.join(' and ')} over ${span} until ${end}: from ${least} to ${greatest}`,
   },
   agents: {
     title: 'Agents',

@@ -2,6 +2,7 @@ import { SvelteMap } from 'svelte/reactivity';
 import { api } from '../api/client';
 import { live } from '../live/live.svelte';
 import { Series } from './series';
+import type { View, Window } from './window';
 
 /** What can be plotted: a number of a device of a robot. */
 export interface Plottable {
@@ -27,6 +28,10 @@ class Plots {
   groups = $state.raw<readonly (readonly string[])[]>([]);
   /** Changes when any of them has grown. */
   beat = $state(0);
+  /** How much of the past they show at most [s]. */
+  span = $state(60);
+  /** What they show instead, all of them the same. */
+  view = $state.raw<View | null>(null);
 
   private run = 0;
 
@@ -56,6 +61,7 @@ class Plots {
       return;
     }
     this.run = run;
+    this.view = null;
     [...this.all].forEach(([key, one]) => {
       if (robots.includes(one.robot)) {
         this.all.set(key, { ...one, series: new Series() });
@@ -81,9 +87,13 @@ class Plots {
     this.beat++;
   }
 
-  /** When the newest of them was [s of the run]; −∞ when there is none. */
-  get until(): number {
-    return Math.max(...[...this.all.values()].map(({ series }) => series.until));
+  /** From the oldest to the newest of them; from ∞ to −∞ when there is none. */
+  get known(): Window {
+    const all = [...this.all.values()].map(({ series }) => series);
+    return {
+      from: Math.min(...all.map(({ from }) => from)),
+      until: Math.max(...all.map(({ until }) => until)),
+    };
   }
 }
 

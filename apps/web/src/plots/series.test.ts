@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { rangeOf, Series, spanOf } from './series';
+import { rangeOf, Series } from './series';
 
 function series(...points: [time: number, value: number | null][]): Series {
   const all = new Series();
@@ -8,10 +8,12 @@ function series(...points: [time: number, value: number | null][]): Series {
 }
 
 it('the newest is at the right, the greatest at the top', () =>
-  expect(series([0, 1], [30, 3], [60, 2]).path(100, 10, [1, 3])).toBe('M0.0 10.0L50.0 0.0L100.0 5.0'));
+  expect(series([0, 1], [30, 3], [60, 2]).path(100, 10, [1, 3], 60, 60)).toBe(
+    'M0.0 10.0L50.0 0.0L100.0 5.0',
+  ));
 
 it('what does not change is in the middle', () =>
-  expect(series([0, 7], [60, 7]).path(100, 10, [7, 7])).toBe('M0.0 5.0L100.0 5.0'));
+  expect(series([0, 7], [60, 7]).path(100, 10, [7, 7], 60, 60)).toBe('M0.0 5.0L100.0 5.0'));
 
 it('tells what it was', () => {
   const all = series([10, 1], [20, null], [30, 3]);
@@ -20,16 +22,16 @@ it('tells what it was', () => {
 });
 
 it('there is a gap where there was nothing', () =>
-  expect(series([0, 0], [15, 1], [30, null], [45, 1], [60, 0]).path(100, 10, [0, 1])).toBe(
+  expect(series([0, 0], [15, 1], [30, null], [45, 1], [60, 0]).path(100, 10, [0, 1], 60, 60)).toBe(
     'M0.0 10.0L25.0 0.0M75.0 0.0L100.0 10.0',
   ));
 
-it('what was at a moment is shown without what came before and after', () => {
+it('what was at a moment is shown, with lines that lead on to what came before and after', () => {
   const all = series([0, 100], [50, 1], [70, 2], [100, 3]);
   expect(all.range(10, 70)).toEqual([1, 2]);
-  expect(all.path(60, 10, [1, 2], 70)).toBe('M40.0 10.0L60.0 0.0');
+  expect(all.path(60, 10, [1, 2], 70, 60)).toBe('M-10.0 -980.0L40.0 10.0L60.0 0.0L90.0 -10.0');
   expect(all.range(-50, -1)).toBeNull();
-  expect(all.path(60, 10, [1, 2], -1)).toBe('');
+  expect(all.path(60, 10, [1, 2], -1, 60)).toBe('');
 });
 
 it('what is as old as the newest, or older, counts no more', () => {
@@ -54,27 +56,60 @@ it('joins no pieces of a recording between which nothing was played', () => {
   expect(all.path(60, 10, [0, 60], 60, 60).split('M').length - 1, 'pieces').toBe(4);
 });
 
-it('does not grow for ever, but reaches back to the beginning', () => {
+/** As if it had been told ten times a second. */
+function long(seconds: number, value: (i: number) => number = (i) => i): Series {
   const all = new Series();
-  for (let i = 0; i < 20_000; i++) {
-    all.push(i / 10, i);
+  for (let i = 0; i <= seconds * 10; i++) {
+    all.push(i / 10, value(i));
   }
-  const points = all.path(100, 10, [0, 20_000], 2000, 2000).split('L').length;
-  expect(points).toBeLessThanOrEqual(4000);
+  return all;
+}
+
+const countIn = ({ times }: Series, from: number, until: number) =>
+  times.filter((time) => time >= from && time <= until).length;
+
+it('does not grow for ever, but reaches back to the beginning, as finely everywhere', () => {
+  const all = long(7200);
+  expect(all.times.length).toBeLessThanOrEqual(12_000);
   expect(all.at(0)).toBe(0);
-  expect(all.path(60, 10, [0, 20_000], 1999.9).split('L').length, 'of the last minute').toBe(601);
+  expect(countIn(all, 7140, 7200), 'of the last minute').toBe(601);
+  const [early, late] = [countIn(all, 0, 1000), countIn(all, 6000, 7000)];
+  expect(early).toBeGreaterThan(500);
+  expect(late).toBeGreaterThanOrEqual(early);
+  expect(late).toBeLessThan(5 * early);
+});
+
+it('keeps peaks, also those that nobody could see in a box', () => {
+  const all = long(7200, (i) => (i === 12_345 ? 99 : i === 30_001 ? -99 : 0));
+  expect(all.at(1234.5)).toBe(99);
+  expect(all.at(3000.1)).toBe(-99);
+  expect(all.range()).toEqual([-99, 99]);
+  const path = all.path(240, 96, [-99, 99], 7200, 7200);
+  expect(path).toMatch(/L41\.[12] 0\.0L/); // 240 · 1234.5 / 7200
+  expect(path).toMatch(/L100\.0 96\.0L/);
+  expect(path.split('L').length).toBeLessThan(4 * 2 * 240);
 });
 
 it('does not grow for ever in a minute either', () => {
   const all = new Series();
-  for (let i = 0; i < 10_000; i++) {
+  for (let i = 0; i < 30_000; i++) {
     all.push(i / 1000, i);
   }
-  const points = all.path(100, 10, [0, 10_000]).split('L').length;
-  expect(points).toBeGreaterThan(1000);
-  expect(points).toBeLessThanOrEqual(4000);
+  expect(all.times.length).toBeGreaterThan(1000);
+  expect(all.times.length).toBeLessThanOrEqual(12_000);
   expect(all.at(0)).toBe(0);
-  expect(all.at(10)).toBeGreaterThan(9990);
+  expect(all.at(30)).toBeGreaterThan(29_980);
+});
+
+it('knows of gaps that are as old as that', () => {
+  const all = long(7200);
+  const gaps = new Series();
+  all.times.forEach((time, i) => gaps.push(time, time > 100 && time < 200 ? null : all.values[i]!));
+  for (let i = 72_001; i < 144_000; i++) {
+    gaps.push(i / 10, i);
+  }
+  expect(gaps.at(150)).toBeNull();
+  expect(gaps.path(240, 96, [0, 144_000], 400, 400).split('M')).toHaveLength(3);
 });
 
 it('keeps the last minute as it was when it takes over a long past', () => {
@@ -84,8 +119,8 @@ it('keeps the last minute as it was when it takes over a long past', () => {
   }
   const past = Array.from({ length: 20_000 }, (_, i) => i / 2);
   all.merge(past, past);
-  expect(all.path(60, 10, [0, 600]).split('L').length, 'of the last minute').toBe(601);
-  expect(all.path(100, 10, [0, 600], 10_060, 20_000).split('L').length).toBeLessThanOrEqual(4000);
+  expect(countIn(all, 10_000, 10_060), 'of the last minute').toBe(601);
+  expect(all.times.length).toBeLessThanOrEqual(12_000);
   expect(all.at(0)).toBe(0);
 });
 
@@ -94,15 +129,6 @@ it('several share a box', () => {
   const high = series([0, 20], [60, 40]);
   const range = rangeOf([low, new Series(), high]);
   expect(range).toEqual([0, 40]);
-  expect(low.path(100, 40, range!)).toBe('M0.0 40.0L100.0 30.0');
+  expect(low.path(100, 40, range!, 60, 60)).toBe('M0.0 40.0L100.0 30.0');
   expect(rangeOf([new Series()])).toBeNull();
 });
-
-it.each([
-  [8, 10],
-  [12, 30],
-  [31, 60],
-  [500, 60],
-])('of %d seconds a box shows %d', (known, shown) =>
-  expect(spanOf([series([0, 1], [known, 1]), new Series()], known)).toBe(shown),
-);

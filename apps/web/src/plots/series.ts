@@ -1,34 +1,58 @@
-/** How much of the past is shown at most [s of the run]. */
-export const SPAN = 60;
+/** So long it is kept as it was told, so that it can be looked at closely [s of the run]. */
+const RECENT = 60;
 
-/** Older than what is shown now it is kept more coarsely, so that it does not grow for ever. */
-const MOST = 4000;
+/** Of what is older only the peaks are kept, so that it does not grow for ever. */
+const MOST = 12_000;
+
+/** The shortest time of which the peaks are kept [s]; each other is twice as long as one before. */
+const SHORTEST = 0.01;
 
 /** Less than moments of a recording are apart [s]. */
 const MOMENT = 0.001;
 
+/** What is less apart is the same time [s]. */
+const SAME = 1e-6;
+
+type Value = number | null;
+
 /** What one number was. */
 export class Series {
-  private times: number[] = []; // growing
-  private values: (number | null)[] = [];
+  /** Growing. */
+  times: readonly number[] = [];
+  /** At these times; null where there was nothing. */
+  values: readonly Value[] = [];
   private played: number | null = null; // which moment of a recording was told last
 
   /** What it is now; what is as old as the newest, or older, counts no more. */
-  push(time: number, value: number | null) {
+  push(time: number, value: Value) {
     if (time > this.until) {
-      this.times.push(time);
-      this.values.push(value);
+      (this.times as number[]).push(time);
+      (this.values as Value[]).push(value);
       this.thin();
     }
   }
 
-  /** What somebody else knows of it, before, between and after what is known here. */
-  merge(times: readonly number[], values: readonly (number | null)[]) {
-    const all = new Map(times.map((time, i) => [time, values[i] ?? null]));
-    this.times.forEach((time, i) => all.set(time, this.values[i]!));
-    const sorted = [...all].sort(([a], [b]) => a - b);
-    this.times = sorted.map(([time]) => time);
-    this.values = sorted.map(([, value]) => value);
+  /**
+   * What somebody else knows of it, before, between and after what is known here.
+   *
+   * @param times growing
+   */
+  merge(times: readonly number[], values: readonly Value[]) {
+    const [allTimes, allValues]: [number[], Value[]] = [[], []];
+    let own = 0;
+    for (let i = 0; i <= times.length; i++) {
+      const next = times[i] ?? Infinity;
+      for (; own < this.times.length && this.times[own]! <= next; own++) {
+        allTimes.push(this.times[own]!);
+        allValues.push(this.values[own]!);
+      }
+      if (i < times.length && next !== allTimes.at(-1)) {
+        allTimes.push(next);
+        allValues.push(values[i] ?? null);
+      }
+    }
+    this.times = allTimes;
+    this.values = allValues;
     this.thin();
   }
 
@@ -38,14 +62,15 @@ export class Series {
    *
    * @param farthest between moments of the same piece [s]
    */
-  play(time: number, value: number | null, farthest: number) {
+  play(time: number, value: Value, farthest: number) {
     const before = this.played;
     this.played = time;
     if (before !== null && (time < before || time - before > farthest)) {
-      this.merge([before + MOMENT, time - MOMENT], [null, null]);
+      const [first, last] = [before + MOMENT, time - MOMENT];
+      this.merge(first < last ? [first, last] : [last, first], [null, null]);
     }
     if (time > this.until) {
-      this.push(time, value); // as most are: nothing is to be sorted
+      this.push(time, value); // as most are: all else is gone through
     } else {
       this.merge([time], [value]);
     }
@@ -55,13 +80,51 @@ export class Series {
     if (this.times.length <= MOST) {
       return;
     }
-    while (this.times.length > 0.75 * MOST) {
-      const older = this.times.findIndex((time) => time >= this.until - SPAN);
-      const all = older < this.times.length / 2; // the last minute alone has too many
-      const isKept = (i: number) => i % 2 === 0 || (i >= older && !all);
-      this.values = this.values.filter((_, i) => isKept(i));
-      this.times = this.times.filter((_, i) => isKept(i));
+    const recent = this.after(this.until - RECENT);
+    const older = recent > this.times.length / 2 ? recent : this.times.length; // the last minute alone has too many
+    let kept: number[];
+    let length = SHORTEST;
+    do {
+      kept = this.peaks(0, older, (i) => Math.floor(this.times[i]! / length));
+      length *= 2;
+    } while (kept.length + this.times.length - older > 0.75 * MOST);
+    for (let i = older; i < this.times.length; i++) {
+      kept.push(i);
     }
+    this.times = kept.map((i) => this.times[i]!);
+    this.values = kept.map((i) => this.values[i]!);
+  }
+
+  /**
+   * Of those that are in one part, one after the other: the first, the least, the greatest, the last, and the first
+   * where there is nothing.
+   *
+   * @param from of which on
+   * @param end before which
+   * @param part in which one is: a number that grows
+   * @param ends whether the first and the last are among them
+   */
+  private peaks(from: number, end: number, part: (i: number) => number, ends = false): number[] {
+    const all: number[] = [];
+    let first = from;
+    while (first < end) {
+      const here = part(first);
+      let [least, greatest, gap, i] = [-1, -1, -1, first];
+      for (; i < end && part(i) === here; i++) {
+        const value = this.values[i]!;
+        if (value === null) {
+          gap = gap === -1 ? i : gap;
+          continue;
+        }
+        least = least === -1 || value < this.values[least]! ? i : least;
+        greatest = greatest === -1 || value > this.values[greatest]! ? i : greatest;
+      }
+      const wanted = ends ? [first, least, greatest, gap, i - 1] : [least, greatest, gap];
+      const some = [...new Set(wanted)].filter((one) => one !== -1).sort((a, b) => a - b);
+      all.push(...some);
+      first = i;
+    }
+    return all;
   }
 
   /** When the newest was; −∞ when there is none. */
@@ -69,32 +132,46 @@ export class Series {
     return this.times.at(-1) ?? -Infinity;
   }
 
-  /** What it was then; null when nobody knows, or there was nothing. */
-  at(time: number): number | null {
-    const last = this.times.findLastIndex((each) => each <= time + 1e-6);
-    return last === -1 ? null : (this.values[last] ?? null);
+  /** When the oldest was; ∞ when there is none. */
+  get from(): number {
+    return this.times[0] ?? Infinity;
   }
 
-  /** Times and values from one time to another. */
-  private within(from: number, until: number): [number, number | null][] {
-    return this.times.flatMap((time, i): [number, number | null][] =>
-      time >= from - 1e-6 && time <= until + 1e-6 ? [[time, this.values[i]!]] : [],
-    );
+  /** What it was then; null when nobody knows, or there was nothing. */
+  at(time: number): Value {
+    return this.values[this.after(time + SAME) - 1] ?? null;
+  }
+
+  /** The index of the first that is later; as many as there are when none is. */
+  private after(time: number): number {
+    let [low, high] = [0, this.times.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.times[middle]! <= time) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
   }
 
   /** The least and the greatest from one time to another; null when there was nothing. */
   range(from = -Infinity, until = Infinity): [number, number] | null {
-    const there = this.within(from, until).flatMap(([, value]) => (value === null ? [] : [value]));
-    return there.length === 0 ? null : [Math.min(...there), Math.max(...there)];
-  }
-
-  /** How far back before a time it is known, of what can be shown [s]. */
-  seconds(until: number): number {
-    return Math.min(SPAN, Math.max(0, until - (this.times[0] ?? until)));
+    let [least, greatest] = [Infinity, -Infinity];
+    for (let i = this.after(from - SAME); i < this.times.length && this.times[i]! <= until + SAME; i++) {
+      const value = this.values[i]!;
+      if (value !== null) {
+        least = Math.min(least, value);
+        greatest = Math.max(greatest, value);
+      }
+    }
+    return least > greatest ? null : [least, greatest];
   }
 
   /**
-   * As lines in a box, the latest time at its right, the greatest value at its top; a gap where there was nothing.
+   * As lines in a box, the latest time at its right, the greatest value at its top; a gap where there was nothing. They
+   * lead on to what is next outside of the box. Where there is more than can be told apart, the peaks are drawn.
    *
    * @param range of values in the box
    * @param until which time is at its right
@@ -104,18 +181,25 @@ export class Series {
     width: number,
     height: number,
     [least, greatest]: readonly [number, number],
-    until = this.until,
-    seconds = SPAN,
+    until: number,
+    seconds: number,
   ): string {
+    const from = until - seconds;
+    const first = Math.max(0, this.after(from - SAME) - 1);
+    const end = Math.min(this.times.length, this.after(until + SAME) + 1);
+    if (this.range(from, until) === null) {
+      return '';
+    }
     const span = greatest - least;
     let drawn = false;
-    return this.within(until - seconds, until)
-      .map(([time, value]) => {
+    return this.peaks(first, end, (i) => Math.floor((2 * width * (this.times[i]! - from)) / seconds), true)
+      .map((i) => {
+        const value = this.values[i]!;
         if (value === null) {
           drawn = false;
           return '';
         }
-        const x = width * (1 - (until - time) / seconds);
+        const x = width * (1 - (until - this.times[i]!) / seconds);
         const y = span === 0 ? height / 2 : height * (1 - (value - least) / span);
         const step = `${drawn ? 'L' : 'M'}${x.toFixed(1)} ${y.toFixed(1)}`;
         drawn = true;
@@ -132,7 +216,3 @@ export function rangeOf(all: readonly Series[], from?: number, until?: number): 
     ? null
     : [Math.min(...ranges.map(([least]) => least)), Math.max(...ranges.map(([, greatest]) => greatest))];
 }
-
-/** How much of the past a box shows that has room for all of them, in round numbers [s]. */
-export const spanOf = (all: readonly Series[], until: number) =>
-  [10, 30].find((seconds) => all.every((series) => series.seconds(until) <= seconds)) ?? SPAN;
