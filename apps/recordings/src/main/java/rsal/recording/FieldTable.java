@@ -48,7 +48,7 @@ record FieldTable(MessageType type, String list) implements Table {
     private List<Map<String, Object>> elements(Map<String, Object> message) {
         List<?> all = message.get(list) instanceof List<?> many ? many : List.of();
         boolean isOne = list.isEmpty()
-                || all.isEmpty() && ReadingType.named(type.name()).isPresent();
+                || (all.isEmpty() && ReadingType.named(type.name()).isPresent());
         return isOne ? List.of(Map.of()) : all.stream().map(FieldTable::fields).toList();
     }
 
