@@ -202,6 +202,29 @@ describe.skipIf(!chromium)('looking back', () => {
     await page.locator('figure path[d*="L"]').waitFor();
   });
 
+  it('begins a plot with what was before it was opened, wherever in the recording that is', async () => {
+    await look(recorded.url);
+    await button('Pause').click();
+    await button('Resume').waitFor();
+    await cursor().fill('30');
+    await shows(29.9, 30.1);
+    await page.locator('tr[data-robot="hunter-1"]').click();
+    await page.locator('[data-reading="navigator"]').getByText('goal').waitFor();
+    await page.getByText('Plots', { exact: true }).click();
+    await page.getByLabel('Plot a number…').selectOption({ label: 'speed ahead [m/s]' });
+    const line = () => page.locator('figure path').getAttribute('d', { timeout: 200 });
+    const points = async () => ((await line().catch(() => null)) ?? '').match(/[ML][\d.-]+ [\d.-]+/g) ?? [];
+    await eventually(async () => (await points()).length > 100, 'what was before is drawn');
+    expect(parseFloat((await points())[0]!.slice(1))).toBeLessThan(5);
+    await picture(page, 'replay-plot');
+    await cursor().fill('10');
+    await shows(9.9, 10.1);
+    await cursor().fill('25');
+    await shows(24.9, 25.1);
+    await eventually(async () => (await points()).length > 100, 'it is there after jumps');
+    expect((await line())!.match(/M/g)).toHaveLength(1);
+  });
+
   it('says that nothing of readings and minds is kept of a run that goes on', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });
     await look(running.url);

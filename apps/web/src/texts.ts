@@ -114,7 +114,7 @@ export const texts = {
     costsUntold: 'What places cost is told of a run that goes on, as it is now.',
     blobsHint: 'Select a robot to see what its cameras make out.',
     noBlobs: (robot: string) => `${robot} has no camera that finds blobs.`,
-    blobsUntold: 'What cameras make out is told of a run that goes on, as it is now.',
+    blobsUntold: 'What cameras make out is told of a run that goes on, as it is now, and of recordings.',
     linksHint: 'So many robots: select one to see whom it hears.',
     loading: 'Loading the map…',
     goalHint: (robot: string) => `Click where ${robot} shall go; drag to set its heading. Esc cancels.`,

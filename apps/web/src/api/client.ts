@@ -141,8 +141,8 @@ export const api = {
   sweepReportOf: (name: string) => `api/sweeps/report?sweep=${encodeURIComponent(name)}`,
   map,
   drawn,
-  /** What a robot's cameras make out. */
-  blobs: (robot: string) => about<Cameras>('blobs', robot),
+  /** What a robot's cameras make out. @param time of a recording [s of the run] */
+  blobs: (robot: string, time: number | null = null) => about<Cameras>('blobs', robot, time),
   /** What places cost a robot's navigator, of 100; null when it tells none. */
   costs: (robot: string) => grid(`costs?robot=${encodeURIComponent(robot)}`, robot),
   drawnFiles: (run: number, robot: string) =>

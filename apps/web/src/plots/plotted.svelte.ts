@@ -71,15 +71,17 @@ class Plots {
     });
   }
 
-  /** Takes over what the server knows of them; of a recording that is what is played. */
+  /** Takes over what the server knows of them; of a recording that is all that they ever are. */
   async readPast() {
-    if (live.recording) {
-      return;
-    }
     await Promise.all(
       [...this.all.values()].map(async ({ robot, device, number, series }) => {
+        if (series.isWhole) {
+          return;
+        }
         const past = await api.pastNumbers(robot, device, number);
-        if (past !== null) {
+        if (past !== null && live.recording) {
+          series.learn(past.times, past.values);
+        } else if (past !== null) {
           series.merge(past.times, past.values);
         }
       }),

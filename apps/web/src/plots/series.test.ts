@@ -132,3 +132,16 @@ it('several share a box', () => {
   expect(low.path(100, 40, range!, 60, 60)).toBe('M0.0 40.0L100.0 30.0');
   expect(rangeOf([new Series()])).toBeNull();
 });
+
+it('of which all is known has no gaps where it was looked at elsewhere', () => {
+  const all = new Series();
+  all.play(30, 1, 1.5);
+  all.play(50, 2, 1.5);
+  expect(all.isWhole).toBe(false);
+  all.learn([10, 20, 30, 40, 50, 60], [1, 2, 3, null, 5, 6]);
+  expect(all.isWhole).toBe(true);
+  all.play(20, 2, 1.5);
+  all.play(55, 5.5, 1.5);
+  expect(all.times).toEqual([10, 20, 30, 40, 50, 55, 60]);
+  expect(all.values).toEqual([1, 2, 3, null, 5, 5.5, 6]);
+});

@@ -21,6 +21,7 @@ export class Series {
   times: readonly number[] = [];
   /** At these times; null where there was nothing. */
   values: readonly Value[] = [];
+  private whole = false; // whether all that it ever is was told
   private played: number | null = null; // which moment of a recording was told last
 
   /** What it is now; what is as old as the newest, or older, counts no more. */
@@ -57,15 +58,27 @@ export class Series {
   }
 
   /**
+   * All that it ever is, of a recording: what was played of it before counts no more.
+   *
+   * @param times growing
+   */
+  learn(times: readonly number[], values: readonly Value[]) {
+    this.times = [...times];
+    this.values = [...values];
+    this.whole = true;
+    this.thin();
+  }
+
+  /**
    * What it is at a moment of a recording, which is played from anywhere. When that is another piece than what was
-   * played before, nobody knows what was between them.
+   * played before, nobody knows what was between them, unless all of it is known.
    *
    * @param farthest between moments of the same piece [s]
    */
   play(time: number, value: Value, farthest: number) {
     const before = this.played;
     this.played = time;
-    if (before !== null && (time < before || time - before > farthest)) {
+    if (!this.whole && before !== null && (time < before || time - before > farthest)) {
       const [first, last] = [before + MOMENT, time - MOMENT];
       this.merge(first < last ? [first, last] : [last, first], [null, null]);
     }
@@ -125,6 +138,11 @@ export class Series {
       first = i;
     }
     return all;
+  }
+
+  /** Whether there is nothing more to be known of it. */
+  get isWhole(): boolean {
+    return this.whole;
   }
 
   /** When the newest was; −∞ when there is none. */
