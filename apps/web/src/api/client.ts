@@ -42,6 +42,7 @@ import type {
   TextToCheck,
   TextToSave,
   Topics,
+  Trails,
 } from './messages';
 import { access } from './access.svelte';
 import { decodeGrid, type Grid } from './grid';
@@ -141,6 +142,8 @@ export const api = {
   sweepReportOf: (name: string) => `api/sweeps/report?sweep=${encodeURIComponent(name)}`,
   map,
   drawn,
+  /** Where robots went before a time [s of the run]; null for the present. */
+  trails: (time: number | null) => found<Trails>(time === null ? 'trails' : `trails?time=${String(time)}`),
   /** What a robot's cameras make out. @param time of a recording [s of the run] */
   blobs: (robot: string, time: number | null = null) => about<Cameras>('blobs', robot, time),
   /** What places cost a robot's navigator, of 100; null when it tells none. */

@@ -815,4 +815,15 @@ export interface Topics {
   topics: TopicInfo[];
 }
 
+export interface Trail {
+  times: number[];
+  xs: number[];
+  ys: number[];
+  driven: boolean[];
+}
+
+export interface Trails {
+  robots: Trail[];
+}
+
 export type Wanted = 'NOT_WANTED' | 'REACHED' | 'WAITING' | 'PURSUED' | 'SUSPENDED' | 'RESTING';

@@ -13,6 +13,8 @@ const PAUSED = 1;
 const STOPPED = 1 << 1;
 const ENDED = 1 << 2;
 const PAST = 1 << 3;
+/** Above them is how often this page has looked elsewhere. */
+const LOOKS_AT = 16;
 
 const PRESENT = 1;
 const STALLED = 1 << 1;
@@ -125,6 +127,8 @@ export interface Frame {
   ended: boolean;
   /** Of a moment that is looked back on. */
   past: boolean;
+  /** How often this page has looked elsewhere than at what follows: frames with another number do not follow. */
+  looks: number;
   /** Simulated seconds. */
   time: number;
   /** Times real time, as asked for; Infinity is as fast as it can. */
@@ -160,6 +164,7 @@ export function decodeFrame(bytes: ArrayBuffer): Frame {
     stopped: (flags & STOPPED) !== 0,
     ended: (flags & ENDED) !== 0,
     past: (flags & PAST) !== 0,
+    looks: flags >>> LOOKS_AT,
     time: view.getFloat64(16, true),
     speed: view.getFloat32(24, true),
     rate: view.getFloat32(28, true),

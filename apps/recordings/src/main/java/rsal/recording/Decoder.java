@@ -196,6 +196,20 @@ final class Decoder {
                 things);
     }
 
+    /// Where robots are, by their names: as people are shown them.
+    ///
+    /// @param state an [Own#STATE]
+    static Map<String, Pose2d> poses(Fields state) {
+        var poses = new HashMap<String, Pose2d>();
+        for (Fields robot : state.all("robots")) {
+            robot.pose("truth")
+                    .or(() -> robot.within("estimate").flatMap(belief -> belief.pose("pose")))
+                    .or(() -> robot.pose("stand_in"))
+                    .ifPresent(pose -> poses.put(robot.text("id"), pose));
+        }
+        return poses;
+    }
+
     /// What devices of a robot had told last; nothing of one that was not there.
     List<Reading> readings(Held held, Duration time, String robot) {
         now = new IdentityHashMap<>();

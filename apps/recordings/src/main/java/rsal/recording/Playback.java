@@ -19,6 +19,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import rsal.agent.bdi.Mind;
+import rsal.data.Pose2d;
 import rsal.recording.mcap.Channel;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
@@ -366,6 +367,39 @@ public final class Playback implements Closeable {
                         });
         telling.passTo(Long.MAX_VALUE);
         return telling.told;
+    }
+
+    /// Where robots were.
+    ///
+    /// @param time since the run's start, when a state was recorded
+    /// @param mapFromBases by robot: in truth where that is known, else as it believes, else where its stand-in is
+    public record Whereabouts(Duration time, Map<String, Pose2d> mapFromBases) {
+        public Whereabouts {
+            mapFromBases = Map.copyOf(mapFromBases);
+        }
+    }
+
+    /// Where robots were within some time, oldest first.
+    ///
+    /// @param from which does not belong to it
+    /// @param spacing between them, at least
+    public synchronized List<Whereabouts> whereabouts(Duration from, Duration until, Duration spacing)
+            throws IOException {
+        var all = new ArrayList<Whereabouts>();
+        recording
+                .file()
+                .read(
+                        log(from) + 1,
+                        log(until),
+                        channel -> channel.topic().equals(Topics.STATE),
+                        (_, _, logTime, _, data) -> {
+                            Duration time = sinceStart(logTime);
+                            if (all.isEmpty()
+                                    || time.minus(all.getLast().time()).compareTo(spacing) >= 0) {
+                                all.add(new Whereabouts(time, Decoder.poses(Fields.read(Own.STATE, data))));
+                            }
+                        });
+        return all;
     }
 
     /// Goes through states in their order: each is as it was when all that was recorded with it is there.

@@ -129,6 +129,7 @@ final class Api {
                             .numbers()
                             .past(asked(request, "robot"), asked(request, "device"), asked(request, "number")));
         });
+        routes.get("/api/trails", request -> answer(request, seats.find(request).trails(Past.asked(request))));
         routes.get(
                 "/api/communication",
                 request -> answerWhenDone(request, seen(request).communication()));

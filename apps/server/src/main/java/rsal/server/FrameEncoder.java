@@ -38,11 +38,15 @@ final class FrameEncoder {
     static final int FLAGS_AT = 12;
     static final int SPEED_AT = 24;
     static final int RATE_AT = 28;
+    private static final int ROBOTS_AT = 32;
+    private static final int ROBOT_FLAGS_AT = 14; // of a robot
 
     static final int PAUSED = 1;
     static final int STOPPED = 1 << 1;
     static final int ENDED = 1 << 2;
     static final int PAST = 1 << 3;
+    /// Above them is how often the viewer has looked elsewhere, which begins anew at 65536.
+    static final int LOOKS_AT = 16;
 
     static final int PRESENT = 1;
     static final int STALLED = 1 << 1;
@@ -73,6 +77,34 @@ final class FrameEncoder {
     private static final double TURN = 2 * Math.PI;
 
     private ByteBuffer out = allocate(1 << 16);
+
+    /// Is told where a robot is.
+    interface Place {
+        /// @param robot its index
+        /// @param x [m]
+        /// @param y [m]
+        void at(int robot, double x, double y);
+    }
+
+    /// How many robots a frame has.
+    static int robots(byte[] frame) {
+        return in(frame).getInt(ROBOTS_AT);
+    }
+
+    /// Tells where the robots of a frame are, of which that is known.
+    static void places(byte[] frame, Place place) {
+        ByteBuffer in = in(frame);
+        for (int i = 0; i < in.getInt(ROBOTS_AT); i++) {
+            int at = HEADER_BYTES + i * ROBOT_BYTES;
+            if ((in.getShort(at + ROBOT_FLAGS_AT) & PRESENT) != 0) {
+                place.at(i, in.getInt(at) / 1e3, in.getInt(at + Integer.BYTES) / 1e3);
+            }
+        }
+    }
+
+    private static ByteBuffer in(byte[] frame) {
+        return ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
+    }
 
     /// @param robots ids, in the order in which the frame has them
     /// @param sequence of the frame, to be acknowledged by

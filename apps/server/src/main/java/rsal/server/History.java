@@ -5,10 +5,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import rsal.scenario.run.RunEvent;
+import rsal.server.Messages.Trails;
 
 /// The moments of a live run that viewers were or could have been shown, to look back on. At most [#MOST_BYTES] are
 /// kept: when it has more, every second moment is let go and half as many are kept from then on, so that it reaches
-/// back to the beginning, ever more coarsely. For one thread.
+/// back to the beginning, ever more coarsely. For one thread, but for [#trails].
 final class History implements Past {
     static final long MOST_BYTES = 64L << 20;
 
@@ -35,7 +36,7 @@ final class History implements Past {
     ///
     /// @param time of the feed's frame, since the run's start
     /// @param last whether there will be none after it
-    void keep(Duration time, boolean last) {
+    synchronized void keep(Duration time, boolean last) {
         Duration newest = moments.isEmpty() ? null : moments.getLast().time();
         boolean due =
                 newest == null || time.compareTo(newest.plus(spacing)) >= 0 || (last && time.compareTo(newest) > 0);
@@ -75,6 +76,36 @@ final class History implements Past {
         boolean sameDetails = before != null && before.details().equals(moment.details());
         return (long) moment.frame().length
                 + (sameDetails ? 0 : moment.details().length());
+    }
+
+    /// Where robots went before some time. For any thread.
+    Trails trails(Duration until) {
+        List<Moment> some = recent(until);
+        int robots = some.isEmpty() ? 0 : FrameEncoder.robots(some.getLast().frame()); // as those that leave stay
+        var trails = new TrailMaker(robots);
+        Duration spacing = TrailMaker.spacing(robots);
+        Duration next = Duration.ZERO;
+        for (Moment moment : some) {
+            if (moment.time().compareTo(next) >= 0) {
+                next = moment.time().plus(spacing);
+                double seconds = moment.time().toNanos() / 1e9;
+                FrameEncoder.places(moment.frame(), (robot, x, y) -> trails.add(robot, seconds, x, y));
+            }
+        }
+        return trails.trails();
+    }
+
+    private synchronized List<Moment> recent(Duration until) {
+        if (moments.isEmpty() || until.compareTo(moments.getFirst().time()) < 0) {
+            return List.of();
+        }
+        int last = newest(until);
+        int first = last;
+        Duration begin = moments.get(last).time().minus(TrailMaker.SECONDS);
+        while (first > 0 && moments.get(first - 1).time().compareTo(begin) >= 0) {
+            first--;
+        }
+        return List.copyOf(moments.subList(first, last + 1));
     }
 
     @Override

@@ -1,12 +1,16 @@
 package rsal.server;
 
-/// Shows the run that goes on, and what has been of it. For one thread, but for [#bytesKept] and [#numbers].
+import java.time.Duration;
+import rsal.server.Messages.Trails;
+
+/// Shows the run that goes on, and what has been of it. For one thread, but for [#bytesKept],
+/// [#numbers] and [#trails].
 final class LiveShowing implements Showing {
     private static final double FOLLOWED = 15; // times real time; a robot of 0.5 m/s is elsewhere then at each look
 
     private final CurrentRun current;
     private RunFeed feed;
-    private History history;
+    private volatile History history;
     private volatile NumberHistory numbers = new NumberHistory();
     private volatile long bytesKept;
 
@@ -37,6 +41,11 @@ final class LiveShowing implements Showing {
     /// What devices have told so far, as numbers. For any thread.
     NumberHistory numbers() {
         return numbers;
+    }
+
+    /// Where robots went before some time. For any thread.
+    Trails trails(Duration until) {
+        return history.trails(until);
     }
 
     @Override

@@ -12,6 +12,7 @@ final class Looking implements Feed {
     private static final double FASTEST = 1000; // times real time, which is what `max` is here
 
     private final Past past;
+    private final int looks;
     private Duration time; // since the run's start
     private boolean playing;
     private double speed;
@@ -23,11 +24,12 @@ final class Looking implements Feed {
 
     /// From the beginning on.
     Looking(Past past) {
-        this(past, past.from(), true, 1);
+        this(past, past.from(), true, 1, 1);
     }
 
-    private Looking(Past past, Duration time, boolean playing, double speed) {
+    private Looking(Past past, Duration time, boolean playing, double speed, int looks) {
         this.past = past;
+        this.looks = looks;
         this.time = time;
         this.playing = playing;
         this.speed = speed;
@@ -36,15 +38,17 @@ final class Looking implements Feed {
     }
 
     /// @param from where the viewer is
+    /// @param looks how often it has looked elsewhere
     /// @throws Refusal when nobody can be that fast
-    static Looking at(Past past, LookBack wish, Duration from) {
+    static Looking at(Past past, LookBack wish, Duration from, int looks) {
         double seconds = wish.time().orElse(from.toNanos() / 1e9);
         Duration wanted = Double.isFinite(seconds) ? Past.time(seconds) : past.until();
         int step = wish.step().orElse(0);
         Duration there = step == 0 ? clamp(past, wanted) : past.near(wanted, step);
         double speed = Math.clamp(SpeedFactor.of(wish.speed().orElse("1")), 0.1, FASTEST);
         boolean ends = past.isRecording() && there.compareTo(past.until()) >= 0;
-        return new Looking(past, there, wish.playing().orElse(false) && !ends, speed);
+        boolean goesOn = wish.time().isEmpty() && (step == 0 || step == 1);
+        return new Looking(past, there, wish.playing().orElse(false) && !ends, speed, goesOn ? looks : looks + 1);
     }
 
     private static Duration clamp(Past past, Duration time) {
@@ -86,6 +90,11 @@ final class Looking implements Feed {
         return time;
     }
 
+    /// How often the viewer has looked elsewhere, so far.
+    int looks() {
+        return looks;
+    }
+
     /// The moment's frame, but for what depends on the viewer.
     private void show() {
         if (!moment.details().equals(details)) {
@@ -94,7 +103,9 @@ final class Looking implements Feed {
         }
         frame = moment.frame().clone();
         ByteBuffer header = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
-        int flags = (header.getInt(FrameEncoder.FLAGS_AT) & ~FrameEncoder.PAUSED) | FrameEncoder.PAST;
+        int flags = (header.getInt(FrameEncoder.FLAGS_AT) & ~FrameEncoder.PAUSED)
+                | FrameEncoder.PAST
+                | looks << FrameEncoder.LOOKS_AT;
         header.putInt(FrameEncoder.SEQUENCE_AT, (int) ++sequence);
         header.putInt(FrameEncoder.FLAGS_AT, playing ? flags : flags | FrameEncoder.PAUSED);
         header.putFloat(FrameEncoder.SPEED_AT, (float) speed);

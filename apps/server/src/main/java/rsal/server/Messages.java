@@ -445,6 +445,19 @@ final class Messages {
     /// @param values at these times, in its unit; empty when it was not finite then
     record PastNumbers(List<Double> times, List<Optional<Double>> values) {}
 
+    /// Where robots went in the 30 s before some moment.
+    ///
+    /// @param robots in the order of the run's
+    record Trails(List<Trail> robots) {}
+
+    /// Where a robot went: points 5 cm apart, or more; none while nobody knew.
+    ///
+    /// @param times of the run, growing [s]
+    /// @param xs in the map frame [m]
+    /// @param ys likewise
+    /// @param driven whether it drove there from the point before; not where it was put there
+    record Trail(List<Double> times, List<Double> xs, List<Double> ys, List<Boolean> driven) {}
+
     record DeviceNumbers(String device, List<NumberInfo> numbers) {}
 
     /// @param name of no other number of the device

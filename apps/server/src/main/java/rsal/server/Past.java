@@ -1,7 +1,9 @@
 package rsal.server;
 
+import io.javalin.http.Context;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import rsal.scenario.run.RunEvent;
 
 /// What has been of a run: moments to look back on. For one thread.
@@ -40,6 +42,18 @@ interface Past {
     /// @param seconds since the run's start; no number is 0
     static Duration time(double seconds) {
         return Duration.ofNanos(Math.round(Math.clamp(seconds, -1e9, 1e9) * 1e9));
+    }
+
+    /// The time that is asked about, in s of the run; the end when none is.
+    ///
+    /// @throws Refusal when it is no number
+    static Duration asked(Context request) {
+        String typed = Optional.ofNullable(request.queryParam("time")).orElse("1e9");
+        try {
+            return time(Double.parseDouble(typed));
+        } catch (NumberFormatException _) {
+            throw new Refusal(400, "A time is a number of seconds, not (%s).".formatted(Refusal.shortened(typed)));
+        }
     }
 
     /// What has happened after an event, oldest first; the future, too.

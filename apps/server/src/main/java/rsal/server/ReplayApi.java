@@ -14,8 +14,10 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rsal.agent.Society;
 import rsal.data.OccupancyGrid;
+import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.recording.Playback;
+import rsal.recording.Playback.Whereabouts;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.Answer;
@@ -29,6 +31,7 @@ import rsal.scenario.run.Snapshot;
 import rsal.scenario.run.Spoken;
 import rsal.server.Messages.RobotInfo;
 import rsal.server.Messages.RunInfo;
+import rsal.server.Messages.Trails;
 
 /// What can be asked about a recording over HTTP, as [Api] has it of a run. What asks for a time takes `time` in s of
 /// the run; left out, it is the end.
@@ -76,6 +79,7 @@ final class ReplayApi {
                                 Api.asked(request, "robot"),
                                 Api.asked(request, "device"),
                                 Api.asked(request, "number"))));
+        routes.get("/api/trails", request -> Api.answer(request, trails(request)));
         routes.get(
                 "/api/blobs",
                 request -> Api.answer(request, CameraViews.of(readings(request).readings())));
@@ -97,7 +101,7 @@ final class ReplayApi {
     private OccupancyGrid drawn(Context request) throws IOException {
         check(request);
         String robot = String.valueOf(request.queryParam("robot"));
-        return playback.at(time(request)).robots().stream()
+        return playback.at(Past.asked(request)).robots().stream()
                 .filter(view -> view.id().equals(robot))
                 .flatMap(view -> view.map().stream())
                 .map(Stamped::value)
@@ -108,7 +112,7 @@ final class ReplayApi {
 
     private Answer.Read readings(Context request) throws IOException {
         String robot = String.valueOf(request.queryParam("robot"));
-        Snapshot then = playback.at(time(request));
+        Snapshot then = playback.at(Past.asked(request));
         RobotView view = then.robots().stream()
                 .filter(one -> one.id().equals(robot))
                 .findFirst()
@@ -117,9 +121,26 @@ final class ReplayApi {
         return new Answer.Read(then.time(), view.readings());
     }
 
+    private Trails trails(Context request) throws IOException {
+        List<String> robots = run.robots().stream().map(RobotInfo::id).toList();
+        var trails = new TrailMaker(robots.size());
+        Duration until = Past.asked(request);
+        Duration known = until.compareTo(playback.until()) < 0 ? until : playback.until();
+        Duration from = known.minus(TrailMaker.SECONDS);
+        for (Whereabouts then : playback.whereabouts(from, known, TrailMaker.spacing(robots.size()))) {
+            for (int i = 0; i < robots.size(); i++) {
+                Pose2d pose = then.mapFromBases().get(robots.get(i));
+                if (pose != null) {
+                    trails.add(i, then.time().toNanos() / 1e9, pose.x(), pose.y());
+                }
+            }
+        }
+        return trails.trails();
+    }
+
     /// What was said shortly before, but for what is among the events.
     private void routine(Context request) throws IOException {
-        Duration until = time(request);
+        Duration until = Past.asked(request);
         Set<Said> known = said(until)
                 .filter(said -> said.time().compareTo(until.minus(SHORTLY)) > 0)
                 .collect(Collectors.toSet());
@@ -146,7 +167,7 @@ final class ReplayApi {
                 .filter(agent -> agent.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new Refusal(404, "No agent (%s) was planned.".formatted(Refusal.shortened(name))));
-        Duration time = time(request);
+        Duration time = Past.asked(request);
         Optional<Society.View> shown = playback.at(time).agents().stream()
                 .map(AgentView::view)
                 .filter(view -> view.agent().name().equals(name))
@@ -221,14 +242,5 @@ final class ReplayApi {
 
     private static <T> List<T> last(List<T> all) {
         return all.subList(Math.max(0, all.size() - MOST_OF_A_KIND), all.size());
-    }
-
-    private static Duration time(Context request) {
-        String typed = Optional.ofNullable(request.queryParam("time")).orElse("1e9");
-        try {
-            return Past.time(Double.parseDouble(typed));
-        } catch (NumberFormatException _) {
-            throw new Refusal(400, "A time is a number of seconds, not (%s).".formatted(Refusal.shortened(typed)));
-        }
     }
 }

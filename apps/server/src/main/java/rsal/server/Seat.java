@@ -1,10 +1,12 @@
 package rsal.server;
 
+import java.time.Duration;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import rsal.scenario.run.Answer;
 import rsal.server.CurrentRun.Numbered;
+import rsal.server.Messages.Trails;
 
 /// A place where a run is shown, then its successors: what there is once for each of the runs side by side. All
 /// methods may be called from any thread.
@@ -57,6 +59,11 @@ final class Seat implements AutoCloseable {
     /// What devices of its run's robots have told so far, as numbers.
     NumberHistory numbers() {
         return showing.numbers();
+    }
+
+    /// Where its run's robots went before some time.
+    Trails trails(Duration until) {
+        return showing.trails(until);
     }
 
     /// What looking back takes.

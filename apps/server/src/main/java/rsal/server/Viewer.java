@@ -60,6 +60,7 @@ final class Viewer {
     // where it looks
     private @Nullable LookBack wish;
     private @Nullable Looking looking; // null is the present
+    private int looks = 1; // elsewhere than where it was going
     private @Nullable Reach reach; // as it was told
     private long offers;
 
@@ -93,7 +94,8 @@ final class Viewer {
         LookBack wanted = wish;
         wish = null;
         if (wanted != null && (!wanted.live().orElse(false) || live == null)) {
-            looking = Looking.at(past, wanted, here == null ? past.until() : here.time());
+            looking = Looking.at(past, wanted, here == null ? past.until() : here.time(), looks);
+            looks = looking.looks();
         } else if (wanted != null) {
             looking = null;
         } else if (here != null) {

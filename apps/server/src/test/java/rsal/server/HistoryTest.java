@@ -14,6 +14,7 @@ import rsal.scenario.run.RunEvent;
 import rsal.server.Messages.LookBack;
 import rsal.server.Messages.MotorsOff;
 import rsal.server.Messages.Receipt;
+import rsal.server.Messages.Trail;
 
 class HistoryTest {
     private static final int FRAME_BYTES = 1000;
@@ -80,11 +81,11 @@ class HistoryTest {
         }
         for (int tenth = 1; tenth < 600; tenth++) {
             double seconds = Duration.ofMillis(100L * tenth).toNanos() / 1e9;
-            assertThat(Looking.at(history, wish(seconds, 0), Duration.ZERO).time())
+            assertThat(Looking.at(history, wish(seconds, 0), Duration.ZERO, 1).time())
                     .isEqualTo(Duration.ofMillis(100L * tenth));
-            assertThat(Looking.at(history, wish(seconds, 1), Duration.ZERO).time())
+            assertThat(Looking.at(history, wish(seconds, 1), Duration.ZERO, 1).time())
                     .isEqualTo(Duration.ofMillis(100L * (tenth + 1)));
-            assertThat(Looking.at(history, wish(seconds, -1), Duration.ZERO).time())
+            assertThat(Looking.at(history, wish(seconds, -1), Duration.ZERO, 1).time())
                     .isEqualTo(Duration.ofMillis(100L * (tenth - 1)));
         }
     }
@@ -165,6 +166,21 @@ class HistoryTest {
         assertThat(line.newest()).isEqualTo("0.1 now");
     }
 
+    @Test
+    void tellsWhereRobotsWentBeforeAMoment() {
+        var history = new History(feed);
+        assertThat(history.trails(Duration.ofSeconds(9)).robots()).isEmpty();
+        for (int tenth = 0; tenth <= 600; tenth++) {
+            keep(history, tenth);
+        }
+        Trail trail = history.trails(Duration.ofSeconds(40)).robots().getFirst();
+        assertThat(trail.times()).hasSize(301).startsWith(10.0, 10.1).endsWith(39.9, 40.0);
+        assertThat(trail.xs()).startsWith(10.0, 10.1).endsWith(39.9, 40.0);
+        assertThat(history.trails(Duration.ofDays(1)).robots().getFirst().times())
+                .endsWith(60.0);
+        assertThat(history.trails(Duration.ofSeconds(-1)).robots()).isEmpty();
+    }
+
     private void keep(History history, int tenth) {
         feed.tenth = tenth;
         history.keep(Duration.ofMillis(100L * tenth), false);
@@ -230,6 +246,9 @@ class HistoryTest {
             return ByteBuffer.allocate(FRAME_BYTES)
                     .order(ByteOrder.LITTLE_ENDIAN)
                     .putDouble(16, tenth / 10.0)
+                    .putInt(32, 1) // robot, which goes a metre a second
+                    .putInt(FrameEncoder.HEADER_BYTES, 100 * tenth)
+                    .putShort(FrameEncoder.HEADER_BYTES + 14, (short) FrameEncoder.PRESENT)
                     .array();
         }
 

@@ -110,22 +110,23 @@ class RecordedPastTest {
             assertThat(flags(looking) & FrameEncoder.PAST).isNotZero();
             assertThat(flags(looking) & FrameEncoder.PAUSED).isZero();
 
-            Looking stepped = Looking.at(past, wish(1.0, 1, false, "1"), looking.time());
+            assertThat(looks(looking)).isEqualTo(1);
+            Looking stepped = Looking.at(past, wish(1.0, 1, false, "1"), looking.time(), 1);
             assertThat(time(stepped)).isEqualTo(1.1);
             assertThat(flags(stepped) & FrameEncoder.PAUSED).isNotZero();
             stepped.pass(Duration.ofSeconds(1));
             assertThat(time(stepped)).isEqualTo(1.1);
-            assertThat(time(Looking.at(past, wish(1.0, -1, false, "1"), Duration.ZERO)))
+            assertThat(time(Looking.at(past, wish(1.0, -1, false, "1"), Duration.ZERO, 1)))
                     .isEqualTo(0.9);
 
-            Looking fast = Looking.at(past, wish(1.0, 0, true, "max"), Duration.ZERO);
+            Looking fast = Looking.at(past, wish(1.0, 0, true, "max"), Duration.ZERO, 1);
             fast.pass(Duration.ofMillis(50));
             assertThat(time(fast)).isEqualTo(5);
             assertThat(flags(fast) & FrameEncoder.PAUSED).isNotZero();
             assertThat(flags(fast) & FrameEncoder.ENDED).isNotZero();
             assertThat(fast.details(0)).contains("\"ending\":{\"outcome\":\"limit\"");
             for (double nowhere : new double[] {-7, 1e300, Double.NaN, Double.NEGATIVE_INFINITY}) {
-                assertThat(time(Looking.at(past, wish(nowhere, 0, true, "1"), Duration.ZERO)))
+                assertThat(time(Looking.at(past, wish(nowhere, 0, true, "1"), Duration.ZERO, 1)))
                         .isBetween(0.0, 5.0);
             }
         }
@@ -138,6 +139,34 @@ class RecordedPastTest {
 
     private static double time(Feed feed) {
         return header(feed).getDouble(16);
+    }
+
+    @Test
+    void aViewerIsToldWhetherItSeesWhatFollows() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        record(plan("hunt-and-prey", 5), file);
+        try (Playback playback = open(file)) {
+            var past = new RecordedPast(playback, "run.mcap");
+            Looking there = Looking.at(past, wish(2.0, 0, true, "1"), Duration.ZERO, 7);
+            assertThat(looks(there)).isEqualTo(8);
+            there.pass(Duration.ofSeconds(1));
+            assertThat(looks(there)).isEqualTo(8);
+            assertThat(looks(Looking.at(past, onFrom(0), there.time(), 8))).isEqualTo(8);
+            assertThat(looks(Looking.at(past, onFrom(1), there.time(), 8))).isEqualTo(8);
+            assertThat(looks(Looking.at(past, onFrom(-1), there.time(), 8))).isEqualTo(9);
+            assertThat(looks(Looking.at(past, wish(2.1, 0, false, "8"), there.time(), 0xffff)))
+                    .isZero();
+        }
+    }
+
+    /// Without a time.
+    private static LookBack onFrom(int step) {
+        return new LookBack(
+                Optional.of(false), Optional.empty(), Optional.of(step), Optional.of(true), Optional.empty());
+    }
+
+    private static int looks(Looking looking) {
+        return flags(looking) >>> FrameEncoder.LOOKS_AT;
     }
 
     private static int flags(Feed feed) {

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.server.Messages.PastNumbers;
+import rsal.server.Messages.Trails;
 import rsal.server.RawHttp.Response;
 import tools.jackson.databind.ObjectMapper;
 
@@ -133,6 +134,20 @@ class ReplayServerTest {
 
     private PastNumbers pastNumbers(String path) throws Exception {
         return new ObjectMapper().readValue(get(path).body(), PastNumbers.class);
+    }
+
+    @Test
+    void tellsWhereRobotsWent() throws Exception {
+        Trails trails = new ObjectMapper().readValue(get("/api/trails?time=3").body(), Trails.class);
+        assertThat(trails.robots())
+                .hasSameSizeAs(RecordedPastTest.plan("hunt-and-prey", 5).robots());
+        assertThat(trails.robots()).anySatisfy(trail -> {
+            assertThat(trail.times()).hasSizeGreaterThan(5).isSorted();
+            assertThat(trail.times().getLast()).isBetween(2.5, 3.0);
+            assertThat(trail.driven()).startsWith(false, true).hasSameSizeAs(trail.xs());
+            assertThat(trail.driven().subList(1, trail.driven().size())).containsOnly(true);
+        });
+        assertThat(get("/api/trails?time=soon").status()).isEqualTo(400);
     }
 
     @Test
