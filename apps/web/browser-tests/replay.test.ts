@@ -212,8 +212,11 @@ describe.skipIf(!chromium)('looking back', () => {
     await page.locator('[data-reading="navigator"]').getByText('goal').waitFor();
     await page.getByText('Plots', { exact: true }).click();
     await page.getByLabel('Plot a number…').selectOption({ label: 'speed ahead [m/s]' });
-    const line = () => page.locator('figure path').getAttribute('d', { timeout: 200 });
-    const points = async () => ((await line().catch(() => null)) ?? '').match(/[ML][\d.-]+ [\d.-]+/g) ?? [];
+    const line = () =>
+      page
+        .locator('figure .lines path')
+        .evaluateAll((paths) => paths.map((path) => path.getAttribute('d')).join(''));
+    const points = async () => (await line()).match(/[ML][\d.-]+ [\d.-]+/g) ?? [];
     await eventually(async () => (await points()).length > 100, 'what was before is drawn');
     expect(parseFloat((await points())[0]!.slice(1))).toBeLessThan(5);
     await picture(page, 'replay-plot');
@@ -222,7 +225,24 @@ describe.skipIf(!chromium)('looking back', () => {
     await cursor().fill('25');
     await shows(24.9, 25.1);
     await eventually(async () => (await points()).length > 100, 'it is there after jumps');
-    expect((await line())!.match(/M/g)).toHaveLength(1);
+    expect((await line()).match(/M/g)).toHaveLength(1);
+  });
+
+  it('asks where robots went before each moment that is jumped to, also while it is paused', async () => {
+    await look(recorded.url);
+    await button('Pause').click();
+    await button('Resume').waitFor();
+    const asked: string[] = [];
+    page.on('request', (request) => asked.push(request.url()));
+    for (const seconds of [20, 40, 30]) {
+      await cursor().fill(String(seconds));
+      await shows(seconds - 0.1, seconds + 0.1);
+      await eventually(
+        () => Promise.resolve(asked.some((url) => url.endsWith(`/api/trails?time=${String(seconds)}`))),
+        `of ${String(seconds)} s it is asked`,
+      );
+    }
+    await picture(page, 'replay-trails');
   });
 
   it('says that nothing of readings and minds is kept of a run that goes on', async () => {
