@@ -55,6 +55,13 @@ describe.skipIf(!chromium)('what people work with', () => {
       async () => (await panel.locator('.arrow.all').count()) > 0,
       'what is for all is there, too',
     );
+    await panel.getByLabel('Of one agent').selectOption({ label: 'evade' });
+    await eventually(async () => (await panel.locator('.agents .agent').count()) === 1, 'it speaks to all');
+    const widths = await panel
+      .locator('.agents')
+      .evaluate((node) => [node.clientWidth, node.parentElement!.clientWidth]);
+    expect(widths[0], 'the header is as wide as the chart').toBe(widths[1]);
+    await panel.getByLabel('Of one agent').selectOption({ label: 'all agents' });
     await panel.locator('[role=region] [tabindex="0"]').press('Escape');
     await eventually(async () => (await panel.boundingBox())!.width < 700, 'it is small again');
     await panel.getByRole('button', { name: 'Chart' }).click();

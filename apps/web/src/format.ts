@@ -36,9 +36,20 @@ export function unsigned(words: string): string {
   return words.includes('-0') ? words.replace(/(?<![\w.])-(?=0(?:\.0+)?(?![\d.]))/g, '') : words;
 }
 
+/** Nothing that agents reckon with is less: it is what is left of rounding. */
+const LEAST = 1e-9;
+
 /** Words with numbers as short as people read them: `0.46695204089382697` is `0.467`. */
 export function brief(words: string): string {
   return unsigned(
-    words.replace(/(?<![\w.])-?\d+\.\d{4,}(?!\w)/g, (number) => String(Number(Number(number).toFixed(3)))),
+    words.replace(/(?<![\w.])-?\d+\.(?:\d{4,}(?:[eE][-+]?\d+)?|\d+[eE][-+]?\d+)(?!\w|\.\d)/g, (number) =>
+      shortened(Number(number)),
+    ),
   );
+}
+
+/** To a thousandth, or three digits where that is less. */
+function shortened(value: number): string {
+  const size = Math.abs(value);
+  return size < LEAST ? '0' : String(Number(size < 0.1 ? value.toPrecision(3) : value.toFixed(3)));
 }

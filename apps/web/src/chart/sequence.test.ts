@@ -58,7 +58,49 @@ it('each that was said is an arrow, oldest first', () =>
 it('what is no act of a conversation is told in its words, with as many digits as people read', () => {
   const speech: SaidInfo = { ...toAll, to: 'collect-1', topic: 'speech' };
   const told = event('fetch', speech, 'achieve: call(3, -4.718629821801143, 2)');
-  expect(sequenceOf([told], ANY, 100).arrows[0]!.label).toBe('achieve: call(3, -4.71, 2)');
+  expect(sequenceOf([told], ANY, 100).arrows[0]!.label).toBe('achieve: call(3, -4.719, 2)');
+});
+
+it('what one says to all again and again is there once, until a topic is chosen', () => {
+  const says = (
+    time: number,
+    subject: string,
+    text: string,
+    said: SaidInfo = { ...toAll, topic: 'depot' },
+  ) => ({
+    ...event(subject, said, text),
+    time,
+  });
+  const all = [
+    says(0, 'collect-1', 'here'),
+    says(0, 'collect-2', 'there'),
+    says(10, 'collect-1', 'here'),
+    says(20, 'collect-1', 'elsewhere'),
+    says(40, 'collect-1', 'here'),
+    says(71, 'collect-1', 'here'),
+    says(72, 'collect-1', 'here', act('collect-2', 'inform', '')),
+    says(73, 'collect-1', 'here', act('collect-2', 'inform', '')),
+  ];
+  const { arrows, left } = sequenceOf(all, ANY, 6);
+  expect(arrows.map(({ time, words, times }) => `${time}: ${words} ×${times}`)).toEqual([
+    '0: here ×3',
+    '0: there ×1',
+    '20: elsewhere ×1',
+    '71: here ×1',
+    '72: here ×1',
+    '73: here ×1',
+  ]);
+  expect(left).toBe(0);
+  expect(sequenceOf(all, { ...ANY, about: 'depot' }, 100).arrows).toHaveLength(6);
+});
+
+it('what is said to one agent is a conversation, too', () => {
+  const speech: SaidInfo = { ...toAll, to: 'collect-1', topic: 'speech' };
+  const all = [events[0]!, event('fetch', speech, 'achieve: wait')];
+  expect(hasConversations(all)).toBe(true);
+  expect(sequenceOf(all, { ...ANY, about: CONVERSATIONS }, 100).arrows.map(({ label }) => label)).toEqual([
+    'achieve: wait',
+  ]);
 });
 
 it('messages to all make no conversation', () => {

@@ -1,4 +1,5 @@
-import type { EventInfo, RoutineInfo } from '../api/messages';
+import type { EventInfo, RoutineInfo, SaidInfo } from '../api/messages';
+import { brief } from '../format';
 
 /** What to show of all that was said; each empty for any. */
 export interface Wanted {
@@ -10,7 +11,7 @@ export interface Wanted {
   conversation: string;
 }
 
-/** Whatever is part of one: no topic or protocol is called so. */
+/** Whatever is part of one, or said to one agent: no topic or protocol is called so. */
 export const CONVERSATIONS = '*';
 
 export const ANY: Wanted = { agent: '', about: '', conversation: '' };
@@ -29,6 +30,8 @@ export interface Arrow {
   conversation: string;
   /** Whether it turns something down, or says that it failed. */
   refuses: boolean;
+  /** How often it was said to all, one soon after the other, from then on. */
+  times: number;
 }
 
 export interface Sequence {
@@ -49,18 +52,47 @@ export interface Choice {
 
 const REFUSALS = new Set(['refuse', 'reject-proposal', 'failure', 'not-understood', 'cancel']);
 
-/** The newest arrows of those that are wanted, at most so many. */
+/** What is said again later than that is no repetition [s]. */
+const SOON = 30;
+
+/** The newest arrows of those that are wanted, at most so many. Repetitions count as one, unless a topic is wanted. */
 export function sequenceOf(events: readonly EventInfo[], wanted: Wanted, most: number): Sequence {
-  const all = events.filter((event) => isWanted(event, wanted));
+  const some = events.filter((event) => isWanted(event, wanted));
+  const times =
+    wanted.about === ANY.about ? withoutRepetitions(some) : new Map(some.map((event) => [event, 1]));
+  const all = [...times.keys()];
   const shown = all.slice(-most);
   const there = new Set(shown.flatMap(partners));
   const agents = [...new Set(events.flatMap(partners))].filter((name) => there.has(name));
   const column = new Map(agents.map((name, i) => [name, i]));
   return {
     agents,
-    arrows: shown.map((event) => arrowOf(event, column)),
+    arrows: shown.map((event) => arrowOf(event, column, times.get(event)!)),
     left: all.length - shown.length,
   };
+}
+
+/** What was said, and how often: what one agent says to all in the same words soon afterwards is said once. */
+function withoutRepetitions(events: readonly EventInfo[]): Map<EventInfo, number> {
+  const times = new Map<EventInfo, number>();
+  const lately = new Map<string, { first: EventInfo; last: number }>();
+  events.forEach((event) => {
+    const said = event.said!;
+    if (isTalk(said)) {
+      times.set(event, 1);
+      return;
+    }
+    const key = JSON.stringify([event.subject, said.topic, event.text]);
+    const before = lately.get(key);
+    if (before && event.time - before.last <= SOON) {
+      before.last = event.time;
+      times.set(before.first, times.get(before.first)! + 1);
+    } else {
+      lately.set(key, { first: event, last: event.time });
+      times.set(event, 1);
+    }
+  });
+  return times;
 }
 
 export function choiceOf(events: readonly EventInfo[]): Choice {
@@ -88,14 +120,16 @@ export function withRoutine(
 }
 
 export const hasConversations = (events: readonly EventInfo[]): boolean =>
-  events.some(({ said }) => said !== null && said.conversation !== '');
+  events.some(({ said }) => said !== null && isTalk(said));
+
+/** Whether it is part of a conversation. Agents in AgentSpeak have some, too, of which only they know which is which. */
+const isTalk = ({ to, conversation }: SaidInfo): boolean => conversation !== '' || to !== '';
 
 function isWanted({ subject, said }: EventInfo, { agent, about, conversation }: Wanted): boolean {
   return (
     said !== null &&
     (agent === '' || agent === subject || agent === said.to) &&
-    (about === '' ||
-      (about === CONVERSATIONS ? said.conversation !== '' : about === (said.protocol || said.topic))) &&
+    (about === '' || (about === CONVERSATIONS ? isTalk(said) : about === (said.protocol || said.topic))) &&
     (conversation === '' || conversation === said.conversation)
   );
 }
@@ -104,19 +138,17 @@ function partners({ subject, said }: EventInfo): string[] {
   return said === null ? [] : said.to === '' ? [subject] : [subject, said.to];
 }
 
-/** With as many digits as people read. */
-const plain = (words: string): string => words.replace(/(\d\.\d{2})\d+/g, '$1');
-
-function arrowOf(event: EventInfo, column: ReadonlyMap<string, number>): Arrow {
+function arrowOf(event: EventInfo, column: ReadonlyMap<string, number>, times: number): Arrow {
   const said = event.said!;
   return {
     sequence: event.sequence,
     time: event.time,
     from: column.get(event.subject)!,
     to: said.to === '' ? null : column.get(said.to)!,
-    label: said.act || plain(event.text),
-    words: plain(event.text),
+    label: said.act || brief(event.text),
+    words: brief(event.text),
     conversation: said.conversation,
     refuses: REFUSALS.has(said.act),
+    times,
   };
 }

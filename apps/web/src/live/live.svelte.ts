@@ -13,7 +13,7 @@ import type {
 } from '../api/messages';
 import { connect, type Listener } from './connection';
 import { merged } from './details';
-import { unsigned } from '../format';
+import { brief } from '../format';
 import { withShades } from '../shades';
 import { marksAmong } from '../timeline/marks';
 import { decodeFrame, type Frame } from './frame';
@@ -108,7 +108,7 @@ class Live implements Listener {
     } else if (message.details) {
       this.details = merged(this.details, message.details);
     } else if (message.events) {
-      const events = message.events.events.map((event) => ({ ...event, text: unsigned(event.text) }));
+      const events = message.events.events.map((event) => ({ ...event, text: brief(event.text) }));
       const most = this.recording ? MOST_RECORDED_EVENTS : MOST_EVENTS;
       this.events = this.events.concat(events).slice(-most);
       this.marked = this.marked.concat(marksAmong(events)).slice(-MOST_MARKED);

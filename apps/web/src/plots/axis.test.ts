@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { axisOf, short, withError } from './axis';
+import { axisOf, meant, short, withError } from './axis';
 
 it.each([
   [33.8, 152, '0 50 100 150 200'],
@@ -47,3 +47,13 @@ it.each([
   [1234567, 40000, '(1.23 ± 0.04)e6'],
   [0.000123, 0.00002, '(1.23 ± 0.20)e-4'],
 ])('%d with an error of %d is %s', (value, error, text) => expect(withError(value, error)).toBe(text));
+
+it.each([
+  [1e-13, '°/s', 0],
+  [-0.0009, '°/s', 0],
+  [0.002, '°/s', 0.002],
+  [-9e-6, 'm', 0],
+  [1e-6, 'm²', 1e-6],
+  [1e-17, '', 0],
+  [1e-7, 'T', 1e-7],
+])('%d %s means %d', (value, unit, is) => expect(meant(value, unit)).toBe(is));

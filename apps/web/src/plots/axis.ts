@@ -11,6 +11,22 @@ const PARTS = 3;
 /** Less of its size is not worth an axis: it is what is left of rounding. */
 const NOTHING = 1e-7;
 
+/** Less than that of a unit is what is left of reckoning: no device measures it, and nobody means it. */
+const LEAST: Readonly<Record<string, number>> = {
+  m: 1e-5,
+  'm/s': 1e-5,
+  '°': 1e-3,
+  '°/s': 1e-3,
+  J: 1e-3,
+  W: 1e-3,
+  V: 1e-5,
+};
+const LEAST_OF_ANY = 1e-12; // variances are small
+
+/** A value as it is meant: nothing when it is less than anybody would measure. */
+export const meant = (value: number, unit: string): number =>
+  Math.abs(value) < (LEAST[unit] ?? LEAST_OF_ANY) ? 0 : value;
+
 /** An axis that has room for some values: round numbers, of which it begins and ends at one. */
 export function axisOf(least: number, greatest: number): Axis {
   const span = greatest - least;
