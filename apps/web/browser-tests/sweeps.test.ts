@@ -87,6 +87,10 @@ describe.skipIf(!chromium)('a sweep', () => {
     expect(await row.innerText()).toMatch(/100 %[^]*±[^]*n = 30/);
     await row.getByRole('img', { name: /^way: quartiles/ }).waitFor();
     await picture(page, 'sweep-dark');
+    const table = page.getByRole('region', { name: 'What came of it so far' });
+    expect(await table.evaluate((node) => node.scrollWidth - node.clientWidth), 'all columns are seen').toBe(
+      0,
+    );
     await expectAccessible(page, 'dialog[open]');
 
     await page.getByRole('button', { name: 'Runs of guards=2', exact: true }).click();

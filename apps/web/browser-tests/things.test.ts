@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, visits } from './visits';
+import { expectAccessible, picture, visits } from './visits';
 import { colorAt, drag, onScreen, type Place } from './world';
 
 const YARD = fileURLToPath(new URL('yard.world', import.meta.url));
@@ -89,7 +89,11 @@ describe.skipIf(!chromium)('a world of things', () => {
 
   it('says why a thing has no room, and leaves it where it is', async () => {
     await drag(page, { x: 2, y: 2 }, { x: 5.9, y: 2 });
-    await page.getByRole('alert').getByText('(crate) does not fit').waitFor();
+    const alert = page.getByRole('alert');
+    await alert.getByText('(crate) does not fit').waitFor();
+    const [told, tools] = [(await alert.boundingBox())!, (await page.locator('.map .bar').boundingBox())!];
+    expect(told.y + told.height, 'it hides no tools of the map').toBeLessThanOrEqual(tools.y);
+    await picture(page, 'notice');
     expect(await isNear(thing('crate'), { x: 2, y: 2 })).toBe(true);
   });
 

@@ -200,6 +200,17 @@ describe.skipIf(!chromium)('what people work with', () => {
     expect(await page.locator('tr[data-robot]', { hasText: 'motors are off' }).count()).toBe(1);
     await page.keyboard.press(' ');
     await told('courier-1 was switched off alone, and stays off.');
+    const hides = async () => {
+      const [said, map] = [page.locator('.banner'), page.locator('#map')];
+      const [{ y, height }, { y: top }] = [(await said.boundingBox())!, (await map.boundingBox())!];
+      return y + height - top;
+    };
+    expect(await hides(), 'of the map it hides nothing').toBeLessThanOrEqual(0);
+    await page.setViewportSize({ width: 1280, height: 800 });
+    expect(await hides()).toBeLessThanOrEqual(0);
+    await page.setViewportSize({ width: 820, height: 1180 });
+    expect(await hides()).toBeLessThanOrEqual(0);
+    await page.setViewportSize({ width: 1400, height: 900 });
     await picture(page, 'motors-switched-off');
     await expectAccessible(page);
     await page.getByRole('button', { name: 'Arm', exact: true }).click();

@@ -46,6 +46,7 @@ export const texts = {
   },
   recording: {
     label: 'Recording',
+    partLabel: 'Recording, not whole',
     why: 'What a recording shows is over: robots can be looked at, and not be told anything.',
     damaged: (damage: readonly string[]) =>
       `The recording is not whole. ${damage[0]}${damage.length > 1 ? ` And ${damage.length - 1} more.` : ''}`,
