@@ -9,7 +9,7 @@ import { visits } from './visits';
 const OTHER = fileURLToPath(new URL('wander.yaml', import.meta.url));
 
 describe.skipIf(!chromium)('a server that goes away', () => {
-  const { openRun } = visits();
+  const { openRun } = visits({ refusals: false });
 
   const layer = (page: Page, name: string) => page.getByRole('button', { name, exact: true });
   const gone = (page: Page) => page.getByText('The server is gone.');

@@ -9,7 +9,7 @@ import { visits } from './visits';
 const SCENARIO = fileURLToPath(new URL('faulty.yaml', import.meta.url));
 
 describe.skipIf(!chromium)('a robot that is gone', () => {
-  const { open } = visits();
+  const { open } = visits({ refusals: false });
   let rsal: Rsal;
   let page: Page;
   /** How often was asked what a robot can do. */

@@ -13,7 +13,7 @@ import { Rsal } from './rsal';
 /** Where pictures go of what was tested, for people to look at; none when it is not set. */
 const PICTURES = process.env.PICTURES;
 
-/** What the server answers when people ask for what can't be: no mistake of the page. */
+/** What the server answers when people ask for what can't be: no mistake of the page, where a test does that. */
 const REFUSED = /status of 4(09|22)/;
 
 interface Visit extends BrowserContextOptions {
@@ -25,8 +25,10 @@ interface Visit extends BrowserContextOptions {
  * The pages of a file's tests, in a browser that is there for all of them. To be called where they are described,
  * before their own hooks. What is opened for one test is closed behind it; and no page may fail, break its security
  * policy, or call somebody else.
+ *
+ * @param refusals whether these tests ask for what can't be
  */
-export function visits() {
+export function visits({ refusals = true } = {}) {
   let browser: Browser | undefined;
   let opened: BrowserContext[] = [];
   let faults: string[] = [];
@@ -75,7 +77,7 @@ export function visits() {
   function watch(page: Page, host: string) {
     page.on('pageerror', (error) => faults.push(error.message));
     page.on('console', (message) => {
-      if (message.type() === 'error' && !REFUSED.test(message.text())) {
+      if (message.type() === 'error' && !(refusals && REFUSED.test(message.text()))) {
         faults.push(message.text());
       }
     });

@@ -83,10 +83,10 @@ export const api = {
   readings: (robot: string, time: number | null = null) => about<Readings>('readings', robot, time),
   numbers: (robot: string, time: number | null = null) => about<PlottedNumbers>('numbers', robot, time),
   pastNumbers: (robot: string, device: string, number: string) =>
-    found<PastNumbers>(`numbers/past?${new URLSearchParams({ robot, device, number }).toString()}`),
+    found<PastNumbers>(`numbers/past?${new URLSearchParams({ robot, device, number }).toString()}${ofRun()}`),
   /** @param time of a recording [s of the run] */
   agent: (name: string, time: number | null = null) =>
-    found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}`),
+    found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}${ofRun()}`),
   /** @param robot that is chosen, of many; empty for none */
   links: (robot: string) => about<Links>('links', robot),
   sayable: () => found<Sayables>('sayable'),
@@ -147,7 +147,7 @@ export const api = {
   /** What a robot's cameras make out. @param time of a recording [s of the run] */
   blobs: (robot: string, time: number | null = null) => about<Cameras>('blobs', robot, time),
   /** What places cost a robot's navigator, of 100; null when it tells none. */
-  costs: (robot: string) => grid(`costs?robot=${encodeURIComponent(robot)}`, robot),
+  costs: (robot: string) => grid(`costs?robot=${encodeURIComponent(robot)}${ofRun()}`, robot),
   drawnFiles: (run: number, robot: string) =>
     `api/drawn/${String(run)}/files?robot=${encodeURIComponent(robot)}`,
 };
@@ -247,15 +247,25 @@ const whoAsks = () => ({ 'RSAL-Operator': access.id });
 
 const at = (time: number | null) => (time === null ? '' : `&time=${String(time)}`);
 
+/** Which run is asked about: of one before, nobody is to be told what is so in this one. */
+let run: number | null = null;
+
+/** @param number of the run that is shown from now on */
+export function askAbout(number: number): void {
+  run = number;
+}
+
+const ofRun = () => (run === null ? '' : `&run=${String(run)}`);
+
 /** Something about a robot; null when nobody knows any more. */
 const about = <T>(what: string, robot: string, time: number | null = null) =>
-  found<T>(`${what}?robot=${encodeURIComponent(robot)}${at(time)}`);
+  found<T>(`${what}?robot=${encodeURIComponent(robot)}${at(time)}${ofRun()}`);
 
 /** Something to look at; null when nobody knows any more. */
 async function found<T>(what: string, home = ''): Promise<T | null> {
   try {
     const response = await fetch(`${home}api/${what}`, { headers: whoAsks(), signal: looking() });
-    return response.ok ? ((await response.json()) as T) : null;
+    return response.status === 200 ? ((await response.json()) as T) : null;
   } catch {
     return null;
   }

@@ -1,5 +1,5 @@
 import { access } from '../api/access.svelte';
-import { api } from '../api/client';
+import { api, askAbout } from '../api/client';
 import type {
   CarriedInfo,
   Details,
@@ -84,6 +84,7 @@ class Live implements Listener {
   onMessage(message: ServerMessage) {
     if (message.run) {
       if (!isSame(message.run, this.info)) {
+        askAbout(message.run.number);
         this.onOther();
         this.told++;
       }

@@ -102,6 +102,7 @@ final class Api {
     }
 
     private void configure(Routes routes) {
+        routes.before("/api/*", this::passOver);
         routes.get("/api/run", request -> answer(request, info(request)));
         routes.get("/api/scenarios", request -> answer(request, shelf.all()));
         routes.get("/api/scenarios/picture", request -> {
@@ -378,6 +379,14 @@ final class Api {
                 .toCompletableFuture()
                 .thenAccept(snapshot -> answer(
                         request, Descriptions.status(now.number(), now.run().plan(), snapshot))));
+    }
+
+    /// Whoever asks about a run that another one has followed meanwhile is told nothing: that is no mistake of theirs.
+    private void passOver(Context request) {
+        String run = asked(request, "run");
+        if (!run.isEmpty() && !run.equals(Integer.toString(seats.find(request).now().number()))) {
+            request.status(204).skipRemainingHandlers();
+        }
     }
 
     /// What of a seat's page is asked for.

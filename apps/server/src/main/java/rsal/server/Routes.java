@@ -7,6 +7,11 @@ import io.javalin.http.Handler;
 ///
 /// @param at that address, which may have parameters; empty for the server's own
 record Routes(RoutesConfig all, String at) {
+    /// @param path of what is asked for, below that address; `*` for all
+    void before(String path, Handler handler) {
+        all.before(at + path, handler);
+    }
+
     void get(String path, Handler handler) {
         all.get(at + path, handler);
     }

@@ -549,6 +549,25 @@ class RunServerTest {
             assertThat(server.run().plan().seed()).isEqualTo(9_007_199_254_740_993L);
         }
 
+        @ParameterizedTest
+        @ValueSource(
+                strings = {
+                    "readings?robot=courier-2",
+                    "numbers?robot=courier-2",
+                    "abilities?robot=courier-2",
+                    "costs?robot=courier-2",
+                    "agent?name=nav-2",
+                })
+        void tellsNothingToWhoeverAsksAboutTheRunBefore(String question) throws IOException {
+            post("restart", "{\"configuration\":\"pair\"}");
+            assertThat(get("/api/" + question + "&run=2").status()).isIn(200, 204); // no costs where nobody drives
+            post("restart", "{\"configuration\":\"one\"}");
+            Response late = get("/api/" + question + "&run=2");
+            assertThat(late.status()).isEqualTo(204);
+            assertThat(late.body()).isEmpty();
+            assertThat(get("/api/" + question + "&run=3").status()).isEqualTo(409);
+        }
+
         @Test
         void goesAsFastAsAskedFor() throws IOException {
             post("restart", "{\"speed\":\"max\"}");
