@@ -216,6 +216,9 @@ final class March {
 
     /// Ends those that are in a wall, where only [#setOut] can have put them.
     ///
+    /// Nearly along a border a coordinate rounds to it for a long way, while the ray is behind it. Were it not put
+    /// there, it would come free by crossing that border again, as before, and stride and walk there for ever.
+    ///
     /// @return how many are left, near walls
     private int endInside(Walls walls, int count) {
         double[] its = numbers;
@@ -225,6 +228,8 @@ final class March {
             double way = its[ray + WAY];
             int column = (int) (its[ray + COLUMN] + way * its[ray + COLUMNS_PER_METER]);
             int row = (int) (its[ray + ROW] + way * its[ray + ROWS_PER_METER]);
+            column += left(column, its[ray + ORIGIN_COLUMN], its[ray + METERS_PER_COLUMN], way);
+            row += left(row, its[ray + ORIGIN_ROW], its[ray + METERS_PER_ROW], way);
             cell[place(ray)] = column;
             cell[place(ray) + 1] = row;
             if (walls.roomIn(column, row) == Walls.SOLID) {
@@ -235,6 +240,11 @@ final class March {
             }
         }
         return left;
+    }
+
+    /// What leads to the next cell of an axis when this one was left before, else 0.
+    private static int left(int cell, double origin, double metersPerCell, double way) {
+        return -negative((cell - origin) * metersPerCell - way) & ahead(metersPerCell);
     }
 
     /// Lets those near walls go from cell to cell, until they meet one, or come free, or their limit is passed.
@@ -262,8 +272,8 @@ final class March {
                 double toRow = (row - its[ray + ORIGIN_ROW]) * perRow;
                 int aside = -negative(toColumn - toRow); // all bits: the border to another column is nearer
                 double to = Math.min(toColumn, toRow);
-                int nextColumn = column + (aside & (1 - 2 * negative(perColumn)));
-                int nextRow = row + (~aside & (1 - 2 * negative(perRow)));
+                int nextColumn = column + (aside & ahead(perColumn));
+                int nextRow = row + (~aside & ahead(perRow));
                 int here = walls.roomIn(nextColumn, nextRow);
                 int within = 1 - negative(its[ray + LIMIT] - to);
                 int far = isFar(here);
@@ -287,6 +297,11 @@ final class March {
     /// Where in [#cell] the column of a ray is.
     private static int place(int ray) {
         return (2 * ray) >>> SIZE_BITS;
+    }
+
+    /// 1 upwards, −1 downwards.
+    private static int ahead(double metersPerCell) {
+        return 1 - 2 * negative(metersPerCell);
     }
 
     /// 1 when walls are not near, else 0.

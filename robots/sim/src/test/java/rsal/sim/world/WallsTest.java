@@ -7,9 +7,11 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Footprint;
+import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.scene.Raster;
@@ -127,6 +129,51 @@ class WallsTest {
             }
         }
         assertThat(hits).isGreaterThan(20);
+    }
+
+    /// Nearly along a border between cells, so that for a long way the coordinate across it rounds to the border
+    /// itself, whichever side the ray has got to.
+    @Test
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void raysAlongBordersEndWhereThoseBesideThemDo() {
+        for (long seed = 0; seed < 200; seed++) {
+            var random = new SplittableRandom(seed);
+            var cells = new byte[64 * 64];
+            for (int i = 0; i < cells.length; i++) {
+                cells[i] = random.nextInt(100) == 0 ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+            }
+            var map = new OccupancyGrid(64, 64, 0.25, -8, -300, cells);
+            var walls = Walls.of(map);
+            var slow = new Rays(map);
+            for (int i = 0; i < 100; i++) {
+                double along = random.nextBoolean() ? 1 : -1;
+                int side = random.nextInt(-1, 2);
+                double across = side * Math.pow(10, -random.nextDouble(11, 20));
+                double above = side < 0 && random.nextBoolean() ? 1e-13 : 0; // which it loses on its way, or doesn't
+                double free = random.nextDouble(1, 15);
+                double border = 0.25 * random.nextInt(4, 60) + above;
+                boolean level = random.nextBoolean();
+                double x = -8 + (level ? free : border);
+                double y = -300 + (level ? border : free);
+                double range = level
+                        ? RandomWorld.ray(walls, x, y, along, across, 100)
+                        : RandomWorld.ray(walls, x, y, across, along, 100);
+                double[] beside = new double[2];
+                for (int upper = 0; upper < 2; upper++) {
+                    double aside = 2e-9 * (upper - 0.5);
+                    beside[upper] = slow.range(
+                            level
+                                    ? new Pose2d(x, y + aside, along > 0 ? 0 : Math.PI)
+                                    : new Pose2d(x + aside, y, along * Math.PI / 2));
+                }
+                String which = "seed %d, ray %d from (%s, %s), %s".formatted(seed, i, x, y, across);
+                if (above > 0) {
+                    assertThat(range).as(which).isGreaterThanOrEqualTo(Math.min(beside[0], beside[1]) - 1e-6);
+                } else { // exactly along it is in the upper cell
+                    assertThat(range).as(which).isCloseTo(beside[side < 0 ? 0 : 1], within(1e-6));
+                }
+            }
+        }
     }
 
     @Test
