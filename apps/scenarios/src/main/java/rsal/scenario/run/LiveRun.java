@@ -61,12 +61,13 @@ public final class LiveRun implements AutoCloseable {
     private static final long MOMENT = 500_000; // [ns], after which it looks again whether it may go on
     private static final Duration PERIOD_OF_MINDS = Duration.ofSeconds(1); // of the run
     private static final int AGENTS_MAY_TAKE = 20; // times as long for one turn
+    private static final Answer LATE = new Answer.Refused("The run has ended.");
 
     private final RunPlan plan;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
     private final CompletableFuture<RunResult> result = new CompletableFuture<>();
     private final Requests requests = // wait until the robots are there
-            new Requests(result.handle((_, _) -> new Answer.Refused("The run has ended.")));
+            new Requests(result.handle((_, _) -> LATE));
     private final Viewers eventViewers = new Viewers();
     private final ExecutorService helpers;
     private final PhaseTimes phaseTimes = new PhaseTimes(System::nanoTime);
@@ -552,8 +553,10 @@ public final class LiveRun implements AutoCloseable {
 
     /// @param recalled what is answered once the run has ended, if it remembers that
     private CompletionStage<Answer> askOrRecall(Function<Stage, Answer> order, Function<LastLook, Answer> recalled) {
-        LastLook last = lastLook;
-        return last == null ? ask(order) : CompletableFuture.completedStage(recalled.apply(last));
+        return ask(order).thenApply(answer -> {
+            LastLook last = lastLook;
+            return last != null && answer.equals(LATE) ? recalled.apply(last) : answer;
+        });
     }
 
     private Answer answer(Function<Stage, Answer> order) {

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -527,6 +528,22 @@ class LiveRunTest {
         assertThat(Runs.result(run).outcome()).isEqualTo("stopped");
         assertThat(answer(run.estop())).isEqualTo(new Answer.Refused("The run has ended."));
         run.close();
+    }
+
+    /// When the last snapshot is made, no step comes any more in which it could be answered.
+    @Test
+    void whatIsAskedAtTheEndIsAnsweredByWhatIsRemembered() {
+        var asked = new ConcurrentLinkedQueue<CompletionStage<Answer>>();
+        try (var run = LiveRun.start(slow())) {
+            run.rememberItsEnd();
+            run.onSnapshot(() -> asked.add(run.topics()));
+            run.snapshot();
+            run.speed(Double.POSITIVE_INFINITY);
+            Runs.result(run);
+        }
+        assertThat(asked)
+                .isNotEmpty()
+                .allSatisfy(answer -> assertThat(answer(answer)).isInstanceOf(Answer.Counted.class));
     }
 
     private static BlockingQueue<Snapshot> snapshots(LiveRun run) {
