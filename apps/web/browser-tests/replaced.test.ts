@@ -5,7 +5,7 @@ import { Rsal } from './rsal';
 import { visits } from './visits';
 
 describe.skipIf(!chromium)('a run that is replaced', () => {
-  const { openRun } = visits();
+  const { openRun } = visits({ refusals: false });
 
   it('is asked no more about the robot that was selected in it, its agent and its plots', async () => {
     const rsal = await Rsal.run('find-and-collect', '--port', '0');
