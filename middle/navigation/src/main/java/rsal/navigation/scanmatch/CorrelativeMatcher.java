@@ -10,7 +10,7 @@ import rsal.data.Pose2d;
 
 /// Finds the place within a window at which most points of a scan lie where a reference has points, and
 /// misses no better one: E. Olson, Real-Time Correlative Scan Matching (ICRA 2009), searched by branch and
-/// bound as in M. Hess et al., Real-Time Loop Closure in 2D LIDAR SLAM (ICRA 2016), algorithm 3.
+/// bound as in W. Hess et al., Real-Time Loop Closure in 2D LIDAR SLAM (ICRA 2016), algorithm 3.
 ///
 /// Differs from Olson in that the covariance is that of the places tried at the finest level around the best
 /// one, and from Hess in that headings are not bounded, too, but all tried. Immutable; may be shared between

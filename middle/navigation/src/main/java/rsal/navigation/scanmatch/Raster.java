@@ -3,7 +3,7 @@ package rsal.navigation.scanmatch;
 import java.util.Arrays;
 
 /// A cloud drawn into cells, blurred as the laser errs, and the same ever coarser, each cell of which is as
-/// bright as the brightest that it may stand for: M. Hess et al., Real-Time Loop Closure in 2D LIDAR SLAM
+/// bright as the brightest that it may stand for: W. Hess et al., Real-Time Loop Closure in 2D LIDAR SLAM
 /// (ICRA 2016), section V-B.
 ///
 /// A cell of level `h` stands for the `2^h × 2^h` finest ones above and to the right of its own place.
