@@ -29,6 +29,7 @@ import rsal.navigation.slam.Merge;
 import rsal.navigation.slam.Relation;
 import rsal.navigation.slam.RelationError;
 import rsal.navigation.slam.Slam;
+import rsal.navigation.slam.Strain;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.time.AllowedToReadWallClock;
@@ -110,9 +111,53 @@ final class MapCommand extends Subcommand {
             @Nullable Errors next,
             @Nullable Errors near) {}
 
+    /// A step of a robot's way, by numbers of the scans that were kept, and how far off the map is what was told of it.
+    ///
+    /// @param deviations as whoever told it errs
+    record Bent(int from, int to, double meters, double degrees, double deviations) {
+        static @Nullable Bent of(Optional<Strain.Step> step) {
+            return step.map(s -> new Bent(s.from(), s.to(), s.meters(), Math.toDegrees(s.radians()), s.deviations()))
+                    .orElse(null);
+        }
+    }
+
+    /// How much the map bends what it was told.
+    ///
+    /// @param wheels the step that is farthest off what the wheels say
+    /// @param scans likewise of what scans say
+    /// @param all the step that is farthest off all that was told of it
+    /// @param tooMuch whether that is so far that the map is probably wrong
+    /// @param steps of the way
+    /// @param blind of them, told by wheels alone
+    record Strained(
+            @Nullable Bent wheels,
+            @Nullable Bent scans,
+            @Nullable Bent all,
+            boolean tooMuch,
+            int steps,
+            int blind) {
+        static Strained of(Strain strain) {
+            return new Strained(
+                    Bent.of(strain.wheels()),
+                    Bent.of(strain.scans()),
+                    Bent.of(strain.all()),
+                    strain.tooMuch().isPresent(),
+                    strain.steps(),
+                    strain.blind());
+        }
+    }
+
     /// @param columns of the map
     /// @param rows of the map
-    record Result(List<Drawn> logs, int columns, int rows, double resolution, double seconds, List<String> files) {}
+    /// @param strain null when poses were known
+    record Result(
+            List<Drawn> logs,
+            @Nullable Strained strain,
+            int columns,
+            int rows,
+            double resolution,
+            double seconds,
+            List<String> files) {}
 
     /// One robot's scans and, while they are mapped, where they are in the graph.
     private record Robot(String file, CarmenLog log, Course course, List<Slam.Located> located) {}
@@ -181,8 +226,10 @@ final class MapCommand extends Subcommand {
         contents.put("picture.png", MapPicture.png(grid, slam));
         folder.write(contents);
         double seconds = Duration.ofNanos(System.nanoTime() - start).toMillis() / 1e3;
+        Strain strain = slam.strain();
         var result = new Result(
                 drawn,
+                knownPoses ? null : Strained.of(strain),
                 grid.width(),
                 grid.height(),
                 resolution,
@@ -191,6 +238,7 @@ final class MapCommand extends Subcommand {
                         .map(f -> folder.resolve(f).toString())
                         .toList());
         robots.forEach(robot -> LogOptions.tellSkipped(err(), robot.file(), robot.log()));
+        strain.tooMuch().ifPresent(step -> warn(step, slam));
         if (json) {
             printJson(result);
         } else {
@@ -385,10 +433,46 @@ final class MapCommand extends Subcommand {
             tell("map, scan to scan", log.next());
             tell("map, scans within %.0f m".formatted(NEAR), log.near());
         }
+        if (result.strain() != null) {
+            tell(result.strain());
+        }
         out().println("%d × %d cells of %s m, %.1f s"
                 .formatted(result.columns(), result.rows(), result.resolution(), result.seconds()));
         result.files().forEach(out()::println);
         out().flush();
+    }
+
+    private void warn(Strain.Step step, Slam slam) {
+        Pose2d place = slam.poses().get(step.to());
+        err().println(("The map is probably wrong: at (%.1f, %.1f), from scan (%d) to (%d) of those kept, it is off"
+                        + " all that was told of the robot's way, by (%.2f m) and (%.0f°) at least, %.0f times as much"
+                        + " as that errs. Maybe places that look alike were taken for one: look at picture.png, and map"
+                        + " the log in parts. Or the robot was carried there; then the map may be right.")
+                .formatted(
+                        place.x(),
+                        place.y(),
+                        step.from(),
+                        step.to(),
+                        step.meters(),
+                        Math.toDegrees(step.radians()),
+                        step.deviations()));
+    }
+
+    private void tell(Strained strain) {
+        tell("wheels, at most", strain.wheels());
+        tell("scans, at most", strain.scans());
+        tell("all that was told", strain.all());
+        if (strain.blind() > 0) {
+            out().println("  no scan tells of %d of %d steps: there the map is as right as the wheels"
+                    .formatted(strain.blind(), strain.steps()));
+        }
+    }
+
+    private void tell(String what, @Nullable Bent bent) {
+        if (bent != null) {
+            out().println("  %-24s bent by %.2f m, %.1f°, %.1f deviations (scan %d to %d)"
+                    .formatted(what, bent.meters(), bent.degrees(), bent.deviations(), bent.from(), bent.to()));
+        }
     }
 
     private void tell(String what, @Nullable Errors errors) {

@@ -44,6 +44,11 @@ class MapIT {
         assertThat(log.path("next").path("meters").asDouble()).isLessThan(0.02);
         assertThat(log.path("next").path("degrees").asDouble()).isLessThan(0.5);
         assertThat(log.path("odometry").path("degrees").asDouble()).isGreaterThan(0.5);
+        JsonNode strain = told.path("strain");
+        assertThat(strain.path("tooMuch").asBoolean(true)).isFalse();
+        assertThat(strain.path("wheels").path("deviations").asDouble()).isPositive();
+        assertThat(strain.path("steps").asInt()).isEqualTo(log.path("kept").asInt() - 1);
+        assertThat(ended.err()).doesNotContain("probably wrong");
         OccupancyGrid map =
                 new Maps(FileSource.disk()).read(folder.resolve("room/map.yaml").toString(), Location.of("test"));
         Pose2d start = RoomLog.START;
@@ -53,6 +58,25 @@ class MapIT {
         assertThat(residuals.getFirst()).startsWith("from,to,source,");
         assertThat(residuals).anyMatch(line -> line.contains(",scans,"));
         assertThat(folder.resolve("room/picture.png")).isNotEmptyFile();
+    }
+
+    @Test
+    void warnsWhenTheMapIsOffAllThatWasToldOfTheWay() throws Exception {
+        Pose2d carried = new Pose2d(0, 1, 0); // as the wheels tell it, by more than scans are searched for
+        Files.writeString(
+                folder.resolve("carried.log"), RoomLog.part(0, 22, Pose2d.ORIGIN) + RoomLog.part(23, 40, carried));
+
+        Ended ended = rsal.run("map", "carried.log", "--no-reference", "--out", "carried");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.err()).contains("The map is probably wrong: at (", "from scan (11) to (12)", "Maybe");
+        assertThat(ended.out()).contains("wheels, at most", "scans, at most", "no scan tells of 1 of 20 steps");
+        Ended json = rsal.run("map", "carried.log", "--no-reference", "--out", "again", "--json");
+        JsonNode strain = new JsonMapper().readTree(json.out()).path("strain");
+        assertThat(strain.path("tooMuch").asBoolean()).isTrue();
+        assertThat(strain.path("all").path("from").asInt()).isEqualTo(11);
+        assertThat(strain.path("blind").asInt()).isEqualTo(1);
+        assertThat(json.err()).contains("probably wrong");
     }
 
     @Test

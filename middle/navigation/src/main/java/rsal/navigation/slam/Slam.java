@@ -418,6 +418,11 @@ public final class Slam {
         return PoseGraph.square(relation, poses.get(relation.from()), poses.get(relation.to()));
     }
 
+    /// How much the last fit bends what was told of the way from each scan that was kept to the next.
+    public Strain strain() {
+        return Strain.of(relations, poses);
+    }
+
     /// Difference of two headings of a relation [rad], told and fitted.
     public double headingResidual(Relation relation) {
         Pose2d is = poses.get(relation.from()).inverse().compose(poses.get(relation.to()));
