@@ -15,10 +15,12 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -33,8 +35,8 @@ import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
 
-/// A world from above: floor plans dark, things and robots in their colors, what robots see past walls as pale
-/// fans, and a bar that tells the scale.
+/// A world from above: floor plans dark, things and robots in their colors, the higher over the lower, what robots see
+/// past walls as pale fans, and a bar that tells the scale.
 public final class WorldPicture {
     private static final int SHORTEST = 200; // side [px]
     private static final int BELOW = 40; // for the bar [px]
@@ -107,8 +109,7 @@ public final class WorldPicture {
     }
 
     private void draw() {
-        scene.walls().forEach(this::draw);
-        scene.things().forEach(this::draw);
+        drawStanding();
         if (robots.size() <= MANY) {
             robots.forEach(this::drawFans);
         }
@@ -119,6 +120,18 @@ public final class WorldPicture {
                             pose -> drawHeading(pose, robot.model().footprint().circumscribedRadius()));
         }
         drawBar();
+    }
+
+    /// Floor plans and things, the higher over the lower, as they hide each other.
+    private void drawStanding() {
+        record Standing(double top, Runnable drawing) {}
+        Stream<Standing> walls = scene.walls().stream().map(wall -> new Standing(wall.highest(), () -> draw(wall)));
+        Stream<Standing> blocks = scene.things().stream().flatMap(thing -> thing.blocks().stream()
+                .map(block -> new Standing(
+                        thing.height() + block.prism().top(), () -> draw(block, thing.mapFromEntity()))));
+        Stream.concat(walls, blocks)
+                .sorted(Comparator.comparingDouble(Standing::top))
+                .forEach(standing -> standing.drawing.run());
     }
 
     private Optional<Entity> bodyOf(RobotSpec robot) {
@@ -155,16 +168,18 @@ public final class WorldPicture {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     }
 
-    private void draw(Entity entity) {
+    private void draw(Entity robot) {
+        Entity.lowestFirst(robot.blocks()).forEach(block -> draw(block, robot.mapFromEntity()));
+    }
+
+    private void draw(Block block, Pose2d mapFromEntity) {
         graphics.setStroke(new BasicStroke(1));
-        for (Block block : entity.blocks()) {
-            Shape shape = pixelsFromMap.createTransformedShape(outline(block, entity.mapFromEntity()));
-            Rgb rgb = block.surface().color();
-            graphics.setColor(new Color(rgb.packed()));
-            graphics.fill(shape);
-            graphics.setColor(graphics.getColor().darker());
-            graphics.draw(shape);
-        }
+        Shape shape = pixelsFromMap.createTransformedShape(outline(block, mapFromEntity));
+        Rgb rgb = block.surface().color();
+        graphics.setColor(new Color(rgb.packed()));
+        graphics.fill(shape);
+        graphics.setColor(graphics.getColor().darker());
+        graphics.draw(shape);
     }
 
     private static Shape outline(Block block, Pose2d mapFromEntity) {
