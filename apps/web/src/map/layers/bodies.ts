@@ -26,6 +26,32 @@ function outlineOf(piece: PieceInfo): Path2D {
   return path;
 }
 
+/** All that bodies cover, in the map frame. */
+export function areaOf(bodies: readonly { pose: Pose; pieces: readonly PieceInfo[] }[]): Path2D {
+  const area = new Path2D();
+  for (const { pose, pieces } of bodies) {
+    const [cos, sin] = [Math.cos(pose.heading), Math.sin(pose.heading)];
+    for (const piece of pieces) {
+      // all turn the same way, so that none is cut out of another
+      const corners = isCounterClockwise(piece) ? piece.corners : [...piece.corners].reverse();
+      corners.forEach(([bodyX, bodyY], i) => {
+        const x = pose.x + cos * bodyX! - sin * bodyY!;
+        const y = pose.y + sin * bodyX! + cos * bodyY!;
+        if (piece.radius > 0) {
+          area.moveTo(x + piece.radius, y);
+          area.arc(x, y, piece.radius, 0, 2 * Math.PI);
+        } else if (i === 0) {
+          area.moveTo(x, y);
+        } else {
+          area.lineTo(x, y);
+        }
+      });
+      area.closePath();
+    }
+  }
+  return area;
+}
+
 /** Whether two pieces look like one where they touch. */
 function isLevel(a: PieceInfo, b: PieceInfo): boolean {
   return a.high === b.high && a.color === b.color;

@@ -38,14 +38,18 @@ export function paintFloor(map: MapInfo, cells: Uint8Array, pool: number, palett
   return paint(map, cells, pool, colors);
 }
 
-/** Pictures the walls of a map alone, for an oblique view. */
-export function paintWalls(map: MapInfo, cells: Uint8Array, pool: number, palette: Palette): Floor {
-  return paint(
-    map,
-    cells,
-    pool,
-    opaque(wallColors(map, palette.standing)).set(FREE, NOTHING).set(UNKNOWN, NOTHING),
-  );
+/**
+ * Pictures the walls of a map alone.
+ *
+ * @param plain of those that keep no color
+ */
+export function paintWalls(map: MapInfo, cells: Uint8Array, pool: number, plain: string): Floor {
+  return paint(map, cells, pool, opaque(wallColors(map, plain)).set(FREE, NOTHING).set(UNKNOWN, NOTHING));
+}
+
+/** Whether a cell of a map is solid. */
+export function isWall(value: number): boolean {
+  return value !== FREE && value !== UNKNOWN;
 }
 
 function opaque(colors: ReadonlyMap<number, string>): Map<number, Rgba> {

@@ -1,10 +1,9 @@
 import type { MapInfo } from '../../api/messages';
 import { shaded } from '../palette';
 import type { Point, View } from '../view';
-import { poolCells } from './floor';
+import { isWall, poolCells } from './floor';
 
 const FREE = 0;
-const UNKNOWN = 255;
 
 /** Sides are painted in bands of this depth, the farthest first [m]. */
 const BAND = 0.25;
@@ -61,10 +60,6 @@ export function sidesOf(map: MapInfo, cells: Uint8Array, pool: number): Sides[] 
     }
     return sides;
   });
-}
-
-function isWall(value: number): boolean {
-  return value !== FREE && value !== UNKNOWN;
 }
 
 /** What of walls is seen from one side, in map coordinates. */

@@ -1,11 +1,12 @@
-import type { PieceInfo } from '../../api/messages';
+import type { MapInfo, PieceInfo } from '../../api/messages';
 import type { MovedThing, Pose } from '../../live/frame';
 import { covers, isHandy, type Thing, type Things } from '../../live/things';
 import type { Palette } from '../palette';
 import type { Layer, Scene } from '../scene';
 import type { Pixel, Point, View } from '../view';
-import { drawBody, traceBody } from './bodies';
-import { isColorful } from './floor';
+import { areaOf, drawBody, traceBody } from './bodies';
+import { drawFloor, isColorful, isWall, type Floor } from './floor';
+import { FLAT, wallHeight } from './heights';
 import { drawHandle, handleAhead } from './robots';
 import { uprightsOf, type Upright, type Uprights } from './uprights';
 
@@ -56,16 +57,108 @@ function byHeight(things: Things): Thing[] {
   return all;
 }
 
+/** By the cells of a map, things that were looked for in its walls. */
+const inWalls = new WeakMap<Uint8Array, WeakMap<Thing, boolean>>();
+
+/** Whether something of a thing is where a map has walls. */
+function isInWalls(thing: Thing, map: MapInfo, cells: Uint8Array): boolean {
+  let known = inWalls.get(cells);
+  if (!known) {
+    known = new WeakMap();
+    inWalls.set(cells, known);
+  }
+  let is = known.get(thing);
+  if (is === undefined) {
+    is = meetsWalls(thing, map, cells);
+    known.set(thing, is);
+  }
+  return is;
+}
+
+function meetsWalls(thing: Thing, map: MapInfo, cells: Uint8Array): boolean {
+  const { pose, reach } = thing;
+  const { width, height, resolution, originX, originY } = map;
+  const column = (x: number) => Math.min(width - 1, Math.max(0, Math.floor((x - originX) / resolution)));
+  const row = (y: number) => Math.min(height - 1, Math.max(0, Math.floor((y - originY) / resolution)));
+  const [left, right] = [column(pose.x - reach), column(pose.x + reach)];
+  for (let j = row(pose.y - reach); j <= row(pose.y + reach); j++) {
+    for (let i = left; i <= right; i++) {
+      if (isWall(cells[j * width + i]!)) {
+        const middle = { x: originX + (i + 0.5) * resolution, y: originY + (j + 0.5) * resolution };
+        if (covers(thing, pose, middle, resolution / 2)) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/**
+ * Things that walls are drawn over, the lowest first: those that are lower and reach into them; and in an oblique view
+ * all that are lower and that others stand in.
+ *
+ * @param moved numbers of those that are not where they were told to be
+ */
+export function thingsUnderWalls(
+  things: Things,
+  moved: ReadonlySet<number>,
+  map: MapInfo,
+  cells: Uint8Array,
+  oblique: boolean,
+  worldSide: number,
+): Thing[] {
+  const high = wallHeight(map);
+  return byHeight(things).filter(
+    (thing) =>
+      top(thing) < high &&
+      !isOverhead(thing) &&
+      !moved.has(thing.number) &&
+      ((oblique && !isHandy(thing, worldSide)) || isInWalls(thing, map, cells)),
+  );
+}
+
+/** Draws them, in canvas coordinates. */
+export function drawThingsUnderWalls(
+  context: CanvasRenderingContext2D,
+  under: readonly Thing[],
+  view: View,
+  palette: Palette,
+  worldSide: number,
+) {
+  context.save();
+  view.enter(context);
+  for (const thing of under) {
+    drawThing(context, isHandy(thing, worldSide) ? thing : asWall(thing), view, palette);
+  }
+  context.restore();
+}
+
+/** Draws walls over things that are lower, as seen from above: there alone, for all else lies over the map. */
+export function drawWallsOver(
+  context: CanvasRenderingContext2D,
+  under: readonly Thing[],
+  walls: Floor,
+  view: View,
+) {
+  context.save();
+  view.enter(context);
+  context.clip(areaOf(under));
+  view.leave(context);
+  drawFloor(context, walls, view);
+  context.restore();
+}
+
 /**
  * Draws those things that are where they were told to be, which are most. In canvas coordinates.
  *
- * @param moved numbers of those that are not
- * @param uprights what may hide some of them; of walls, when the view is oblique
+ * @param left numbers of those that are not, and of those that are drawn already
+ * @param walls what may hide some of them; of walls, when the view is oblique
  */
 export function drawStillThings(
   context: CanvasRenderingContext2D,
   things: Things,
-  moved: ReadonlySet<number>,
+  left: ReadonlySet<number>,
   view: View,
   palette: Palette,
   width: number,
@@ -80,7 +173,7 @@ export function drawStillThings(
     const reach = thing.reach * view.scale;
     const above = top(thing) * view.rise * view.scale;
     const isSeen = px > -reach && px < width + reach && py > -reach && py - above < height + reach;
-    return isSeen && !moved.has(thing.number) && !isOverhead(thing);
+    return isSeen && !left.has(thing.number) && !isOverhead(thing);
   });
   if (walls === null) {
     for (const thing of still) {
@@ -137,7 +230,7 @@ export function standingOf(
   alsoHandy: boolean,
 ): Upright[] {
   return [...things.all.values()]
-    .filter((thing) => !moved.has(thing.number) && !isOverhead(thing))
+    .filter((thing) => !moved.has(thing.number) && !isOverhead(thing) && top(thing) > FLAT)
     .flatMap((thing) =>
       isHandy(thing, worldSide) ? (alsoHandy ? uprightsOf(thing) : []) : uprightsOf(asWall(thing)),
     );
