@@ -93,11 +93,22 @@ final class ConvertCommand extends Subcommand {
                             },
                             0);
         } catch (InvalidSettings e) {
+            List<String> lines = written.yaml().lines().toList();
             throw new InvalidSettings(e.problems().stream()
-                    .map(problem ->
-                            new Problem(Location.of(file), "This can't be told in YAML: " + problem.message(), ""))
+                    .map(problem -> new Problem(
+                            Location.of(file),
+                            "This can't be told in YAML: " + problem.message(),
+                            where(problem.location(), lines)))
                     .toList());
         }
+    }
+
+    /// What would have been written there.
+    private static String where(Location location, List<String> lines) {
+        return location.line() == 0
+                ? ""
+                : "It would be %s, which was not written: %s"
+                        .formatted(location, lines.get(location.line() - 1).strip());
     }
 
     private void checkFree(Map<Path, byte[]> contents) {

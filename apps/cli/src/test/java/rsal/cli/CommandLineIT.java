@@ -1098,6 +1098,19 @@ class CommandLineIT {
     }
 
     @Test
+    void convertSaysWhatOfAWorldYamlHasNoPlaceFor() throws Exception {
+        Files.writeString(folder.resolve("far.world"), "position ( joules 100 take_watts 1500 bumper ( ) )");
+        assertThat(rsal.run("convert", "far.world").code()).isZero();
+        Files.writeString(folder.resolve("far.world"), "position ( fiducial ( range_max 1500 range_max_id 1 ) )");
+
+        Ended refused = rsal.run("convert", "far.world", "--force");
+        assertThat(refused.code()).isEqualTo(Exit.INVALID);
+        assertThat(refused.err())
+                .contains("far.world: This can't be told in YAML: (range) must be a number from")
+                .containsPattern("It would be far.world.yaml:\\d+:\\d+, which was not written: .*1500");
+    }
+
+    @Test
     void convertWritesTheSameWorldInYaml() throws Exception {
         writeStageWorld();
         Ended converted = rsal.run("convert", "hall.world");

@@ -38,7 +38,7 @@ final class PartReader {
             "canvas");
     private static final int MAX_SAMPLES = 10_000;
     private static final int MAX_SENSORS = 1_000;
-    private static final double MAX_ENERGY = 1e9;
+    private static final double MAX_ENERGY = 1e15; // [J], [W]; batteries of Stage's worlds are no larger
 
     private final String name;
     private final Pose2d mount;
@@ -226,17 +226,21 @@ final class PartReader {
     }
 
     private Part battery() {
-        double capacity = Numbers.checked(part, "capacity", 1, MAX_ENERGY);
+        double capacity = Numbers.checked(part, "capacity", Numbers.LEAST, MAX_ENERGY);
         return new Part.Battery(
                 name,
                 capacity,
                 part.has("charge") ? Numbers.checked(part, "charge", 0, capacity) : capacity,
-                Numbers.notNegative(part, "idlePower"),
-                Numbers.notNegative(part, "energyPerMeter"),
-                Math.toDegrees(Numbers.notNegative(part, "energyPerDegree")),
-                Numbers.notNegative(part, "chargingPower"),
-                part.has("givingPower") ? Numbers.notNegative(part, "givingPower") : 0,
+                energy("idlePower"),
+                energy("energyPerMeter"),
+                Math.toDegrees(energy("energyPerDegree")),
+                energy("chargingPower"),
+                part.has("givingPower") ? energy("givingPower") : 0,
                 period());
+    }
+
+    private double energy(String key) {
+        return Numbers.checked(part, key, 0, MAX_ENERGY);
     }
 
     private Part light() {

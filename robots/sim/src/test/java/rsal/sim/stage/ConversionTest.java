@@ -23,6 +23,8 @@ import rsal.settings.InvalidSettings;
 
 /// A world of Stage that is written as one of our own is the same world.
 class ConversionTest {
+    private static final List<String> NUMBERS = List.of("0.0001", "0.5", "1500", "90000", "999999999");
+
     private static Scene stage(Worlds worlds) {
         return new StageFormat().read("test.world", worlds.source(), 1);
     }
@@ -111,6 +113,69 @@ class ConversionTest {
             })
     void whatIsThereStays(String world) {
         assertConverted(stage(Worlds.of(world)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "position ( joules 100 take_watts %s )",
+                "position ( joules 100 give_watts %s )",
+                "position ( joules 100 take_watts %1$s give_watts %1$s watts %1$s model ( take_watts %1$s watts %1$s ) )",
+                "position ( joules %s )",
+                "position ( kjoules_capacity %s )",
+                "position ( joules 100 mass %s )",
+                "model ( give_watts %s )"
+            })
+    void energiesOfAnySizeStay(String world) {
+        for (String number : NUMBERS) {
+            assertConverted(stage(Worlds.of(world.formatted(number))));
+        }
+    }
+
+    /// Those of our own worlds are for what can be built, and say of what else there is where it stands.
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "position ( velocity_bounds [-%1$s %1$s -%1$s %1$s 0 0 -%1$s %1$s] )",
+                "position ( acceleration_bounds [-%1$s %1$s -%1$s %1$s 0 0 -%1$s %1$s] )",
+                "position ( drive \"car\" wheelbase %s )",
+                "position ( localization \"odom\" odom_error [%1$s %1$s 0 %1$s] )",
+                "position ( ranger ( sensor ( range [0 %s] ) ) )",
+                "position ( ranger ( sensor ( samples 5 range [0 %1$s] noise [%1$s 0 0] ) ) )",
+                "position ( ranger ( sensor ( samples 5 noise [0 %s 0] ) ) )",
+                "position ( blobfinder ( range %s ) )",
+                "position ( fiducial ( range_max %1$s range_max_id %1$s ) )",
+                "position ( gripper ( size [%1$s %1$s %1$s] ) )",
+                "position ( bumper ( bcount 1 bpose[0] [0 0 0 0] blength %s ) )",
+                "position ( actuator ( max_speed %1$s min_position -%1$s max_position %1$s ) )",
+                "position ( blinkenlight ( period %s ) )",
+                "position ( update_interval %s ranger ( update_interval %1$s sensor ( samples 5 ) ) )",
+                "position ( size [%1$s %1$s %1$s] )",
+                "position ( pose [%1$s %1$s %1$s 0] )",
+                "model ( size [%1$s %1$s %1$s] )",
+                "model ( pose [%1$s %1$s %1$s 0] )",
+                "model ( ranger_return %s )",
+                "model ( fiducial_return %s )",
+                "quit_time %s",
+                "interval_sim %s"
+            })
+    void whateverIsReadIsConvertedOrRefusedWithItsPlace(String world) {
+        for (String number : NUMBERS) {
+            Scene scene;
+            try {
+                scene = stage(Worlds.of(world.formatted(number)));
+            } catch (InvalidSettings _) {
+                continue; // broken ones can't be converted
+            }
+            try {
+                assertConverted(scene);
+            } catch (InvalidSettings refusal) {
+                assertThat(number).isNotEqualTo("0.5");
+                assertThat(refusal.problems())
+                        .allSatisfy(problem -> assertThat(problem.location().line())
+                                .isPositive());
+            }
+        }
     }
 
     @ParameterizedTest
