@@ -384,7 +384,8 @@ final class Api {
     /// Whoever asks about a run that another one has followed meanwhile is told nothing: that is no mistake of theirs.
     private void passOver(Context request) {
         String run = asked(request, "run");
-        if (!run.isEmpty() && !run.equals(Integer.toString(seats.find(request).now().number()))) {
+        if (!run.isEmpty()
+                && !run.equals(Integer.toString(seats.find(request).now().number()))) {
             request.status(204).skipRemainingHandlers();
         }
     }

@@ -126,9 +126,10 @@ public final class WorldPicture {
     private void drawStanding() {
         record Standing(double top, Runnable drawing) {}
         Stream<Standing> walls = scene.walls().stream().map(wall -> new Standing(wall.highest(), () -> draw(wall)));
-        Stream<Standing> blocks = scene.things().stream().flatMap(thing -> thing.blocks().stream()
-                .map(block -> new Standing(
-                        thing.height() + block.prism().top(), () -> draw(block, thing.mapFromEntity()))));
+        Stream<Standing> blocks = scene.things().stream()
+                .flatMap(thing -> thing.blocks().stream()
+                        .map(block -> new Standing(
+                                thing.height() + block.prism().top(), () -> draw(block, thing.mapFromEntity()))));
         Stream.concat(walls, blocks)
                 .sorted(Comparator.comparingDouble(Standing::top))
                 .forEach(standing -> standing.drawing.run());

@@ -75,10 +75,10 @@ public final class LikelihoodField implements SensorModel {
         return joined(sum, beams.count(), outside);
     }
 
-    /// The same for the poses of all particles, to the last bit. Takes one beam of many particles after the other, not
-    /// one particle after the other: of the ends of a beam, which then depend on nothing but each other's place in an
-    /// array, the compiler makes vectors; and as particles lie together, so do the cells in which a beam ends, which
-    /// the processor's fastest cache then holds.
+    /// The same for the poses of all particles, to the last bit. Takes one beam of many particles after the other,
+    /// not one particle after the other. The ends of a beam then depend on nothing but each other's place in an
+    /// array, so that the compiler makes vectors of them; and as particles lie together, so do the cells in which
+    /// a beam ends, which the processor's fastest cache then holds.
     void logs(Beams beams, Particles particles, PoseBlock block, double[] into) {
         for (int first = 0; first < particles.count; first += PoseBlock.SIZE) {
             int count = Math.min(PoseBlock.SIZE, particles.count - first);

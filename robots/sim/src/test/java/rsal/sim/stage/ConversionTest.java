@@ -172,8 +172,8 @@ class ConversionTest {
             } catch (InvalidSettings refusal) {
                 assertThat(number).isNotEqualTo("0.5");
                 assertThat(refusal.problems())
-                        .allSatisfy(problem -> assertThat(problem.location().line())
-                                .isPositive());
+                        .allSatisfy(
+                                problem -> assertThat(problem.location().line()).isPositive());
             }
         }
     }
