@@ -16,7 +16,7 @@ import rsal.sim.world.Body;
 /// What is in the world that is neither a wall nor a robot, by name, in the order in which it came.
 final class Things {
     private final Map<String, Item> items = new LinkedHashMap<>();
-    private List<Item> givers = List.of();
+    private @Nullable List<Item> givers; // null until somebody asks, since what charges came or went
     private int newest;
 
     /// A thing.
@@ -65,18 +65,21 @@ final class Things {
     /// @param blocks that the body is made of, at least one
     /// @param givingPower with which it charges each robot that touches it [W]
     void add(Body body, List<Block> blocks, double givingPower) {
-        items.put(body.name(), new Item(++newest, body, blocks, givingPower));
-        findGivers();
+        var item = new Item(++newest, body, blocks, givingPower);
+        items.put(body.name(), item);
+        noteChange(item);
     }
 
     Optional<Body> remove(String name) {
-        Optional<Body> removed = Optional.ofNullable(items.remove(name)).map(Item::body);
-        findGivers();
-        return removed;
+        Optional<Item> removed = Optional.ofNullable(items.remove(name));
+        removed.ifPresent(this::noteChange);
+        return removed.map(Item::body);
     }
 
-    private void findGivers() {
-        givers = items.values().stream().filter(item -> item.givingPower > 0).toList();
+    private void noteChange(Item item) {
+        if (item.givingPower > 0) {
+            givers = null;
+        }
     }
 
     Optional<Item> find(String name) {
@@ -94,7 +97,12 @@ final class Things {
 
     /// Those that charge robots.
     List<Item> givers() {
-        return givers;
+        List<Item> known = givers;
+        if (known == null) {
+            known = items.values().stream().filter(item -> item.givingPower > 0).toList();
+            givers = known;
+        }
+        return known;
     }
 
     /// How people see them.
