@@ -132,16 +132,18 @@ final class Lineup {
     }
 
     private void addAt(RobotSpec robot, Pose2d pose) {
+        Extent bounds = world.bounds();
         if (!pose.isFinite()) {
             refuse(robot, "The start pose (%s) must be finite.".formatted(pose));
-        } else if (!map.contains(map.column(pose.x()), map.row(pose.y()))) {
-            double right = map.originX() + map.width() * map.resolution();
-            double top = map.originY() + map.height() * map.resolution();
+        } else if (!bounds.contains(pose.x(), pose.y())) {
             refuse(
                     robot,
                     "The start pose %s is outside the map, which reaches from %s to %s."
-                            .formatted(at(pose.x(), pose.y()), at(map.originX(), map.originY()), at(right, top)));
-        } else if (map.at(map.column(pose.x()), map.row(pose.y())) == OccupancyGrid.OCCUPIED) {
+                            .formatted(
+                                    at(pose.x(), pose.y()),
+                                    at(bounds.left(), bounds.bottom()),
+                                    at(bounds.right(), bounds.top())));
+        } else if (isOccupied(pose)) {
             refuse(
                     robot,
                     "The start pose %s is inside a wall.%s".formatted(at(pose.x(), pose.y()), suggestion(robot, pose)));
@@ -153,6 +155,12 @@ final class Lineup {
         } else {
             bodies.put(robot.id(), world.add(robot.id(), chunks(robot), pose, 0));
         }
+    }
+
+    private boolean isOccupied(Pose2d pose) {
+        int column = map.column(pose.x());
+        int row = map.row(pose.y());
+        return map.contains(column, row) && map.at(column, row) == OccupancyGrid.OCCUPIED;
     }
 
     private boolean addSomewhere(RobotSpec robot) {

@@ -25,6 +25,7 @@ import rsal.settings.Suggestion;
 import rsal.sim.world.Beams;
 import rsal.sim.world.Body;
 import rsal.sim.world.Chunk;
+import rsal.sim.world.Extent;
 import rsal.sim.world.World;
 import rsal.system.RobotSystem;
 
@@ -187,10 +188,14 @@ final class SimControl extends DeviceCore implements SimulationControl {
         if (!pose.isFinite()) {
             return Optional.of(new Placement.Refused("A pose must be finite, not (%s).".formatted(pose)));
         }
-        return world.contains(pose.x(), pose.y())
+        Extent bounds = world.bounds();
+        return bounds.contains(pose.x(), pose.y())
                 ? Optional.empty()
-                : Optional.of(
-                        new Placement.Refused("%s is outside of the world.".formatted(Lineup.at(pose.x(), pose.y()))));
+                : Optional.of(new Placement.Refused("%s is outside of the world, which reaches from %s to %s."
+                        .formatted(
+                                Lineup.at(pose.x(), pose.y()),
+                                Lineup.at(bounds.left(), bounds.bottom()),
+                                Lineup.at(bounds.right(), bounds.top()))));
     }
 
     private Placement inTheWay(String entity, Pose2d pose) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.Executor;
@@ -31,6 +32,7 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
+import rsal.scene.Scene;
 import rsal.system.RobotSystem.Change;
 
 /// Robots and things come and go while the world goes on.
@@ -163,13 +165,58 @@ class SimComingTest {
         refuses("c", "z", THERE, "There never was a robot (z)");
         refuses("c", "a", new Pose2d(2.1, 3, 0), "(a) is in the way");
         refuses("c", "a", new Pose2d(0.1, 3, 0), "(wall) is in the way");
-        refuses("c", "a", new Pose2d(-3, 3, 0), "outside");
+        refuses(
+                "c",
+                "a",
+                new Pose2d(-3, 3, 0),
+                "outside of the world, which reaches from (0.00, 0.00) to (10.00, 6.00)");
         refuses("c", "a", new Pose2d(Double.NaN, 3, 0), "finite");
         assertThat(changes).isEmpty();
         assertThat(run.simulation.entities()).containsExactly("a", "b");
         run.system.close();
         refuses("c", "a", THERE, "closed");
         assertThat(run.simulation.removeRobot("a")).isFalse();
+    }
+
+    @Test
+    void whatComesOrIsPutIntoAWorldWithoutAFenceMayStandFarFromAllElse() {
+        RobotSpec a = SimRun.robot("a", MODEL, new Pose2d(9, 3, 0));
+        Scene walled = Scene.of(ROOM);
+        var open = SimRun.in(
+                new Scene(
+                        "",
+                        ROOM,
+                        Optional.empty(),
+                        Optional.empty(),
+                        walled.touch(),
+                        List.of(),
+                        List.of(),
+                        List.of(),
+                        Map.of(),
+                        Map.of(),
+                        Map.of(),
+                        walled.contents(),
+                        List.of(),
+                        List.of()),
+                a,
+                SimRun.robot("far", MODEL, new Pose2d(0, 100, 0)));
+        assertThat(open.truth("far").y()).isEqualTo(100);
+        for (int i = 0; i < 40; i++) {
+            open.base("a").command(Twist2d.drive(0.5, 0));
+            open.advance(0.1);
+        }
+        Pose2d there = open.truth("a");
+        assertThat(there.x()).isGreaterThan(10.2); // beyond its map
+
+        assertThat(open.simulation.place("a", there)).isEqualTo(PLACED);
+        assertThat(open.simulation.place("a", new Pose2d(-500, 3, 0))).isEqualTo(PLACED);
+        assertThat(open.simulation.addRobot("b", "a", new Pose2d(500, -500, 1))).isEqualTo(PLACED);
+        assertThat(open.simulation.add(SimThings.can("can", -498, 3, 0.2, 0.5))).isEqualTo(PLACED);
+        open.advance(0.3);
+        assertThat(ahead(open, "a")).isLessThan(2);
+        assertThat(open.simulation.place("a", new Pose2d(1.1e6, 0, 0)))
+                .isEqualTo(new Placement.Refused("(1100000.00, 0.00) is outside of the world, which reaches from "
+                        + "(-1000000.00, -1000000.00) to (1000000.00, 1000000.00)."));
     }
 
     private void refuses(String id, String like, Pose2d pose, String why) {
@@ -317,6 +364,10 @@ class SimComingTest {
 
     /// What a robot's laser measures straight ahead [m].
     private double ahead(String robot) {
+        return ahead(run, robot);
+    }
+
+    private static double ahead(SimRun run, String robot) {
         var scan = run.robot(robot)
                 .require(LaserScanner.class)
                 .latest()

@@ -251,7 +251,8 @@ class ProxiesTest {
         assertThat(proxy()).isEmpty();
         assertThat(told())
                 .containsExactly(
-                        "can't stand in the simulated world: (-10.00, -100.00) is outside of the world.",
+                        "can't stand in the simulated world: (-10.00, -100.00) is outside of the world, which reaches from"
+                                + " (-31.48, -7.80) to (31.48, 7.80).",
                         "jumped by 99.0 m");
         localizer.tell(THERE);
         seconds(0.1);

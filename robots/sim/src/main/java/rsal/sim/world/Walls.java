@@ -131,6 +131,11 @@ public final class Walls {
         return lowest <= z && z < highest;
     }
 
+    /// Whether no robot leaves them.
+    public boolean isFenced() {
+        return fenced;
+    }
+
     /// Without the fence.
     public Extent extent() {
         return new Extent(left + cellX, bottom + cellY, left + (width - 1) * cellX, bottom + (height - 1) * cellY);

@@ -30,6 +30,7 @@ public final class World {
     public static final String WALL = "wall";
 
     private static final double HAIR = 0.001; // [m]
+    private static final double FARTHEST = 1e6; // [m]; as poses in files
     private static final double STRIDE = 0.005; // [m]; of who makes his way out of others
     private static final double LOOK_AHEAD = 0.3; // [m]; farther away nothing needs to be measured
     private static final double TOUCH = 0.01; // [m]; bodies that are so near touch, as far as others can tell
@@ -65,9 +66,9 @@ public final class World {
         this(List.of(walls), walls.extent());
     }
 
-    /// Whether a place is where bodies are expected.
-    public boolean contains(double x, double y) {
-        return x >= extent.left() && x <= extent.right() && y >= extent.bottom() && y <= extent.top();
+    /// Where something may stand: in the extent where walls fence it, else as far as anybody can want.
+    public Extent bounds() {
+        return walls.stream().anyMatch(Walls::isFenced) ? extent : new Extent(-FARTHEST, -FARTHEST, FARTHEST, FARTHEST);
     }
 
     /// Adds a body, whether it has room ([#hasRoom]) or not.
