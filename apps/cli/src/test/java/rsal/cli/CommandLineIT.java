@@ -1099,7 +1099,7 @@ class CommandLineIT {
 
     @Test
     void convertSaysWhatOfAWorldYamlHasNoPlaceFor() throws Exception {
-        Files.writeString(folder.resolve("far.world"), "position ( joules 100 take_watts 1500 bumper ( ) )");
+        Files.writeString(folder.resolve("far.world"), "position ( joules 100 take_watts 1500 )");
         assertThat(rsal.run("convert", "far.world").code()).isZero();
         Files.writeString(folder.resolve("far.world"), "position ( fiducial ( range_max 1500 range_max_id 1 ) )");
 
