@@ -32,7 +32,8 @@ public final class Dwa implements LocalPlanner {
     /// @param interval after which velocities must be reached [s]
     /// @param lookahead ways beyond this count as free [m]
     public record Settings(double heading, double clearance, double velocity, double interval, double lookahead) {
-        /// With the weights that are handed down as the paper's; nobody here has looked them up.
+        /// With the weights that implementations of the method commonly have. As clearance and speed are shares here,
+        /// they are a start to tune from, not what the paper measured with.
         public static Settings of(double interval, double lookahead) {
             return new Settings(2.0, 0.2, 0.2, interval, lookahead);
         }
