@@ -10,13 +10,11 @@ import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Obstacles;
 
 /// Chooses a direction by a polar histogram of obstacles: I. Ulrich, J. Borenstein, VFH+: Reliable Obstacle
-/// Avoidance for Fast Mobile Robots (ICRA 1998), in the paper's four stages: obstacles grown by the robot's radius and
-/// a
-/// safety distance (primary histogram), a binary histogram by two thresholds (hysteresis), a masked one by the circles
-/// that the robot can turn on, and candidates in narrow and wide openings with a cost of three weighted angles, of
-/// which
-/// that to the target must weigh more than the other two together. The weights are those that its implementations have
-/// as defaults.
+/// Avoidance for Fast Mobile Robots (ICRA 1998), in the paper's four stages: obstacles grown by the robot's radius
+/// and a safety distance (primary histogram), a binary histogram by two thresholds (hysteresis), a masked one by
+/// the circles that the robot can turn on, and candidates in narrow and wide openings with a cost of three weighted
+/// angles, of which that to the target must weigh more than the other two together. The weights are those that its
+/// implementations have as defaults.
 ///
 /// Differs from the paper in these points:
 /// * The histogram is made of what the sensors see now, not of a certainty grid, and holds the nearest obstacle
