@@ -205,7 +205,7 @@ class RecordIT {
                                 .get("damage")
                                 .isEmpty())
                         .isEqualTo(file.equals("run.mcap"));
-                assertThat(ask(url.resolve("/api/readings?robot=prey-1&time=2")).has("readings"))
+                assertThat(ask(url.resolve("/api/readings?robot=prey-1&time=4")).has("readings"))
                         .as("the other ends before that")
                         .isEqualTo(file.equals("run.mcap"));
                 assertThat(ask(url.resolve("/api/costs?robot=prey-1"))
