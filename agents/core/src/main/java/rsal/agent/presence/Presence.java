@@ -1,7 +1,6 @@
 package rsal.agent.presence;
 
 import rsal.agent.AgentContext;
-import rsal.agent.Interest;
 import rsal.agent.message.Hello;
 import rsal.agent.message.Hello.Kind;
 import rsal.robot.Robot;
@@ -10,12 +9,13 @@ import rsal.robot.Robot;
 public final class Presence {
     private Presence() {}
 
-    /// Says hello, and from now on answers whoever asks. Of ten thousand who say hello, none hears the others.
+    /// Says hello, and from now on answers whoever asks.
     public static void begin(AgentContext self) {
-        self.subscribe(
-                Hello.TOPIC,
-                Interest.in(hello -> hello.kind() == Kind.PING),
-                question -> self.send(question.sender(), Hello.TOPIC, hello(self, Kind.PONG, question.sender())));
+        self.subscribe(Hello.TOPIC, message -> {
+            if (message.content().kind() == Kind.PING) {
+                self.send(message.sender(), Hello.TOPIC, hello(self, Kind.PONG, message.sender()));
+            }
+        });
         self.publish(Hello.TOPIC, hello(self, Kind.HELLO, ""));
     }
 
