@@ -205,9 +205,9 @@ class RecordIT {
                                 .get("damage")
                                 .isEmpty())
                         .isEqualTo(file.equals("run.mcap"));
-                assertThat(ask(url.resolve("/api/readings?robot=prey-1&time=4")).has("readings"))
-                        .as("the other ends before that")
-                        .isEqualTo(file.equals("run.mcap"));
+                assertThat(ask(url.resolve("/api/readings?robot=prey-1&time=2")).has("readings"))
+                        .as("of the one that is cut off, the last that is there")
+                        .isTrue();
                 assertThat(ask(url.resolve("/api/costs?robot=prey-1"))
                                 .get("message")
                                 .asString())
