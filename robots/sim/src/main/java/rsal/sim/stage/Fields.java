@@ -1,11 +1,12 @@
 package rsal.sim.stage;
 
 import java.time.Duration;
-import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
@@ -17,9 +18,6 @@ import rsal.sim.stage.Entity.Setting;
 /// Reads one entity's properties in SI and radians. What is wrong is told and replaced by a harmless value, so
 /// that reading goes on; what nobody asked for has no effect and is told at the end.
 final class Fields {
-    /// Coordinates beyond are mistakes [m].
-    private static final double FARTHEST = 1e6;
-
     private static final Pattern INDEX = Pattern.compile("\\[\\d+]");
 
     private static final Map<String, String> OBSOLETE = Map.ofEntries(
@@ -73,60 +71,129 @@ final class Fields {
     }
 
     double number(String name, double fallback) {
-        return scalar(name, Units.Kind.NUMBER, fallback);
+        return within(Form.ANY, name, Units.Kind.NUMBER, fallback);
     }
 
     double scaled(String name, Units.Kind kind, double fallback) {
-        return scalar(name, kind, fallback);
+        return within(Form.ANY, name, kind, fallback);
     }
 
     double length(String name, double fallback) {
-        return scalar(name, Units.Kind.LENGTH, fallback);
+        return within(Form.ANY, name, Units.Kind.LENGTH, fallback);
     }
 
     double angle(String name, double fallback) {
-        return scalar(name, Units.Kind.ANGLE, fallback);
+        return within(Form.ANY, name, Units.Kind.ANGLE, fallback);
     }
 
-    /// A number that must not be below a bound.
-    double atLeast(double least, String name, Units.Kind kind, double fallback) {
-        double value = scalar(name, kind, fallback);
-        if (value < least) {
-            problem(name, "(%s) must be at least %s, not %s.".formatted(name, plain(least), describe(name)), "");
+    /// An angle of view, 0 to 2π.
+    double turn(String name, double fallback) {
+        double full = (2 * Math.PI + 1e-6) / units.angle();
+        return within(new Interval(0, full), name, Units.Kind.ANGLE, fallback);
+    }
+
+    /// A number that must not be negative.
+    double notNegative(String name, Units.Kind kind, double fallback) {
+        return within(new Interval(0, Form.ANY.max()), name, kind, fallback);
+    }
+
+    /// A number that must be above 0.
+    double positive(String name, Units.Kind kind, double fallback) {
+        return within(new Interval(Double.MIN_VALUE, Form.ANY.max()), name, kind, fallback);
+    }
+
+    /// A number, checked.
+    ///
+    /// @param bounds of lengths in m, of angles in the world's unit
+    double within(Interval bounds, String name, Units.Kind kind, double fallback) {
+        asked.add(name);
+        Setting setting = entity.settings().get(name);
+        if (setting == null) {
             return fallback;
         }
-        return value;
+        double number = Units.number(setting.value());
+        Optional<Wrong> wrong = wrong(number, kind, bounds, setting.value());
+        wrong.ifPresent(it -> problem(name, "(%s) %s".formatted(name, it.message), it.remedy));
+        return wrong.isPresent() ? fallback : number * units.scale(kind);
+    }
+
+    /// What is said of a number behind its name, and what to try.
+    private record Wrong(String message, String remedy) {}
+
+    /// @param number as it is read
+    /// @param bounds of lengths in m, of angles in the world's unit
+    private Optional<Wrong> wrong(double number, Units.Kind kind, Interval bounds, Value read) {
+        if (Double.isNaN(number)) {
+            return Optional.of(new Wrong("must be a number, not %s.".formatted(read.describe()), meant(read)));
+        }
+        double scaled = kind == Units.Kind.LENGTH ? number * units.length() : number;
+        if (scaled >= bounds.min() && scaled <= bounds.max()) {
+            return Optional.empty();
+        }
+        String remedy = "";
+        if (scaled < 0 && bounds.min() >= 0 && Double.isFinite(number)) {
+            remedy = "Maybe %s, without the minus?".formatted(Units.plain(-number));
+        } else if (kind != Units.Kind.NUMBER && scaled != 0) {
+            remedy = "Maybe (unit_%s) is wrong; it is %s."
+                    .formatted(kind == Units.Kind.LENGTH ? "length" : "angle", units.name(kind));
+        }
+        return Optional.of(new Wrong(
+                "must be %s, not %s.".formatted(range(bounds, kind, scaled < bounds.min()), read.describe()), remedy));
+    }
+
+    /// @param below whether a number was too small, which is all that is told where they may be as large as can be
+    private String range(Interval bounds, Units.Kind kind, boolean below) {
+        boolean positive = bounds.min() == Double.MIN_VALUE;
+        if (below && bounds.max() == Form.ANY.max() && bounds.min() >= 0) {
+            return positive ? "positive" : "at least 0";
+        }
+        String unit = kind == Units.Kind.LENGTH ? " m" : kind == Units.Kind.ANGLE ? " " + units.name(kind) : "";
+        return positive
+                ? "positive and at most %s%s".formatted(Units.plain(bounds.max()), unit)
+                : "from %s to %s%s".formatted(Units.plain(bounds.min()), Units.plain(bounds.max()), unit);
+    }
+
+    /// What may have been meant by a text where a number should be.
+    private static String meant(Value read) {
+        return switch (Units.text(read).toLowerCase(Locale.ROOT)) {
+            case "yes", "true", "on" -> "Maybe 1, for yes?";
+            case "no", "false", "off" -> "Maybe 0, for no?";
+            default -> "Numbers are written like 0.4; unit_length and unit_angle say in which units.";
+        };
     }
 
     /// Read as a whole number, what is behind the point cut off.
     int integer(String name, int fallback, int least, int most) {
-        double value = scalar(name, Units.Kind.NUMBER, fallback);
-        if (!((int) value >= least && (int) value <= most)) {
-            problem(
-                    name,
-                    "(%s) must be a whole number from %d to %d, not %s.".formatted(name, least, most, describe(name)),
-                    "");
-            return fallback;
+        return whole(name, least, most).orElse(fallback);
+    }
+
+    /// Likewise; empty when it is missing or wrong.
+    OptionalInt whole(String name, int least, int most) {
+        asked.add(name);
+        Setting setting = entity.settings().get(name);
+        if (setting == null) {
+            return OptionalInt.empty();
         }
-        return (int) value;
+        double number = Units.number(setting.value());
+        double whole = number < 0 ? Math.ceil(number) : Math.floor(number);
+        if (whole >= least && whole <= most) {
+            return OptionalInt.of((int) whole);
+        }
+        problem(
+                name,
+                "(%s) must be a whole number from %d to %d, not %s.".formatted(name, least, most, describe(name)),
+                "");
+        return OptionalInt.empty();
     }
 
     /// 0 is no, any other number yes.
     boolean flag(String name, boolean fallback) {
-        return (long) scalar(name, Units.Kind.NUMBER, fallback ? 1 : 0) != 0;
+        return (long) number(name, fallback ? 1 : 0) != 0;
     }
 
     /// A number of milliseconds.
     Duration milliseconds(String name, double fallback) {
-        double value = scalar(name, Units.Kind.NUMBER, fallback);
-        if (!(value > 0 && value <= 1e9)) {
-            problem(
-                    name,
-                    "(%s) must be a positive number of milliseconds, not %s.".formatted(name, describe(name)),
-                    "");
-            value = fallback;
-        }
-        return Duration.ofNanos(Math.round(value * 1e6));
+        return Duration.ofNanos(Math.round(positive(name, Units.Kind.NUMBER, fallback) * 1e6));
     }
 
     Optional<String> text(String name) {
@@ -158,25 +225,7 @@ final class Fields {
     }
 
     /// A tuple of numbers; what it has in excess is left out.
-    ///
-    /// @param shape how it is written, `[x y z a]`; what begins with `a` is an angle, all else a length
-    Optional<double[]> tuple(String name, String shape) {
-        Units.Kind[] kinds = Arrays.stream(
-                        shape.substring(1, shape.length() - 1).split(" "))
-                .map(part -> part.startsWith("a") ? Units.Kind.ANGLE : Units.Kind.LENGTH)
-                .toArray(Units.Kind[]::new);
-        return tuple(name, shape, kinds);
-    }
-
-    /// Likewise, of numbers that are neither lengths nor angles.
-    Optional<double[]> numbers(String name, String shape) {
-        var kinds = new Units.Kind[shape.split(" ").length];
-        Arrays.fill(kinds, Units.Kind.NUMBER);
-        return tuple(name, shape, kinds);
-    }
-
-    /// Likewise, of numbers of the given kinds.
-    Optional<double[]> tuple(String name, String shape, Units.Kind... kinds) {
+    Optional<double[]> tuple(String name, Form form) {
         asked.add(name);
         Setting setting = entity.settings().get(name);
         if (setting == null) {
@@ -184,57 +233,37 @@ final class Fields {
         }
         List<Value> items =
                 setting.value() instanceof Value.Sequence sequence ? sequence.items() : List.of(setting.value());
-        if (items.size() < kinds.length) {
+        List<Form.Part> parts = form.parts();
+        if (items.size() < parts.size()) {
             problem(
                     name,
-                    "(%s) needs %d numbers, %s, but has %d.".formatted(name, kinds.length, shape, items.size()),
-                    completion(name, items));
+                    "(%s) needs %d numbers, %s, but %s."
+                            .formatted(
+                                    name,
+                                    parts.size(),
+                                    form.shape(),
+                                    setting.value() instanceof Value.Sequence
+                                            ? "has " + items.size()
+                                            : "is " + setting.value().describe()),
+                    form.completion(items, units));
             return Optional.empty();
         }
-        var numbers = new double[kinds.length];
+        var numbers = new double[parts.size()];
         for (int i = 0; i < numbers.length; i++) {
-            double number = Units.number(items.get(i)) * units.scale(kinds[i]);
-            if (!isSane(number)) {
+            Units.Kind kind = parts.get(i).kind();
+            double number = Units.number(items.get(i));
+            Optional<Wrong> wrong =
+                    wrong(number, kind, kind == Units.Kind.ANGLE ? Form.ANY : form.bounds(), items.get(i));
+            if (wrong.isPresent()) {
                 findings.error(
                         items.get(i).location(),
-                        "Value %d of (%s) must be a number, not %s."
-                                .formatted(i + 1, name, items.get(i).describe()),
-                        "");
+                        "Value %d of (%s) %s".formatted(i + 1, name, wrong.get().message),
+                        wrong.get().remedy);
                 return Optional.empty();
             }
-            numbers[i] = number;
+            numbers[i] = number * units.scale(kind);
         }
         return Optional.of(numbers);
-    }
-
-    /// Tuples of old worlds, which had no z.
-    private static String completion(String name, List<Value> items) {
-        List<String> given = items.stream().map(Units::text).toList();
-        if (List.of("pose", "origin", "localization_origin").contains(name) && given.size() == 3) {
-            return "Maybe [%s %s 0 %s], with 0 for z?".formatted(given.get(0), given.get(1), given.get(2));
-        }
-        if (name.equals("size") && given.size() == 2) {
-            return "Maybe [%s %s 1], with 1 for the height?".formatted(given.get(0), given.get(1));
-        }
-        return "";
-    }
-
-    private double scalar(String name, Units.Kind kind, double fallback) {
-        asked.add(name);
-        Setting setting = entity.settings().get(name);
-        if (setting == null) {
-            return fallback;
-        }
-        double number = Units.number(setting.value()) * units.scale(kind);
-        if (!isSane(number)) {
-            problem(name, "(%s) must be a number, not %s.".formatted(name, describe(name)), "");
-            return fallback;
-        }
-        return number;
-    }
-
-    private static boolean isSane(double number) {
-        return Math.abs(number) <= FARTHEST * 1000;
     }
 
     private String describe(String name) {
@@ -243,39 +272,29 @@ final class Fields {
 
     /// Where a model is: x, y, z [m] and heading [rad].
     Optional<Placement> pose(String name) {
-        return tuple(name, "[x y z a]").flatMap(p -> {
-            if (!(Math.abs(p[0]) <= FARTHEST && Math.abs(p[1]) <= FARTHEST && Math.abs(p[2]) <= FARTHEST)) {
-                problem(name, "(%s) must be within %s m.".formatted(name, plain(FARTHEST)), "");
-                return Optional.empty();
-            }
-            return Optional.of(Placement.of(p[0], p[1], p[2], p[3]));
-        });
+        return tuple(name, Form.POSE).map(p -> Placement.of(p[0], p[1], p[2], p[3]));
     }
 
     Size size(Size fallback) {
-        return tuple("size", "[x y z]")
-                .flatMap(s -> {
-                    if (Arrays.stream(s).allMatch(side -> side >= 0 && side <= FARTHEST)) {
-                        return Optional.of(new Size(s[0], s[1], s[2]));
-                    }
-                    problem("size", "(size) must be from 0 to %s m.".formatted(plain(FARTHEST)), "");
-                    return Optional.empty();
-                })
-                .orElse(fallback);
+        return tuple("size", Form.SIZE).map(s -> new Size(s[0], s[1], s[2])).orElse(fallback);
     }
 
     /// A range from the least to the greatest, `[min max]`.
     Interval interval(String name, Interval fallback) {
-        return tuple(name, "[min max]").flatMap(r -> interval(name, r[0], r[1])).orElse(fallback);
+        return tuple(name, Form.RANGE)
+                .flatMap(r -> interval(name, r[0], r[1], Units.Kind.LENGTH))
+                .orElse(fallback);
     }
 
-    Optional<Interval> interval(String name, double min, double max) {
+    /// @param kind of both
+    Optional<Interval> interval(String name, double min, double max, Units.Kind kind) {
         if (min <= max) {
             return Optional.of(new Interval(min, max));
         }
         problem(
                 name,
-                "(%s) has its least value (%s) above its greatest (%s).".formatted(name, plain(min), plain(max)),
+                "(%s) has its least value (%s) above its greatest (%s)."
+                        .formatted(name, Units.plain(min / units.scale(kind)), Units.plain(max / units.scale(kind))),
                 "Maybe the two were mixed up.");
         return Optional.empty();
     }
@@ -323,11 +342,5 @@ final class Fields {
         }
         known.removeAll(entity.settings().keySet());
         return known;
-    }
-
-    private static String plain(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e15
-                ? Long.toString((long) value)
-                : Double.toString(value);
     }
 }

@@ -57,34 +57,30 @@ final class KindReader {
         };
         boolean odometry =
                 fields.choice("localization", "gps", List.of("gps", "odom")).equals("odom");
-        double wheelbase = fields.length("wheelbase", 1);
-        if (!(wheelbase > 0)) {
-            fields.problem("wheelbase", "(wheelbase) must be positive.", "");
-        }
-        Twist2d velocity = fields.tuple("velocity", "[x y z a]")
+        double wheelbase = fields.positive("wheelbase", Units.Kind.LENGTH, 1);
+        Twist2d velocity = fields.tuple("velocity", Form.VELOCITY)
                 .map(v -> new Twist2d(v[0], v[1], v[3]))
                 .orElse(Twist2d.STOP);
         return new Kind.Position(
                 drive,
                 wheelbase,
                 velocity,
-                limits(fields, "velocity_bounds"),
-                limits(fields, "acceleration_bounds"),
+                limits(fields, "velocity_bounds", Form.SPEEDS),
+                limits(fields, "acceleration_bounds", Form.ACCELERATIONS),
                 odometry ? Localization.ODOMETRY : Localization.GPS,
                 fields.pose("localization_origin"),
-                fields.numbers("odom_error", "[x y z a]").map(e -> new OdometryError(e[0], e[1], e[2], e[3])));
+                fields.tuple("odom_error", Form.ODOMETRY_ERROR).map(e -> new OdometryError(e[0], e[1], e[2], e[3])));
     }
 
-    private static Limits limits(Fields fields, String name) {
-        double[] b =
-                fields.tuple(name, "[xmin xmax ymin ymax zmin zmax amin amax]").orElse(null);
+    private static Limits limits(Fields fields, String name, Form form) {
+        double[] b = fields.tuple(name, form).orElse(null);
         return b == null
                 ? new Limits(SPEED, SPEED, SPEED, TURN)
                 : new Limits(
-                        fields.interval(name, b[0], b[1]).orElse(SPEED),
-                        fields.interval(name, b[2], b[3]).orElse(SPEED),
-                        fields.interval(name, b[4], b[5]).orElse(SPEED),
-                        fields.interval(name, b[6], b[7]).orElse(TURN));
+                        fields.interval(name, b[0], b[1], Units.Kind.LENGTH).orElse(SPEED),
+                        fields.interval(name, b[2], b[3], Units.Kind.LENGTH).orElse(SPEED),
+                        fields.interval(name, b[4], b[5], Units.Kind.LENGTH).orElse(SPEED),
+                        fields.interval(name, b[6], b[7], Units.Kind.ANGLE).orElse(TURN));
     }
 
     private Kind ranger(Fields fields) {
@@ -100,14 +96,17 @@ final class KindReader {
     private Transducer transducer(Fields fields) {
         Interval range = fields.interval("range", new Interval(0, 5));
         if (range.min() < 0) {
-            fields.problem("range", "(range) must not begin below 0.", "");
+            fields.problem(
+                    "range",
+                    "(range) must not begin below 0, not at (%s).".formatted(Units.plain(range.min())),
+                    "Maybe [0 %s]?".formatted(Units.plain(Math.abs(range.max()))));
         }
         RangeNoise noise = noise(fields);
         var transducer = new Transducer(
                 fields.pose("pose").orElse(Placement.ORIGIN),
                 fields.size(TRANSDUCER),
                 range,
-                turn(fields, "fov", 0.1),
+                fields.turn("fov", 0.1),
                 fields.integer("samples", 1, 1, MOST_SAMPLES),
                 noise);
         paint.color(fields, Color.BLUE); // drawing only; a wrong name is told all the same
@@ -116,27 +115,15 @@ final class KindReader {
     }
 
     private static RangeNoise noise(Fields fields) {
-        double[] noise = fields.tuple(
-                        "noise",
-                        "[constant proportional angular]",
-                        Units.Kind.LENGTH,
-                        Units.Kind.NUMBER,
-                        Units.Kind.ANGLE)
-                .orElseGet(() -> new double[3]);
+        double[] noise = fields.tuple("noise", Form.NOISE).orElseGet(() -> new double[3]);
         if (noise[0] < 0) {
-            fields.problem("noise", "The first value of (noise) is a variance and must not be negative.", "");
+            fields.problem(
+                    "noise",
+                    "The first value of (noise) is a variance and must not be negative, not (%s)."
+                            .formatted(Units.plain(noise[0])),
+                    "Maybe it was meant to be (%s)?".formatted(Units.plain(-noise[0])));
         }
         return new RangeNoise(noise[0], noise[1], noise[2]);
-    }
-
-    /// An angle of view, 0 to 2π.
-    private static double turn(Fields fields, String name, double fallback) {
-        double angle = fields.angle(name, fallback);
-        if (!(angle >= 0 && angle <= 2 * Math.PI + 1e-6)) {
-            fields.problem(name, "(%s) must be from 0 to a full turn.".formatted(name), "Maybe unit_angle is wrong.");
-            return fallback;
-        }
-        return angle;
     }
 
     private Kind blobfinder(Fields fields) {
@@ -158,41 +145,30 @@ final class KindReader {
                 colors,
                 image[0],
                 image[1],
-                fields.atLeast(0, "range", Units.Kind.NUMBER, 12),
-                turn(fields, "fov", Math.toRadians(60)),
+                fields.notNegative("range", Units.Kind.NUMBER, 12),
+                fields.turn("fov", Math.toRadians(60)),
                 fields.angle("pan", 0));
     }
 
     private static int[] image(Fields fields, String name, int columns, int rows) {
-        double[] image = fields.numbers(name, "[width height]").orElseGet(() -> new double[] {columns, rows});
-        for (double side : image) {
-            if (!(side >= 1 && side <= MOST_PIXELS)) {
-                fields.problem(name, "(%s) must be from 1 to %d pixels.".formatted(name, MOST_PIXELS), "");
-                return new int[] {columns, rows};
-            }
-        }
-        return new int[] {(int) image[0], (int) image[1]};
+        return fields.tuple(name, Form.image(MOST_PIXELS, columns, rows))
+                .map(image -> new int[] {(int) image[0], (int) image[1]})
+                .orElseGet(() -> new int[] {columns, rows});
     }
 
     private static Kind fiducial(Fields fields) {
-        double min = fields.atLeast(0, "range_min", Units.Kind.LENGTH, 0);
-        double max = fields.atLeast(0, "range_max", Units.Kind.LENGTH, 8);
+        double min = fields.notNegative("range_min", Units.Kind.LENGTH, 0);
+        double max = fields.notNegative("range_max", Units.Kind.LENGTH, 8);
         return new Kind.Fiducial(
-                fields.interval("range_min", min, max).orElse(new Interval(0, max)),
-                fields.atLeast(0, "range_max_id", Units.Kind.LENGTH, 5),
-                turn(fields, "fov", Math.PI),
+                fields.interval("range_min", min, max, Units.Kind.LENGTH).orElse(new Interval(0, max)),
+                fields.notNegative("range_max_id", Units.Kind.LENGTH, 5),
+                fields.turn("fov", Math.PI),
                 fields.integer("fiducial_key", 0, Integer.MIN_VALUE, Integer.MAX_VALUE),
                 fields.flag("ignore_zloc", false));
     }
 
     private static Kind gripper(Fields fields, Size size) {
-        double[] part = fields.numbers("paddle_size", "[x y z]").orElseGet(() -> new double[] {0.66, 0.1, 0.4});
-        for (double share : part) {
-            if (!(share >= 0 && share <= 1)) {
-                fields.problem("paddle_size", "(paddle_size) must be parts of the gripper's size, 0 to 1.", "");
-                part = new double[] {0.66, 0.1, 0.4};
-            }
-        }
+        double[] part = fields.tuple("paddle_size", Form.PADDLES).orElseGet(() -> new double[] {0.66, 0.1, 0.4});
         List<String> state = fields.texts("paddle_state");
         boolean closed = word(fields, state, 0, "open", "closed");
         boolean up = word(fields, state, 1, "down", "up");
@@ -215,11 +191,11 @@ final class KindReader {
 
     private static Kind bumper(Fields fields) {
         int count = fields.integer("bcount", 0, 0, MOST_STRIPS);
-        double length = fields.atLeast(0, "blength", Units.Kind.LENGTH, 0.1);
+        double length = fields.notNegative("blength", Units.Kind.LENGTH, 0.1);
         var strips = new ArrayList<Strip>();
         for (int i = 0; i < count; i++) {
             Placement pose = fields.pose("bpose[%d]".formatted(i)).orElse(Placement.ORIGIN);
-            strips.add(new Strip(pose, fields.atLeast(0, "blength[%d]".formatted(i), Units.Kind.LENGTH, length)));
+            strips.add(new Strip(pose, fields.notNegative("blength[%d]".formatted(i), Units.Kind.LENGTH, length)));
         }
         return new Kind.Bumper(strips);
     }
@@ -228,10 +204,10 @@ final class KindReader {
         boolean turning =
                 fields.choice("type", "linear", List.of("linear", "rotational")).equals("rotational");
         Units.Kind kind = turning ? Units.Kind.ANGLE : Units.Kind.LENGTH;
-        double[] axis = fields.numbers("axis", "[x y z]").orElseGet(() -> new double[] {1, 0, 0});
+        double[] axis = fields.tuple("axis", Form.AXIS).orElseGet(() -> new double[] {1, 0, 0});
         double norm = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
         if (!(norm > 0)) {
-            fields.problem("axis", "(axis) must not be [0 0 0].", "");
+            fields.problem("axis", "(axis) must not be [0 0 0].", "Write [1 0 0] for forward, [0 0 1] for up.");
             norm = 1;
         }
         double min = fields.scaled("min_position", kind, 0);
@@ -241,8 +217,8 @@ final class KindReader {
                 axis[0] / norm,
                 axis[1] / norm,
                 axis[2] / norm,
-                fields.interval("min_position", min, max).orElse(new Interval(0, 1)),
-                fields.atLeast(0, "max_speed", kind, 1),
+                fields.interval("min_position", min, max, kind).orElse(new Interval(0, 1)),
+                fields.notNegative("max_speed", kind, 1),
                 fields.scaled("start_position", kind, 0));
     }
 
@@ -255,17 +231,13 @@ final class KindReader {
         int[] image = image(fields, "resolution", 32, 32);
         Interval range = fields.interval("range", new Interval(0.2, 8));
         double[] fov =
-                fields.tuple("fov", "[a a]").orElseGet(() -> new double[] {Math.toRadians(70), Math.toRadians(40)});
-        double[] pantilt = fields.tuple("pantilt", "[a a]").orElseGet(() -> new double[2]);
+                fields.tuple("fov", Form.VIEW).orElseGet(() -> new double[] {Math.toRadians(70), Math.toRadians(40)});
+        double[] pantilt = fields.tuple("pantilt", Form.PAN_AND_TILT).orElseGet(() -> new double[2]);
         return new Kind.Camera(image[0], image[1], range, fov[0], fov[1], pantilt[0], pantilt[1]);
     }
 
     private static Kind blinkenlight(Fields fields) {
-        double duty = fields.number("dutycycle", 1);
-        if (!(duty >= 0 && duty <= 1)) {
-            fields.problem("dutycycle", "(dutycycle) must be from 0 to 1.", "");
-            duty = 1;
-        }
+        double duty = fields.within(new Interval(0, 1), "dutycycle", Units.Kind.NUMBER, 1);
         return new Kind.Blinkenlight(fields.milliseconds("period", 1000), duty, fields.flag("enabled", true));
     }
 

@@ -87,7 +87,7 @@ final class TraitsReader implements KindReader.Paint {
                 color(fields, COLORS.getOrDefault(type, Color.RED)),
                 returns(fields),
                 energy(fields, kind),
-                fields.atLeast(0, "mass", Units.Kind.NUMBER, 0),
+                fields.notNegative("mass", Units.Kind.NUMBER, 0),
                 fields.flag("stack_children", true),
                 fields.flag("alwayson", false),
                 interval(fields),
@@ -134,9 +134,9 @@ final class TraitsReader implements KindReader.Paint {
         return new Energy(
                 stored,
                 capacity,
-                fields.atLeast(0, "watts", Units.Kind.NUMBER, usual),
-                fields.atLeast(0, "give_watts", Units.Kind.NUMBER, 0),
-                fields.atLeast(0, "take_watts", Units.Kind.NUMBER, 0));
+                fields.notNegative("watts", Units.Kind.NUMBER, usual),
+                fields.notNegative("give_watts", Units.Kind.NUMBER, 0),
+                fields.notNegative("take_watts", Units.Kind.NUMBER, 0));
     }
 
     private static OptionalDouble joules(Fields fields, String plain, String thousands) {
@@ -210,10 +210,9 @@ final class TraitsReader implements KindReader.Paint {
     }
 
     private Optional<Block> block(Fields fields) {
-        int count = fields.integer("points", 0, 0, MOST_CORNERS);
-        if (count < 2) {
-            fields.problem(
-                    "points", "A block needs at least 2 points.", "Write points N, then point[0] [x y] and so on.");
+        int count = fields.whole("points", 2, MOST_CORNERS).orElse(0);
+        if (!fields.has("points")) {
+            fields.problem("points", "A block must say how many (points) it has.", howMany(fields));
         }
         points += count;
         if (points > MAX_POINTS) {
@@ -226,16 +225,32 @@ final class TraitsReader implements KindReader.Paint {
         for (int i = 0; i < count; i++) {
             String name = "point[%d]".formatted(i);
             if (!fields.has(name)) {
-                fields.problem("points", "The block has no (%s), though (points) is %d.".formatted(name, count), "");
+                fields.problem(
+                        "points",
+                        "The block has no (%s), though (points) is %d.".formatted(name, count),
+                        fields.has("point[%d]".formatted(i + 1))
+                                ? "Write (%s [X Y]); they are counted from 0 on, without a gap.".formatted(name)
+                                : howMany(fields));
                 break;
             }
-            fields.numbers(name, "[x y]").ifPresent(p -> corners.add(new Point2d(p[0], p[1])));
+            fields.tuple(name, Form.POINT).ifPresent(p -> corners.add(new Point2d(p[0], p[1])));
         }
         Interval heights = fields.interval("z", new Interval(0, 1));
         Optional<Color> color =
                 fields.has("color") || fields.has("color_rgba") ? color(fields, Color.RED) : Optional.empty();
         fields.done();
         return corners.size() < 2 ? Optional.empty() : Optional.of(new Block(corners, heights, color));
+    }
+
+    /// What `points` of a block may have been meant to be.
+    private static String howMany(Fields block) {
+        int given = 0;
+        while (given < MOST_CORNERS && block.has("point[%d]".formatted(given))) {
+            given++;
+        }
+        return given < 2
+                ? "Write points N, then point[0] [X Y] and so on to the last, N - 1."
+                : "Maybe (points %d), as there are point[0] to point[%d]?".formatted(given, given - 1);
     }
 
     private Optional<Bitmap> bitmap(String name, Location at) {
@@ -275,7 +290,7 @@ final class TraitsReader implements KindReader.Paint {
 
     @Override
     public Optional<Color> color(Fields fields, Color fallback) {
-        Optional<double[]> parts = fields.numbers("color_rgba", "[r g b a]");
+        Optional<double[]> parts = fields.tuple("color_rgba", Form.COLOR);
         Optional<String> name = fields.text("color");
         if (name.isPresent()) {
             return name.get().equals("random")

@@ -1,5 +1,7 @@
 package rsal.sim.stage;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import rsal.settings.Value;
 
 /// What a file's lengths and angles are in.
@@ -23,6 +25,34 @@ record Units(double length, double angle) {
             case ANGLE -> angle;
             case NUMBER -> 1;
         };
+    }
+
+    /// How messages call the unit; empty when there is none.
+    String name(Kind kind) {
+        return switch (kind) {
+            case LENGTH -> length == 1 ? "m" : length == 0.01 ? "cm" : "mm";
+            case ANGLE -> angle == 1 ? "rad" : "degrees";
+            case NUMBER -> "";
+        };
+    }
+
+    /// A number as it would be written in a file with these units.
+    ///
+    /// @param number in m or degrees
+    String written(Kind kind, double number) {
+        return switch (kind) {
+            case LENGTH -> plain(number / length);
+            case ANGLE -> plain(angle == 1 ? Math.toRadians(number) : number);
+            case NUMBER -> plain(number);
+        };
+    }
+
+    /// To six digits, without those that say nothing.
+    static String plain(double number) {
+        return new BigDecimal(number)
+                .round(new MathContext(6))
+                .stripTrailingZeros()
+                .toPlainString();
     }
 
     /// A number as Stage would take it: a tuple's first value counts, and a text that is a number.
@@ -50,8 +80,7 @@ record Units(double length, double angle) {
 
     private static double parse(String text) {
         try {
-            double number = Double.parseDouble(text.strip());
-            return Double.isFinite(number) ? number : Double.NaN;
+            return Double.parseDouble(text.strip());
         } catch (NumberFormatException _) {
             return Double.NaN;
         }

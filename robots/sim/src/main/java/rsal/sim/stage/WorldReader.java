@@ -52,11 +52,8 @@ final class WorldReader {
         fields.ignore(Set.of("unit_length", "unit_angle"));
         String title = fields.text("name").filter(name -> !name.isBlank()).orElse(path);
         Duration step = fields.milliseconds("interval_sim", 100);
-        double resolution = fields.number("resolution", 0.02);
-        if (!(resolution > 0)) {
-            fields.problem("resolution", "(resolution) must be positive.", "");
-        }
-        double quit = fields.atLeast(0, "quit_time", Units.Kind.NUMBER, 0);
+        double resolution = fields.positive("resolution", Units.Kind.NUMBER, 0.02);
+        double quit = fields.notNegative("quit_time", Units.Kind.NUMBER, 0);
         fields.done();
         List<StageModel> models = children(file.root(), "", Placement.ORIGIN);
         findings.throwIfAny();

@@ -37,33 +37,33 @@ class WorldMistakesTest {
                 "model ( bitmap \"no.png\" ) | 9 | There is no file (no.png).",
                 "model ( pose [1 2 90] )    | 9 | (pose) needs 4 numbers, [x y z a], but has 3.",
                 "model ( size [1 2] )       | 9 | (size) needs 3 numbers, [x y z], but has 2.",
-                "model ( size 1 )           | 9 | (size) needs 3 numbers, [x y z], but has 1.",
-                "model ( size [1 -2 1] )    | 9 | (size) must be from 0 to 1000000 m.",
+                "model ( size 1 )           | 9 | (size) needs 3 numbers, [x y z], but is (1).",
+                "model ( size [1 -2 1] )    | 17 | Value 2 of (size) must be from 0 to 1000000 m, not (-2).",
                 "model ( pose [1 \"b\" 0 0] ) | 17 | Value 2 of (pose) must be a number, not (b).",
-                "model ( pose [9999999 0 0 0] ) | 9 | (pose) must be within 1000000 m.",
+                "model ( pose [9999999 0 0 0] ) | 15 | Value 1 of (pose) must be from -1000000 to 1000000 m, not (9999999).",
                 "model ( mass -1 )          | 9 | (mass) must be at least 0, not (-1).",
-                "model ( update_interval 0 ) | 9 | (update_interval) must be a positive number of milliseconds, not (0).",
-                "interval_sim -5            | 1 | (interval_sim) must be a positive number of milliseconds, not (-5).",
-                "resolution 0               | 1 | (resolution) must be positive.",
+                "model ( update_interval 0 ) | 9 | (update_interval) must be positive, not (0).",
+                "interval_sim -5            | 1 | (interval_sim) must be positive, not (-5).",
+                "resolution 0               | 1 | (resolution) must be positive, not (0).",
                 "unit_length \"inch\"       | 1 | There is no unit_length (inch).",
                 "unit_angle \"degree\"      | 1 | There is no unit_angle (degree).",
                 "position ( drive \"omnI\" ) | 12 | There is no drive (omnI).",
-                "position ( drive \"car\" wheelbase 0 ) | 24 | (wheelbase) must be positive.",
+                "position ( drive \"car\" wheelbase 0 ) | 24 | (wheelbase) must be positive, not (0).",
                 "position ( velocity_bounds [1 -1 0 0 0 0 0 0] ) | 12 "
                         + "| (velocity_bounds) has its least value (1) above its greatest (-1).",
                 "ranger ( sensor ( samples 0 ) ) | 19 | (samples) must be a whole number from 1 to 100000, not (0).",
                 "ranger ( sensor ( range [5 0] ) ) | 19 | (range) has its least value (5) above its greatest (0).",
-                "ranger ( sensor ( fov 700 ) )  | 19 | (fov) must be from 0 to a full turn.",
+                "ranger ( sensor ( fov 700 ) )  | 19 | (fov) must be from 0 to 360 degrees, not (700).",
                 "ranger ( sensor ( noise [-1 0 0] ) ) | 19 "
-                        + "| The first value of (noise) is a variance and must not be negative.",
+                        + "| The first value of (noise) is a variance and must not be negative, not (-1).",
                 "blobfinder ( colors_count 2 colors [\"red\"] ) | 14 | (colors_count) is 2, but (colors) names 1.",
-                "blobfinder ( image [0 60] ) | 14 | (image) must be from 1 to 10000 pixels.",
+                "blobfinder ( image [0 60] ) | 21 | Value 1 of (image) must be from 1 to 10000, not (0).",
                 "gripper ( paddle_state [\"ajar\" \"up\"] ) | 11 "
                         + "| (paddle_state) has (ajar) where (open) or (closed) was expected.",
-                "gripper ( paddle_size [2 0.1 0.4] ) | 11 | (paddle_size) must be parts of the gripper's size, 0 to 1.",
+                "gripper ( paddle_size [2 0.1 0.4] ) | 24 | Value 1 of (paddle_size) must be from 0 to 1, not (2).",
                 "actuator ( axis [0 0 0] )   | 12 | (axis) must not be [0 0 0].",
-                "blinkenlight ( dutycycle 2 ) | 16 | (dutycycle) must be from 0 to 1.",
-                "model ( block ( points 1 point[0] [0 0] ) ) | 17 | A block needs at least 2 points.",
+                "blinkenlight ( dutycycle 2 ) | 16 | (dutycycle) must be from 0 to 1, not (2).",
+                "model ( block ( points 1 point[0] [0 0] ) ) | 17 | (points) must be a whole number from 2 to 10000, not (1).",
                 "model ( block ( points 3 point[0] [0 0] point[1] [1 0] ) ) | 17 "
                         + "| The block has no (point[2]), though (points) is 3.",
                 "model ( block ( points 2 point[0] [0 0] point[1] [1] ) ) | 41 "
@@ -87,8 +87,8 @@ class WorldMistakesTest {
                 "define cart position ( )\\ncrat ( ) | Maybe (cart) was meant?",
                 "define a b ( )\\ndefine b model ( ) | It is defined at test.world:2:8; put that first.",
                 "model ( color red )         | Maybe \"red\" was meant? Texts stand in \" \".",
-                "model ( pose [1 2 90] )     | Maybe [1 2 0 90], with 0 for z?",
-                "model ( size [1 2] )        | Maybe [1 2 1], with 1 for the height?",
+                "model ( pose [1 2 90] )     | Maybe [1 2 0 90]: x, y and z in m, and the heading in degrees.",
+                "model ( size [1 2] )        | Maybe [1 2 1]: length, width and height in m.",
                 "model { }                   | Maybe ( ) was meant?",
                 "position ( drive \"omin\" )  | Maybe (omni) was meant?",
                 "laser ( )                   | Write ranger ( sensor ( range [0 8] fov 180 samples 180 ) ), with the "
@@ -97,6 +97,81 @@ class WorldMistakesTest {
             })
     void whatWasMeantIsGuessed(String text, String remedy) {
         assertThat(Worlds.of(text.replace("\\n", "\n")).mistakes().getFirst()).endsWith("\n    " + remedy);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "model ( pose [1e300 0 0 0] ) | Value 1 of (pose) must be from -1000000 to 1000000 m, not (1.0E300). "
+                        + "| Maybe (unit_length) is wrong; it is m.",
+                "unit_length \"mm\" model ( pose [0 2e9 0 0] ) | Value 2 of (pose) must be from -1000000 to 1000000 m, "
+                        + "not (2000000000). | Maybe (unit_length) is wrong; it is mm.",
+                "model ( pose [0 0 0 -1e300] ) | Value 4 of (pose) must be from -1000000000 to 1000000000 degrees, not "
+                        + "(-1.0E300). | Maybe (unit_angle) is wrong; it is degrees.",
+                "model ( size [1 1e300 1] ) | Value 2 of (size) must be from 0 to 1000000 m, not (1.0E300). "
+                        + "| Maybe (unit_length) is wrong; it is m.",
+                "model ( size [1 1 -2] ) | Value 3 of (size) must be from 0 to 1000000 m, not (-2). "
+                        + "| Maybe 2, without the minus?",
+                "model ( mass 1e300 ) | (mass) must be from 0 to 1000000000, not (1.0E300). | ``",
+                "model ( mass \"1e999\" ) | (mass) must be from 0 to 1000000000, not (1e999). | ``",
+                "quit_time 1e300 | (quit_time) must be from 0 to 1000000000, not (1.0E300). | ``",
+                "interval_sim 1e300 | (interval_sim) must be positive and at most 1000000000, not (1.0E300). | ``",
+                "model ( fiducial_return 1e12 ) | (fiducial_return) must be a whole number from -2147483648 to "
+                        + "2147483647, not (1000000000000). | ``",
+                "ranger ( sensor ( samples 2000000000 ) ) | (samples) must be a whole number from 1 to 100000, not "
+                        + "(2000000000). | ``",
+                "ranger ( sensor ( range [0 1e300] ) ) | Value 2 of (range) must be from -1000000000 to 1000000000 m, "
+                        + "not (1.0E300). | Maybe (unit_length) is wrong; it is m.",
+                "unit_angle \"radians\" ranger ( sensor ( fov 180 ) ) | (fov) must be from 0 to 6.28319 rad, not (180). "
+                        + "| Maybe (unit_angle) is wrong; it is rad.",
+                "model ( block ( points 2000000000 ) ) | (points) must be a whole number from 2 to 10000, not "
+                        + "(2000000000). | ``"
+            })
+    void whatIsTooLargeIsToldWithItsRange(String text, String message, String remedy) {
+        assertThat(Worlds.of(text).mistakes())
+                .singleElement()
+                .asString()
+                .endsWith(": " + message + (remedy.isEmpty() ? "" : "\n    " + remedy));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "model ( pose [1 2] ) | Maybe [1 2 0 0]: x, y and z in m, and the heading in degrees.",
+                "model ( pose [] ) | Write [0 0 0 0], say: x, y and z in m, and the heading in degrees.",
+                "model ( pose \"here\" ) | Write [0 0 0 0], say: x, y and z in m, and the heading in degrees.",
+                "unit_length \"cm\" unit_angle \"radians\" model ( size [4] ) "
+                        + "| Maybe [4 40 100]: length, width and height in cm.",
+                "unit_angle \"radians\" model ( origin [1 2 1.57] ) "
+                        + "| Maybe [1 2 0 1.57]: x, y and z in m, and the heading in rad.",
+                "position ( velocity_bounds [1 2] ) | Maybe [1 2 -1 1 -1 1 -90 90]: the least and the greatest forward, "
+                        + "to the left and up in m/s, and turning in degrees/s.",
+                "position ( acceleration_bounds 3 ) | Maybe [3 1 -1 1 -1 1 -90 90]: the least and the greatest forward, "
+                        + "to the left and up in m/s², and turning in degrees/s².",
+                "position ( velocity [1] ) | Maybe [1 0 0 0]: forward, to the left and up in m/s, and turning in "
+                        + "degrees/s.",
+                "model ( color_rgba [1 0 0] ) | Maybe [1 0 0 1]: red, green, blue and opacity, each from 0 to 1.",
+                "ranger ( sensor ( range 8 ) ) | Maybe [0 8]: the least and the greatest in m.",
+                "blobfinder ( image [160] ) | Maybe [160 60]: columns and rows.",
+                "model ( obstacle_return \"yes\" ) | Maybe 1, for yes?",
+                "model ( mass \"much\" ) "
+                        + "| Numbers are written like 0.4; unit_length and unit_angle say in which units.",
+                "model ( block ( points 3 point[0] [0 0] point[1] [1 0] ) ) "
+                        + "| Maybe (points 2), as there are point[0] to point[1]?",
+                "model ( block ( points 4 point[0] [0 0] point[1] [1 0] point[3] [0 1] ) ) "
+                        + "| Write (point[2] [X Y]); they are counted from 0 on, without a gap.",
+                "model ( block ( point[0] [0 0] point[1] [1 0] point[2] [0 1] ) ) "
+                        + "| Maybe (points 3), as there are point[0] to point[2]?",
+                "model ( block ( ) ) | Write points N, then point[0] [X Y] and so on to the last, N - 1.",
+                "position ( wheelbase -1 ) | Maybe 1, without the minus?",
+                "actuator ( axis [0 0 0] ) | Write [1 0 0] for forward, [0 0 1] for up."
+            })
+    void whatIsMissingIsProposed(String text, String remedy) {
+        assertThat(Worlds.of(text).mistakes()).singleElement().asString().endsWith("\n    " + remedy);
     }
 
     @Test
@@ -144,7 +219,8 @@ class WorldMistakesTest {
         assertThat(Worlds.of("include \"a.inc\"")
                         .and("a.inc", "\nmodel ( mass \"x\" )")
                         .mistakes())
-                .containsExactly("a.inc:2:9: (mass) must be a number, not (x).");
+                .containsExactly("a.inc:2:9: (mass) must be a number, not (x).\n"
+                        + "    Numbers are written like 0.4; unit_length and unit_angle say in which units.");
     }
 
     @Test
