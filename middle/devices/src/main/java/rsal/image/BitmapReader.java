@@ -6,6 +6,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.BitSet;
 import java.util.Iterator;
+import java.util.Objects;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.MemoryCacheImageInputStream;
@@ -28,6 +29,9 @@ public final class BitmapReader {
     /// @param threshold how bright a pixel may be to be solid, 0 (black) to 1 (white)
     /// @throws Unreadable when it is no image, broken, or too large
     public static Bitmap read(byte[] bytes, double threshold) throws Unreadable {
+        if (bytes.length == 0) {
+            throw new Unreadable("it is empty");
+        }
         if (bytes.length >= 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') {
             return new PortableImage(bytes, threshold).read();
         }
@@ -45,7 +49,9 @@ public final class BitmapReader {
                 reader.dispose();
             }
         } catch (IOException | RuntimeException e) { // a damaged image can make ImageIO throw almost anything
-            throw new Unreadable("it is broken (%s)".formatted(e.getMessage()));
+            throw new Unreadable("it is broken (%s)"
+                    .formatted(Objects.requireNonNullElse(
+                            e.getMessage(), e.getClass().getSimpleName())));
         }
     }
 
@@ -73,7 +79,9 @@ public final class BitmapReader {
 
     static void checkSize(long width, long height) throws Unreadable {
         if (width < 1 || height < 1 || width > MAX_PIXELS || height > MAX_PIXELS || width * height > MAX_PIXELS) {
-            throw new Unreadable("it has %d × %d pixels; 1 to %d are read".formatted(width, height, MAX_PIXELS));
+            throw new Unreadable(
+                    "it has %d × %d pixels; 1 to %d are read".formatted(width, height, MAX_PIXELS),
+                    "Use one of another size; worlds need no finer pixels than what robots can meet.");
         }
     }
 
@@ -81,12 +89,24 @@ public final class BitmapReader {
     public static final class Unreadable extends Exception {
         private static final long serialVersionUID = 1;
 
+        private final String remedy;
+
         Unreadable(String why) {
+            this(why, "Maybe it was cut short, or is another kind of file.");
+        }
+
+        Unreadable(String why, String remedy) {
             super(why);
+            this.remedy = remedy;
         }
 
         public String why() {
             return String.valueOf(getMessage());
+        }
+
+        /// What to try.
+        public String remedy() {
+            return remedy;
         }
     }
 }

@@ -61,7 +61,11 @@ public interface FileSource {
                         askedAt);
             }
             if (!Files.isRegularFile(file)) {
-                throw new InvalidSettings(askedAt, "(%s) is not a file.".formatted(path), "");
+                boolean folders = Files.isDirectory(file);
+                throw new InvalidSettings(
+                        askedAt,
+                        "(%s) is %s.".formatted(path, folders ? "a folder, not a file" : "not a file"),
+                        folders ? "Name a file in it." : "");
             }
             try (InputStream in = Files.newInputStream(file)) {
                 return bounded(in, path, most, askedAt);
@@ -87,11 +91,11 @@ public interface FileSource {
                 try {
                     return folder(root == null ? file : root).read(file.toString(), most, askedAt);
                 } catch (InvalidSettings e) {
-                    String message = e.problems().getFirst().message();
+                    Problem why = e.problems().getFirst();
                     String remedy = Files.exists(file) || root == null
-                            ? ""
+                            ? why.remedy()
                             : NearbyFiles.maybe(root, file.toString()).orElse("");
-                    throw new InvalidSettings(askedAt, message.replace(file.toString(), path), remedy);
+                    throw new InvalidSettings(askedAt, why.message().replace(file.toString(), path), remedy);
                 }
             }
 
@@ -127,10 +131,14 @@ public interface FileSource {
         if (in.read() >= 0) {
             throw new InvalidSettings(
                     askedAt,
-                    "File (%s) has more than %d bytes.".formatted(path, most),
+                    "File (%s) has more than %s, and no more is read.".formatted(path, size(most)),
                     "Maybe it is another kind of file.");
         }
         return bytes;
+    }
+
+    private static String size(int bytes) {
+        return bytes % (1 << 20) == 0 ? (bytes >> 20) + " MiB" : bytes + " bytes";
     }
 
     private static InvalidSettings missing(String path, String remedy, Location askedAt) {

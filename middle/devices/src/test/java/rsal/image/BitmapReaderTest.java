@@ -72,6 +72,20 @@ class BitmapReaderTest {
     }
 
     @Test
+    void anEmptyFileIsNoImage() {
+        assertThatExceptionOfType(Unreadable.class)
+                .isThrownBy(() -> BitmapReader.read(new byte[0]))
+                .withMessage("it is empty");
+    }
+
+    @Test
+    void anImageOfTooManyPixelsIsNotTakenForABrokenOne() {
+        assertThatExceptionOfType(Unreadable.class)
+                .isThrownBy(() -> BitmapReader.read("P5 60000 60000 255".getBytes(StandardCharsets.US_ASCII)))
+                .satisfies(e -> assertThat(e.remedy()).startsWith("Use one of another size"));
+    }
+
+    @Test
     void aBrokenPictureIsRefused() throws IOException {
         var out = new ByteArrayOutputStream();
         ImageIO.write(new BufferedImage(50, 50, BufferedImage.TYPE_INT_RGB), "png", out);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -83,6 +84,24 @@ class FileSourceTest {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> source.read("a.txt", 5, HERE))
                 .withMessageContaining("more than 5 bytes");
+    }
+
+    @Test
+    void tellsWhatIsTooLargeInMebibytes() throws IOException {
+        Files.write(temp.resolve("inside/large"), new byte[(1 << 20) + 1]);
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> source.read("large", 1 << 20, HERE))
+                .withMessageEndingWith("File (large) has more than 1 MiB, and no more is read.\n"
+                        + "    Maybe it is another kind of file.");
+    }
+
+    @Test
+    void tellsFoldersFromFiles() {
+        for (FileSource each : List.of(source, FileSource.disk())) {
+            assertThatExceptionOfType(InvalidSettings.class)
+                    .isThrownBy(() -> each.read(".", 5, HERE))
+                    .withMessageEndingWith("(.) is a folder, not a file.\n    Name a file in it.");
+        }
     }
 
     @Test

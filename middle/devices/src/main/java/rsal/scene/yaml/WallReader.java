@@ -245,10 +245,7 @@ final class WallReader {
         } catch (InvalidSettings e) {
             e.problems().forEach(wall.problems()::add);
         } catch (BitmapReader.Unreadable e) {
-            wall.problem(
-                    "image",
-                    "Image (%s) can't be read: %s.".formatted(name, e.why()),
-                    "Maybe it was cut short, or is another kind of file.");
+            wall.problem("image", "Image (%s) can't be read: %s.".formatted(name, e.why()), e.remedy());
         }
         return Optional.empty();
     }

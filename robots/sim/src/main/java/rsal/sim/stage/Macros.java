@@ -1,6 +1,7 @@
 package rsal.sim.stage;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,7 +30,7 @@ final class Macros {
     private final Findings findings;
     private final Dialect dialect;
     private final Map<String, Macro> macros = new LinkedHashMap<>();
-    private final List<Syntax> baseless = new ArrayList<>(); // definitions whose base nobody knows, yet
+    private final Map<String, Macro> baseless = new LinkedHashMap<>(); // whose base nobody knows, yet
     private long copies;
 
     Macros(Findings findings, Dialect dialect) {
@@ -72,12 +73,12 @@ final class Macros {
             return;
         }
         Macro base = macros.get(body.name());
+        var macro = new Macro(location, body, base);
         if (base == null
                 && !dialect.types().contains(body.name())
                 && !dialect.dropped().contains(body.name())) {
-            baseless.add(body);
+            baseless.put(name, macro);
         }
-        var macro = new Macro(location, body, base);
         if (macro.depth > MAX_DEPTH) {
             throw findings.fatal(
                     location,
@@ -89,18 +90,45 @@ final class Macros {
 
     /// Tells of definitions that build upon nothing, once all are known.
     void tellBaseless() {
-        for (Syntax body : baseless) {
-            Macro later = macros.get(body.name());
+        var inCircles = new HashSet<String>();
+        baseless.forEach((name, macro) -> {
+            String base = macro.body.name();
+            List<String> circle = circle(name, macro);
+            if (inCircles.addAll(circle)) {
+                findings.error(
+                        macro.body.location(),
+                        "(%s) builds upon itself%s."
+                                .formatted(
+                                        Findings.shortened(name),
+                                        circle.size() == 2 ? "" : ": " + String.join(" → ", circle)),
+                        "Write define NAME BASE ( ... ), BASE being a type such as (model) or (position).");
+            }
+            if (!circle.isEmpty()) {
+                return;
+            }
+            Macro later = macros.get(base);
             String remedy = later == null
-                    ? findings.maybe(
-                            body.name(), known(), "Types are: %s.".formatted(String.join(", ", dialect.types())))
+                    ? findings.maybe(base, known(), "Types are: %s.".formatted(String.join(", ", dialect.types())))
                     : "It is defined at %s; put that first.".formatted(later.location);
             findings.error(
-                    body.location(),
-                    "(%s) is neither a type nor a macro that is defined above."
-                            .formatted(Findings.shortened(body.name())),
+                    macro.body.location(),
+                    "(%s) is neither a type nor a macro that is defined above.".formatted(Findings.shortened(base)),
                     remedy);
+        });
+    }
+
+    /// The names from a macro's to its own again, each built upon the next; empty when they lead elsewhere.
+    private List<String> circle(String name, Macro first) {
+        var names = new ArrayList<String>(List.of(name));
+        for (Macro macro = first; macro != null && names.size() <= MAX_DEPTH; ) {
+            String base = macro.body.name();
+            names.add(base);
+            if (base.equals(name)) {
+                return names;
+            }
+            macro = macros.get(base);
         }
+        return List.of();
     }
 
     /// Names of all types and macros.

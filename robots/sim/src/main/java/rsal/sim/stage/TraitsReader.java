@@ -182,6 +182,12 @@ final class TraitsReader implements KindReader.Paint {
         boolean boundary = fields.flag("boundary", false);
         boolean none = fields.flag("noblocks", false);
         Optional<String> file = fields.text("bitmap").filter(name -> !name.isEmpty());
+        if (fields.has("bitmap") && file.isEmpty()) {
+            findings.warn(
+                    fields.locationOf("bitmap"),
+                    "(bitmap) names no file and has no effect.",
+                    "Name an image, or leave it out.");
+        }
         file.flatMap(name -> bitmap(name, fields.locationOf("bitmap"))).ifPresent(builder::bitmap);
         if (!blocks.isEmpty()) {
             builder.blocks(blocks);
@@ -280,10 +286,7 @@ final class TraitsReader implements KindReader.Paint {
             }
             return Optional.of(bitmap);
         } catch (BitmapReader.Unreadable e) {
-            findings.error(
-                    at,
-                    "Image (%s) can't be read: %s.".formatted(path, e.why()),
-                    "Maybe it was cut short, or is another kind of file.");
+            findings.error(at, "Image (%s) can't be read: %s.".formatted(path, e.why()), e.remedy());
             return Optional.empty();
         }
     }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import rsal.settings.FileSource;
@@ -55,8 +56,10 @@ public final class WorldFiles {
             return new Found(path, source.read(path, most, Location.of(path)));
         } catch (InvalidSettings e) {
             Problem why = e.problems().getFirst();
-            throw new InvalidSettings(
-                    why.location(), why.message(), guess(path, names.apply(folder(path)), why.remedy()));
+            throw isThere(path)
+                    ? e
+                    : new InvalidSettings(
+                            why.location(), why.message(), guess(path, names.apply(folder(path)), why.remedy()));
         }
     }
 
@@ -67,14 +70,27 @@ public final class WorldFiles {
     /// @throws InvalidSettings when it is nowhere or can't be read
     public Found find(String name, String world, int most, Location askedAt) {
         var why = new LinkedHashSet<String>();
+        Optional<Problem> unreadable = Optional.empty(); // of the first that is there
         for (String candidate : candidates(name, world, askedAt.file())) {
             try {
                 return new Found(candidate, source.read(candidate, most, askedAt));
             } catch (InvalidSettings e) {
-                why.add(e.problems().getFirst().message());
+                Problem problem = e.problems().getFirst();
+                why.add(problem.message());
+                unreadable = unreadable.or(() -> isThere(candidate) ? Optional.of(problem) : Optional.empty());
             }
         }
+        if (unreadable.isPresent()) {
+            throw new InvalidSettings(List.of(unreadable.get()));
+        }
         throw new InvalidSettings(askedAt, String.join(" ", why), remedy(name, world, askedAt.file()));
+    }
+
+    private boolean isThere(String path) {
+        String last = lastName(path);
+        return last.equals(".")
+                || last.equals("..")
+                || names.apply(folder(path)).contains(last);
     }
 
     private List<String> candidates(String name, String world, String asking) {
@@ -87,7 +103,7 @@ public final class WorldFiles {
         }
         for (String folder : searchPath) {
             paths.add(normal(folder + "/" + name));
-            paths.add(normal(folder + "/" + name.substring(name.lastIndexOf('/') + 1)));
+            paths.add(normal(folder + "/" + lastName(name)));
         }
         return List.copyOf(paths);
     }
@@ -102,10 +118,13 @@ public final class WorldFiles {
     }
 
     private static String guess(String path, Collection<String> known, String otherwise) {
-        String last = path.substring(path.lastIndexOf('/') + 1);
-        return Suggestion.closest(last, known)
+        return Suggestion.closest(lastName(path), known)
                 .map(file -> "Maybe (%s) was meant?".formatted(file))
                 .orElse(otherwise);
+    }
+
+    private static String lastName(String path) {
+        return path.substring(path.lastIndexOf('/') + 1);
     }
 
     /// The folder of a path with its slash; empty when there is none.
@@ -123,7 +142,8 @@ public final class WorldFiles {
                 parts.addLast(part);
             }
         }
-        return (path.startsWith("/") ? "/" : "") + String.join("/", parts);
+        String normal = (path.startsWith("/") ? "/" : "") + String.join("/", parts);
+        return normal.isEmpty() ? "." : normal;
     }
 
     private static List<String> namesOnDisk(String folder) {

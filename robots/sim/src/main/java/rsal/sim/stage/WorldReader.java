@@ -195,7 +195,8 @@ final class WorldReader {
                     entity.location(),
                     "%s a type that later versions of Stage dropped; it is left out.".formatted(what),
                     "");
-        } else if (file.complete()) { // else what was not included may define it
+        } else if (file.complete() // else what was not included may define it
+                && !file.known().contains(type)) { // else its definition was told to be wrong
             guess(entity, type);
         }
     }

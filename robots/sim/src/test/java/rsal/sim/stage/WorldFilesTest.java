@@ -89,6 +89,37 @@ class WorldFilesTest {
     }
 
     @Test
+    void whatIsThereButCanNotBeReadIsNotGuessedToBeMeant() throws IOException {
+        write("worlds/a.world", "include \"robots\"\ninclude \".\"\nmodel ( bitmap \".\" )");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> StageWorld.read(world, WorldFiles.onDisk(List.of())))
+                .satisfies(e -> assertThat(e.problems())
+                        .extracting(
+                                problem -> problem.location().line() + " " + problem.message() + " " + problem.remedy())
+                        .containsExactly(
+                                "1 (%s) is a folder, not a file. Name a file in it."
+                                        .formatted(temp.resolve("worlds/robots")),
+                                "2 (%s) is a folder, not a file. Name a file in it.".formatted(temp.resolve("worlds")),
+                                "3 (%s) is a folder, not a file. Name a file in it."
+                                        .formatted(temp.resolve("worlds"))));
+    }
+
+    @Test
+    void aWorldThatIsTooLargeIsToldSo() throws IOException {
+        write("worlds/a.world", "#".repeat(Lexer.MAX_BYTES + 1));
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> StageWorld.read(world, WorldFiles.onDisk(List.of())))
+                .withMessage(world + ": File (" + world + ") has more than 16 MiB, and no more is read.\n"
+                        + "    Maybe it is another kind of file.");
+        write("worlds/b.world", "include \"a.world\"");
+        String including = temp.resolve("worlds/b.world").toString();
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> StageWorld.read(including, WorldFiles.onDisk(List.of())))
+                .withMessage(including + ":1:1: File (" + world + ") has more than 16 MiB, and no more is read.\n"
+                        + "    Maybe it is another kind of file.");
+    }
+
+    @Test
     void aSourceIsNeverLeft() throws IOException {
         write("worlds/a.world", "include \"../shared/wheel.inc\"\nwheel ( )");
         write("shared/wheel.inc", "define wheel model ( mass 4 )");

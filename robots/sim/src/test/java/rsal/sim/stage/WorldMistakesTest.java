@@ -242,6 +242,28 @@ class WorldMistakesTest {
     }
 
     @Test
+    void aMacroThatBuildsUponItselfIsTold() {
+        String remedy = "\n    Write define NAME BASE ( ... ), BASE being a type such as (model) or (position).";
+        assertThat(Worlds.of("define a a()\na()").mistakes())
+                .containsExactly("test.world:1:10: (a) builds upon itself." + remedy);
+        assertThat(Worlds.of("define a b()\ndefine b c()\ndefine c a()\na() b() c()")
+                        .mistakes())
+                .containsExactly("test.world:1:10: (a) builds upon itself: a → b → c → a." + remedy);
+        assertThat(Worlds.of("define a b()\ndefine b b()").mistakes())
+                .containsExactly(
+                        "test.world:1:10: (b) is neither a type nor a macro that is defined above.\n"
+                                + "    It is defined at test.world:2:8; put that first.",
+                        "test.world:2:10: (b) builds upon itself." + remedy);
+    }
+
+    @Test
+    void aBitmapWithoutANameIsToldToHaveNoEffect() {
+        assertThat(Worlds.of("model ( bitmap \"\" )").warnings())
+                .containsExactly("test.world:1:9: (bitmap) names no file and has no effect.\n"
+                        + "    Name an image, or leave it out.");
+    }
+
+    @Test
     void obsoleteTypesAreToldOnlyWhereTheyAreUsed() {
         var worlds = Worlds.of("define sick laser ( samples 180 )\ndefine disc puck ( )\nmodel ( )");
         assertThat(worlds.names()).containsExactly("model:0");
