@@ -295,7 +295,9 @@ final class Fields {
                 name,
                 "(%s) has its least value (%s) above its greatest (%s)."
                         .formatted(name, Units.plain(min / units.scale(kind)), Units.plain(max / units.scale(kind))),
-                "Maybe the two were mixed up.");
+                min == 0 && max < 0
+                        ? "Maybe %s, without the minus?".formatted(Units.plain(-max / units.scale(kind)))
+                        : "Maybe the two were mixed up.");
         return Optional.empty();
     }
 

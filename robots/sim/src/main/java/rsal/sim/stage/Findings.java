@@ -2,6 +2,7 @@ package rsal.sim.stage;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -23,18 +24,28 @@ public final class Findings {
     private final List<Problem> errors = new ArrayList<>();
     private final List<Problem> warnings = new ArrayList<>();
     private final Set<Object> told = new HashSet<>();
+    private final Set<Location> spoiled = new HashSet<>();
     private int untold;
     private int guesses;
 
     /// @throws InvalidSettings with all errors so far when there are too many to go on
     public void error(Location location, String message, String remedy) {
         var problem = new Problem(location, message, remedy);
-        if (told.add(problem)) {
+        if (!spoiled.contains(location) && told.add(problem)) {
             errors.add(problem);
         }
         if (errors.size() >= MAX_ERRORS) {
             throwIfAny();
         }
+    }
+
+    /// What stands there was told to be wrong; whatever else would be said of it only follows from that.
+    void spoil(Location location) {
+        spoiled.add(location);
+    }
+
+    boolean isSpoiled(Location location) {
+        return spoiled.contains(location);
     }
 
     /// Nothing more can be read.
@@ -79,9 +90,19 @@ public final class Findings {
         return text.length() <= 80 ? text : text.substring(0, 77) + "...";
     }
 
+    /// @throws InvalidSettings with all errors, those of a file in the order of its lines
     public void throwIfAny() {
         if (!errors.isEmpty()) {
-            throw new InvalidSettings(errors);
+            List<String> files = errors.stream()
+                    .map(error -> error.location().file())
+                    .distinct()
+                    .toList();
+            throw new InvalidSettings(errors.stream()
+                    .sorted(Comparator.comparingInt((Problem error) ->
+                                    files.indexOf(error.location().file()))
+                            .thenComparingInt(error -> error.location().line())
+                            .thenComparingInt(error -> error.location().column()))
+                    .toList());
         }
     }
 

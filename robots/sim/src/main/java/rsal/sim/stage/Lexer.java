@@ -6,7 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -23,6 +25,10 @@ final class Lexer {
     static final int MAX_INCLUDES = 1000;
     static final int MAX_TOKENS = 2_000_000;
     private static final Set<String> FLAGS = Set.of("true", "false", "yes", "no");
+    private static final Set<String> UNITS = Set.of(
+            "m", "cm", "mm", "km", "deg", "degree", "degrees", "rad", "radians", "s", "sec", "ms", "kg", "g", "px", "w",
+            "j");
+    private static final String QUOTES = "'\u2018\u2019\u201c\u201d\u201e"; // that no text of Stage stands in
 
     private final WorldFiles files;
     private final String world;
@@ -32,6 +38,7 @@ final class Lexer {
     private final Deque<String> open = new ArrayDeque<>(); // paths of files that are being read
     private int includes;
     private boolean missing;
+    private boolean unclosed;
 
     private Lexer(WorldFiles files, String world, Findings findings, Dialect dialect) {
         this.files = files;
@@ -41,12 +48,13 @@ final class Lexer {
     }
 
     /// @param complete whether all that is included was there
-    record Tokens(List<Token> all, boolean complete) {}
+    /// @param closed whether all texts are; those that are not may have brackets in them that are missed elsewhere
+    record Tokens(List<Token> all, boolean complete, boolean closed) {}
 
     static Tokens read(String world, WorldFiles files, Findings findings, Dialect dialect) {
         var lexer = new Lexer(files, world, findings, dialect);
         lexer.read(files.open(world, MAX_BYTES));
-        return new Tokens(lexer.tokens, !lexer.missing);
+        return new Tokens(lexer.tokens, !lexer.missing, !lexer.unclosed);
     }
 
     private void read(WorldFiles.Found file) {
@@ -118,6 +126,7 @@ final class Lexer {
         private int next;
         private int line = 1;
         private int lineStart;
+        private final Set<Character> strange = new HashSet<>(); // told in this line
 
         Text(String file, String text) {
             this.file = file;
@@ -141,12 +150,56 @@ final class Lexer {
                     word();
                 } else if (isNumeric(c)) {
                     number();
+                } else if (Character.isWhitespace(c) || Character.isSpaceChar(c)) {
+                    next++;
                 } else {
-                    if (!Character.isWhitespace(c) && !Character.isSpaceChar(c)) {
-                        findings.error(here(), "(%s) means nothing here.".formatted(c), maybe(c));
-                    }
+                    strange(c);
+                }
+            }
+        }
+
+        /// What means nothing, taken for what was probably meant.
+        private void strange(char c) {
+            if (strange.add(c)) { // one each is enough in a line
+                findings.error(here(), "(%s) means nothing here.".formatted(c), maybe(c));
+            }
+            if (text.startsWith("//", next)) {
+                skipLine();
+            } else if (text.startsWith("/*", next)) {
+                skipComment();
+            } else if (QUOTES.indexOf(c) >= 0) {
+                quoted();
+            } else {
+                if (c == '{' || c == '}') {
+                    add(new Token.Bracket(here(), c == '{' ? '(' : ')'));
+                }
+                next++;
+            }
+        }
+
+        private void skipComment() {
+            int end = text.indexOf("*/", next);
+            int stop = end < 0 ? text.length() : end + 2;
+            while (next < stop) {
+                if (text.charAt(next) == '\n' || text.charAt(next) == '\r') {
+                    newline();
+                } else {
                     next++;
                 }
+            }
+        }
+
+        /// A text in other quotes, if it is closed.
+        private void quoted() {
+            int end = next + 1;
+            while (end < text.length() && (QUOTES + "\n\r").indexOf(text.charAt(end)) < 0) {
+                end++;
+            }
+            if (end < text.length() && QUOTES.indexOf(text.charAt(end)) >= 0) {
+                add(new Token.Literal(here(), text.substring(next + 1, end)));
+                next = end + 1;
+            } else {
+                next++;
             }
         }
 
@@ -183,6 +236,7 @@ final class Lexer {
             next++;
             line++;
             lineStart = next;
+            strange.clear();
         }
 
         private void skipLine() {
@@ -202,6 +256,7 @@ final class Lexer {
                 next++;
             } else {
                 findings.error(at, "The text that begins here is not closed.", "Close it with \" on the same line.");
+                unclosed = true;
             }
             add(new Token.Literal(at, value));
         }
@@ -246,14 +301,23 @@ final class Lexer {
             while (end < text.length() && "\"\n\r".indexOf(text.charAt(end)) < 0) {
                 end++;
             }
-            if (next < text.length() && text.charAt(next) == '"' && end < text.length() && text.charAt(end) == '"') {
+            boolean begun = next < text.length() && text.charAt(next) == '"';
+            if (begun && end < text.length() && text.charAt(end) == '"') {
                 String name = text.substring(next + 1, end);
                 skipLine();
                 Lexer.this.include(name, at);
-            } else {
-                skipLine();
-                findings.error(at, "(include) names no file.", "Write include \"FILE\" on one line.");
+                return;
             }
+            int start = Math.min(begun ? next + 1 : next, text.length());
+            skipLine();
+            String name = text.substring(start, next).strip();
+            missing = true;
+            findings.error(
+                    at,
+                    begun ? "(include) does not close the name of its file." : "(include) names no file in quotes.",
+                    name.isEmpty() || name.indexOf('"') >= 0
+                            ? "Write include \"FILE\" on one line."
+                            : "Maybe include \"%s\"?".formatted(Findings.shortened(name)));
         }
 
         private void number() {
@@ -271,11 +335,31 @@ final class Lexer {
                 next = exponent ? end : next;
             }
             String digits = text.substring(start, next);
-            double value = parse(digits);
-            if (!Double.isFinite(value)) {
-                findings.error(at, "(%s) is not a number.".formatted(Findings.shortened(digits)), "");
+            int end = next;
+            while (end < text.length() && isWordPart(text.charAt(end))) {
+                end++;
             }
-            add(new Token.Literal(at, plain(Double.isFinite(value) ? value : 0)));
+            String unit = text.substring(next, end);
+            if (UNITS.contains(unit.toLowerCase(Locale.ROOT))) {
+                next = end;
+                wrong(
+                        at,
+                        digits + unit,
+                        "Units are not written here; unit_length and unit_angle tell those of all numbers.");
+            } else {
+                double value = parse(digits);
+                if (Double.isNaN(value)) {
+                    wrong(at, digits, "");
+                } else {
+                    add(new Token.Literal(at, Double.isInfinite(value) ? digits : plain(value)));
+                }
+            }
+        }
+
+        private void wrong(Location at, String number, String remedy) {
+            findings.error(at, "(%s) is not a number.".formatted(Findings.shortened(number)), remedy);
+            findings.spoil(at);
+            add(new Token.Literal(at, 0L));
         }
     }
 
@@ -295,11 +379,14 @@ final class Lexer {
     private static String maybe(char c) {
         return switch (c) {
             case '{', '}' -> "Maybe ( ) was meant?";
-            case ',', ';' -> "Blanks are enough between values.";
-            case '\'' -> "Texts stand in \" \".";
+            case ',' -> "Values are set apart by blanks, and decimals by a point.";
+            case ';' -> "Blanks are enough between values.";
             case '=', ':' -> "A blank is enough between a name and its value.";
             case '/', '*', '%' -> "Comments begin with #.";
-            default -> "";
+            default ->
+                QUOTES.indexOf(c) >= 0
+                        ? "Texts stand in \" \"."
+                        : Character.isLetter(c) ? "Names are made of a to z, A to Z, digits and _." : "";
         };
     }
 

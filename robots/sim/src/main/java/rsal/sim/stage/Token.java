@@ -20,6 +20,11 @@ sealed interface Token {
             return scalar().describe();
         }
 
+        /// As it could be written in a file.
+        String source() {
+            return value instanceof String ? "\"" + value + "\"" : value.toString();
+        }
+
         Value.Scalar scalar() {
             return new Value.Scalar(location, value);
         }

@@ -3,11 +3,13 @@ package rsal.sim.stage;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
+import rsal.settings.Suggestion;
 import rsal.settings.Value;
 import rsal.sim.stage.Entity.Setting;
 
@@ -39,12 +41,13 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
     /// Reads another kind of file, likewise.
     public static WorldFile read(String path, WorldFiles files, Findings findings, Dialect dialect) {
         Lexer.Tokens tokens = Lexer.read(path, files, findings, dialect);
-        var parser = new Parser(tokens.all(), findings, dialect);
+        var parser = new Parser(tokens, findings, dialect);
         Entity root = parser.world(path);
-        if (tokens.complete()) {
+        boolean complete = tokens.complete() && !parser.incomplete;
+        if (complete) {
             parser.macros.tellBaseless();
         }
-        return new WorldFile(root, parser.macros.known(), tokens.complete());
+        return new WorldFile(root, parser.macros.known(), complete);
     }
 
     /// Recursive descent; on a mistake it tells and goes on behind it.
@@ -52,10 +55,13 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
         private final List<Token> tokens;
         private final Findings findings;
         private final Macros macros;
+        private final boolean closed;
+        private boolean incomplete; // a file was meant to be included
         private int next;
 
-        Parser(List<Token> tokens, Findings findings, Dialect dialect) {
-            this.tokens = tokens;
+        Parser(Lexer.Tokens tokens, Findings findings, Dialect dialect) {
+            this.tokens = tokens.all();
+            this.closed = tokens.closed();
             this.findings = findings;
             this.macros = new Macros(findings, dialect);
         }
@@ -109,17 +115,69 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             } else if (after instanceof Token.Literal literal) {
                 next++;
                 settings.put(word.text(), new Setting(word.text(), word.location(), literal.scalar()));
+                if (findings.isSpoiled(literal.location())) {
+                    findings.spoil(word.location());
+                }
+                checkSingle(word, literal);
+                if (depth == 0) {
+                    checkNoInclude(word, literal);
+                }
             } else if (after != null && Token.isBracket(after, '[')) {
                 next++;
-                settings.put(word.text(), new Setting(word.text(), word.location(), tuple(after)));
+                settings.put(word.text(), new Setting(word.text(), word.location(), tuple(word, after)));
             } else {
                 findings.error(
                         word.location(),
                         "(%s) has no value.".formatted(Findings.shortened(word.text())),
-                        after instanceof Token.Word value && onLine(after, word)
-                                ? "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(value.text())
-                                : "");
+                        after instanceof Token.Word value && onLine(after, word) ? meant(word, value) : "");
                 skipLine(word);
+            }
+        }
+
+        /// What a word may have been meant to be that stands where a value should.
+        private String meant(Token.Word name, Token.Word value) {
+            String word = value.text();
+            Token third = next + 1 < tokens.size() ? tokens.get(next + 1) : null;
+            if (Suggestion.closest(name.text(), List.of("define")).isPresent() && third instanceof Token.Word) {
+                return "Maybe (define) was meant?";
+            }
+            return switch (word.toLowerCase(Locale.ROOT)) {
+                case "true", "yes", "on" -> "Maybe 1, for yes?";
+                case "false", "no", "off" -> "Maybe 0, for no?";
+                case "nan", "inf", "infinity" -> "Only finite numbers can be written.";
+                default ->
+                    third instanceof Token.Literal || (third != null && Token.isBracket(third, '['))
+                            ? "Write one before (%s).".formatted(Findings.shortened(word))
+                            : "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(word);
+            };
+        }
+
+        /// Several values stand in a tuple.
+        private void checkSingle(Token.Word name, Token.Literal first) {
+            var values = new ArrayList<String>(List.of(first.source()));
+            while (next < tokens.size() && tokens.get(next) instanceof Token.Literal more && onLine(more, name)) {
+                values.add(more.source());
+                next++;
+            }
+            if (values.size() > 1) {
+                findings.error(
+                        name.location(),
+                        "(%s) has %d values.".formatted(Findings.shortened(name.text()), values.size()),
+                        "Several stand in [ ]: %s [%s]."
+                                .formatted(name.text(), Findings.shortened(String.join(" ", values))));
+                findings.spoil(name.location());
+            }
+        }
+
+        /// A slip in `include` would be a property that is not known, and what the file has would be missed later.
+        private void checkNoInclude(Token.Word name, Token.Literal value) {
+            if (value.value() instanceof String
+                    && Suggestion.closest(name.text(), List.of("include")).isPresent()) {
+                findings.error(
+                        name.location(),
+                        "(%s) is not known in a world.".formatted(Findings.shortened(name.text())),
+                        "Maybe (include) was meant?");
+                incomplete = true;
             }
         }
 
@@ -133,6 +191,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             }
             var settings = new LinkedHashMap<String, Setting>();
             var children = new ArrayList<Syntax>();
+            Token.Word atMargin = null; // what begins a line, though it is in here
             while (next < tokens.size() && !Token.isBracket(tokens.get(next), ')')) {
                 Token token = tokens.get(next);
                 if (token instanceof Token.Word word && word.text().equals("define")) {
@@ -143,14 +202,26 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
                     next++;
                     define(word);
                 } else {
+                    if (atMargin == null
+                            && token instanceof Token.Word word
+                            && word.location().column() == 1
+                            && next + 1 < tokens.size()
+                            && Token.isBracket(tokens.get(next + 1), '(')) {
+                        atMargin = word;
+                    }
                     statement(settings, children, depth);
                 }
             }
             if (next == tokens.size()) {
-                findings.error(
-                        opening.location(),
-                        "The ( of (%s) is not closed.".formatted(Findings.shortened(name)),
-                        "Close it with ).");
+                if (closed) {
+                    findings.error(
+                            opening.location(),
+                            "The ( of (%s) is not closed.".formatted(Findings.shortened(name)),
+                            atMargin == null
+                                    ? "Close it with )."
+                                    : "Close it with ), maybe before (%s) at %s."
+                                            .formatted(Findings.shortened(atMargin.text()), atMargin.location()));
+                }
             } else {
                 next++;
             }
@@ -179,7 +250,7 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
         }
 
         /// Values up to ], on however many lines.
-        private Value.Sequence tuple(Token opening) {
+        private Value.Sequence tuple(Token.Word name, Token opening) {
             var items = new ArrayList<Value>();
             while (next < tokens.size() && tokens.get(next) instanceof Token.Literal literal) {
                 items.add(literal.scalar());
@@ -188,13 +259,19 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             if (next < tokens.size() && Token.isBracket(tokens.get(next), ']')) {
                 next++;
             } else if (next < tokens.size() && tokens.get(next) instanceof Token.Word word && onLine(word, opening)) {
+                boolean infinite =
+                        Set.of("nan", "inf", "infinity").contains(word.text().toLowerCase(Locale.ROOT));
                 findings.error(
                         word.location(),
                         "(%s) can't stand in a tuple.".formatted(Findings.shortened(word.text())),
-                        "Maybe \"%s\" was meant, or a ] is missing before it.".formatted(word.text()));
+                        infinite
+                                ? "Only finite numbers can be written."
+                                : "Maybe \"%s\" was meant, or a ] is missing before it.".formatted(word.text()));
+                findings.spoil(name.location());
                 skipTuple(opening);
             } else {
                 findings.error(opening.location(), "This [ is not closed.", "Close it with ].");
+                findings.spoil(name.location());
             }
             return new Value.Sequence(opening.location(), items);
         }

@@ -17,7 +17,7 @@ class WorldMistakesTest {
             quoteCharacter = '`',
             value = {
                 "model ( mass 1.2.3 )       | 14 | (1.2.3) is not a number.",
-                "model ( mass 1e999 )       | 14 | (1e999) is not a number.",
+                "model ( mass 1e999 )       | 9 | (mass) must be from 0 to 1000000000, not (1e999).",
                 "model ( mass \"much\" )    | 9 | (mass) must be a number, not (much).",
                 "model ( name \"a )         | 14 | The text that begins here is not closed.",
                 "model ( mass 1             | 7 | The ( of (model) is not closed.",
@@ -32,7 +32,7 @@ class WorldMistakesTest {
                 "define a                   | 1 | (define) is incomplete.",
                 "define a b ( )             | 10 | (b) is neither a type nor a macro that is defined above.",
                 "model ( define a model ( ) ) | 9 | (define) can't stand inside of (model).",
-                "include                    | 1 | (include) names no file.",
+                "include                    | 1 | (include) names no file in quotes.",
                 "include \"no.inc\"         | 1 | There is no file (no.inc).",
                 "model ( bitmap \"no.png\" ) | 9 | There is no file (no.png).",
                 "model ( pose [1 2 90] )    | 9 | (pose) needs 4 numbers, [x y z a], but has 3.",
@@ -172,6 +172,83 @@ class WorldMistakesTest {
             })
     void whatIsMissingIsProposed(String text, String remedy) {
         assertThat(Worlds.of(text).mistakes()).singleElement().asString().endsWith("\n    " + remedy);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "model ( pose [1e999 0 0 0] ) | 1:15: Value 1 of (pose) must be from -1000000 to 1000000 m, not (1e999). "
+                        + "| Maybe (unit_length) is wrong; it is m.",
+                "model ( mass 5kg ) | 1:14: (5kg) is not a number. "
+                        + "| Units are not written here; unit_length and unit_angle tell those of all numbers.",
+                "model ( size [1m 1 1] ) | 1:15: (1m) is not a number. "
+                        + "| Units are not written here; unit_length and unit_angle tell those of all numbers.",
+                "ranger ( sensor ( samples 5px ) ) | 1:27: (5px) is not a number. "
+                        + "| Units are not written here; unit_length and unit_angle tell those of all numbers.",
+                "model ( pose [nan 0 0 0] ) | 1:15: (nan) can't stand in a tuple. | Only finite numbers can be written.",
+                "model ( mass inf ) | 1:9: (mass) has no value. | Only finite numbers can be written.",
+                "model ( boundary true ) | 1:9: (boundary) has no value. | Maybe 1, for yes?",
+                "model ( boundary no ) | 1:9: (boundary) has no value. | Maybe 0, for no?",
+                "model ( mass color \"red\" ) | 1:9: (mass) has no value. | Write one before (color).",
+                "model ( pose 1 2 0 90 ) | 1:9: (pose) has 4 values. | Several stand in [ ]: pose [1 2 0 90].",
+                "model ( ctrl \"a\" \"b\" ) | 1:9: (ctrl) has 2 values. | Several stand in [ ]: ctrl [\"a\" \"b\"].",
+                "model ( size [0,4 0,4 0,2] ) | 1:16: (,) means nothing here. "
+                        + "| Values are set apart by blanks, and decimals by a point.",
+                "model ( color 'red' ) | 1:15: (') means nothing here. | Texts stand in \" \".",
+                "model ( color “red” ) | 1:15: (“) means nothing here. | Texts stand in \" \".",
+                "model ( )\\n// a wall and a door\\n | 2:1: (/) means nothing here. | Comments begin with #.",
+                "/* a wall\\n and a door */ model ( ) | 1:1: (/) means nothing here. | Comments begin with #.",
+                "model ( namе \"a\" ) | 1:12: (е) means nothing here. "
+                        + "| Names are made of a to z, A to Z, digits and _.",
+                "inlcude \"a.inc\"\\na ( ) | 1:1: (inlcude) is not known in a world. | Maybe (include) was meant?",
+                "Include \"a.inc\"\\nmodel ( ) | 1:1: (Include) is not known in a world. | Maybe (include) was meant?",
+                "include a.inc\\na ( ) | 1:1: (include) names no file in quotes. | Maybe include \"a.inc\"?",
+                "include \"a.inc\\na ( ) | 1:1: (include) does not close the name of its file. "
+                        + "| Maybe include \"a.inc\"?",
+                "include\\na ( ) | 1:1: (include) names no file in quotes. | Write include \"FILE\" on one line.",
+                "Define a model ( ) | 1:1: (Define) has no value. | Maybe (define) was meant?",
+                "model ( name \"a )\\nmodel ( ) | 1:14: The text that begins here is not closed. "
+                        + "| Close it with \" on the same line.",
+                "model ( size [1 1 1\\n color \"red\" ) | 1:14: This [ is not closed. | Close it with ].",
+                "define a position (\\n ranger ( sensor ( )\\n)\\na ( )\\na ( ) | 1:19: The ( of (position) is not closed. "
+                        + "| Close it with ), maybe before (a) at test.world:4:1.",
+                "ranger ( sensor ( range [0 -5] ) ) | 1:19: (range) has its least value (0) above its greatest (-5). "
+                        + "| Maybe 5, without the minus?",
+                "position ( velocity_bounds [0 1 0 0 0 0 90 -90] ) | 1:12: (velocity_bounds) has its least value (90) above "
+                        + "its greatest (-90). | Maybe the two were mixed up."
+            })
+    void oneMistakeIsToldOnceAndForWhatItIs(String text, String message, String remedy) {
+        assertThat(Worlds.of(text.replace("\\n", "\n")).mistakes())
+                .containsExactly("test.world:" + message + "\n    " + remedy);
+    }
+
+    @Test
+    void bracesAndTheLikeAreTakenForWhatTheyMean() {
+        assertThat(Worlds.of("position { size: [1, 2, 3]; color = 'red'; }\nmodel { mass: 1; }")
+                        .mistakes())
+                .extracting(problem -> problem.lines().findFirst().orElseThrow())
+                .containsExactly(
+                        "test.world:1:10: ({) means nothing here.",
+                        "test.world:1:16: (:) means nothing here.",
+                        "test.world:1:20: (,) means nothing here.",
+                        "test.world:1:27: (;) means nothing here.",
+                        "test.world:1:35: (=) means nothing here.",
+                        "test.world:1:37: (') means nothing here.",
+                        "test.world:1:44: (}) means nothing here.",
+                        "test.world:2:7: ({) means nothing here.",
+                        "test.world:2:13: (:) means nothing here.",
+                        "test.world:2:16: (;) means nothing here.",
+                        "test.world:2:18: (}) means nothing here.");
+    }
+
+    @Test
+    void mistakesAreToldInTheOrderOfLines() {
+        assertThat(Worlds.of("model ( mass \"a\" )\ninclude \"no.inc\"\nmodel ( mass 1.2.3 )")
+                        .mistakes())
+                .extracting(problem -> problem.substring(0, "test.world:1".length()))
+                .containsExactly("test.world:1", "test.world:2", "test.world:3");
     }
 
     @Test
