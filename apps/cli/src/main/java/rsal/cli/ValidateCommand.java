@@ -86,7 +86,8 @@ final class ValidateCommand extends Subcommand {
     /// As people read it: with where it is written, when that is more than the file.
     static String note(Problem note) {
         boolean isOfAll = note.location().line() == 0 && !note.location().file().startsWith("--");
-        return "Note: " + (isOfAll ? note.message() : note);
+        String remedy = note.remedy().isEmpty() ? "" : "\n    " + note.remedy();
+        return "Note: " + (isOfAll ? note.message() + remedy : note);
     }
 
     /// Warnings are no mistakes, but nobody should miss them.

@@ -45,10 +45,37 @@ final class Notes {
             notes.add("A run in real time goes at speed 1, whatever (speed) says. Maybe (clock: {mode: simulated}).");
         }
         Location at = plan.scenario().location();
-        return Stream.concat(
-                        notes.stream().map(note -> new Problem(at, note, "")), Destinations.misplaced(plan).stream())
+        return Stream.of(
+                        notes.stream().map(note -> new Problem(at, note, "")),
+                        Destinations.misplaced(plan).stream(),
+                        empty(plan).stream())
+                .flatMap(each -> each)
                 .distinct()
                 .toList();
+    }
+
+    /// Of a world that is run by itself; a scenario may have its reasons.
+    private static Optional<Problem> empty(RunPlan plan) {
+        if (!plan.scenario().isWorld()
+                || !plan.robots().isEmpty()
+                || !plan.scene().services().isEmpty()) {
+            return Optional.empty();
+        }
+        Location at = plan.scenario().location();
+        return Optional.of(
+                plan.scene().isEmpty()
+                        ? nothingIn(at)
+                        : new Problem(
+                                at,
+                                "There is no robot in this world, so that nothing moves.",
+                                "Put robots into its file, or add them on the page."));
+    }
+
+    static Problem nothingIn(Location world) {
+        return new Problem(
+                world,
+                "There is nothing in this world: no wall, no thing, no robot.",
+                "Maybe it is another file, or an include is missing.");
     }
 
     private static boolean findsItsWay(PlannedRobot robot) {

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import rsal.scene.Scene;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -223,16 +224,22 @@ public final class Scenario {
         return Catalog.installed().formatOf(name).isPresent();
     }
 
-    /// What is in a world, as a run with the seed 1 finds it.
+    /// What is in a world, as a run with the seed 1 finds it; when that is nothing, with a warning.
     ///
     /// @param path of a file that [#isWorld]
     /// @throws InvalidSettings with its mistakes
     public static Scene scene(String path) {
         var seeds = new Seeds((Long) Format.SEED.fallback().orElseThrow());
-        return Catalog.installed()
+        Scene scene = Catalog.installed()
                 .formatOf(path)
                 .orElseThrow(() -> new IllegalArgumentException("(%s) is no world.".formatted(path)))
                 .read(path, FileSource.disk(), seeds.of("world"));
+        return scene.isEmpty()
+                ? scene.serving(
+                        List.of(),
+                        Stream.concat(scene.warnings().stream(), Stream.of(Notes.nothingIn(Location.of(path))))
+                                .toList())
+                : scene;
     }
 
     /// A world with nothing but what is in it.

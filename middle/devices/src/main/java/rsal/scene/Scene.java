@@ -99,6 +99,11 @@ public record Scene(
         return with(as, services, warnings);
     }
 
+    /// Whether there is nothing in it: nothing that is solid, nothing that moves, nothing that is served.
+    public boolean isEmpty() {
+        return walls.isEmpty() && things.isEmpty() && robots.isEmpty() && services.isEmpty();
+    }
+
     /// The same, of which servers are to offer something.
     ///
     /// @param others instead of the warnings
