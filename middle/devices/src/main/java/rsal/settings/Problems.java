@@ -34,6 +34,11 @@ public final class Problems {
         }
     }
 
+    /// What was noted turned out to follow from something else that is told.
+    void withdraw(Problem problem) {
+        problems.remove(problem);
+    }
+
     /// Enough has been said about what stands at a place: what else is wrong with it follows from that.
     public void settle(Location location) {
         settled.add(location);

@@ -1,5 +1,7 @@
 package rsal.settings;
 
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -15,13 +17,22 @@ public final class Section {
     private final String name;
     private final Value.Mapping mapping;
     private final Problems problems;
+    private final boolean given;
     private final Set<String> asked = new LinkedHashSet<>();
+    private final Map<String, Problem> missing = new HashMap<>(); // what was noted to be, by key
+    private final Map<String, List<Section>> leftOut = new HashMap<>(); // groups that are not given, by key
 
     /// @param name how messages call the group, `robots.prey`; empty at the top of a file
     public Section(String name, Value.Mapping mapping, Problems problems) {
+        this(name, mapping, problems, true);
+    }
+
+    /// @param given false in place of a value that is no group, of which no more is to be told
+    private Section(String name, Value.Mapping mapping, Problems problems, boolean given) {
         this.name = name;
         this.mapping = mapping;
         this.problems = problems;
+        this.given = given;
     }
 
     public Location location() {
@@ -88,10 +99,7 @@ public final class Section {
                 })
                 .orElseGet(() -> {
                     if (parameter.fallback().isEmpty()) {
-                        problem(
-                                location(),
-                                "(%s) is missing: %s.".formatted(path(parameter.name()), parameter.expected()),
-                                parameter.description());
+                        noteMissing(parameter.name(), parameter.expected(), parameter.description());
                     }
                     return parameter.fallback();
                 });
@@ -151,8 +159,17 @@ public final class Section {
 
     /// A group within this one; an empty one when it isn't given.
     public Section section(String key) {
-        return new Section(
-                path(key), find(key).flatMap(v -> asMapping(key, v)).orElse(Value.Mapping.empty(location())), problems);
+        Optional<Value> value = find(key);
+        Optional<Value.Mapping> group = value.flatMap(v -> asMapping(key, v));
+        var section = new Section(
+                path(key),
+                group.orElse(Value.Mapping.empty(location())),
+                problems,
+                given && (value.isEmpty() || group.isPresent()));
+        if (value.isEmpty()) {
+            leftOut.computeIfAbsent(key, _ -> new ArrayList<>()).add(section);
+        }
+        return section;
     }
 
     public boolean isMapping(String key) {
@@ -177,6 +194,7 @@ public final class Section {
     public void done() {
         for (String key : mapping.entries().keySet()) {
             if (!asked.contains(key)) {
+                Suggestion.closest(key, asked).ifPresent(this::forgive);
                 Location place = mapping.keys().getOrDefault(key, mapping.location());
                 problem(
                         place,
@@ -199,9 +217,26 @@ public final class Section {
     private Optional<Value> required(String key, String what) {
         Optional<Value> value = find(key);
         if (value.isEmpty()) {
-            problem(location(), "(%s) is missing: %s.".formatted(path(key), what), "");
+            noteMissing(key, what, "");
         }
         return value;
+    }
+
+    private void noteMissing(String key, String what, String remedy) {
+        if (given) {
+            var problem = new Problem(location(), "(%s) is missing: %s.".formatted(path(key), what), remedy);
+            missing.put(key, problem);
+            problems.add(problem);
+        }
+    }
+
+    /// What is missing was given by another name, which is told.
+    private void forgive(String key) {
+        Optional.ofNullable(missing.get(key)).ifPresent(problems::withdraw);
+        leftOut.getOrDefault(key, List.of()).forEach(group -> {
+            group.missing.values().forEach(problems::withdraw);
+            List.copyOf(group.leftOut.keySet()).forEach(group::forgive);
+        });
     }
 
     private Optional<String> asText(String key, Value value) {
