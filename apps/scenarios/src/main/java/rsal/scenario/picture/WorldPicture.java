@@ -35,8 +35,8 @@ import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
 
-/// A world from above: floor plans dark, things and robots in their colors, the higher over the lower, what robots see
-/// past walls as pale fans, and a bar that tells the scale.
+/// A world from above: floor plans dark, things and robots in their colors, the higher over the lower, what range
+/// sensors see as pale fans, and a bar that tells the scale.
 public final class WorldPicture {
     private static final int SHORTEST = 200; // side [px]
     private static final int BELOW = 40; // for the bar [px]
@@ -111,7 +111,11 @@ public final class WorldPicture {
     private void draw() {
         drawStanding();
         if (robots.size() <= MANY) {
-            robots.forEach(this::drawFans);
+            List<Entity> bodies = Stream.concat(
+                            scene.things().stream(), robots.stream().flatMap(robot -> bodyOf(robot).stream()))
+                    .toList();
+            var sight = new Sight(scene.walls(), bodies);
+            robots.forEach(robot -> drawFans(robot, sight));
         }
         for (RobotSpec robot : robots) {
             bodyOf(robot).ifPresent(this::draw);
@@ -209,59 +213,47 @@ public final class WorldPicture {
         graphics.draw(pixelsFromMap.createTransformedShape(new Line2D.Double(pose.x(), pose.y(), nose.x(), nose.y())));
     }
 
-    private void drawFans(RobotSpec robot) {
-        robot.mapFromBase().ifPresent(pose -> robot.model().sensors().values().forEach(part -> drawFan(part, pose)));
+    private void drawFans(RobotSpec robot, Sight sight) {
+        bodyOf(robot)
+                .ifPresent(body -> robot.model()
+                        .sensors()
+                        .forEach((name, part) -> drawFan(
+                                part, body, body.height() + robot.model().level(name), sight)));
     }
 
-    private void drawFan(Part part, Pose2d mapFromBase) {
+    private void drawFan(Part part, Entity body, double height, Sight sight) {
         graphics.setStroke(new BasicStroke(1));
         switch (part) {
             case Part.Laser laser -> {
-                Pose2d eye = mapFromBase.compose(laser.baseFromLaser());
+                Pose2d eye = body.mapFromEntity().compose(laser.baseFromLaser());
                 double extent = laser.angleIncrement() * (laser.samples() - 1);
                 int rays = 1 + (int) Math.ceil(extent / RAYS_APART);
-                var fan = new Path2D.Double();
-                fan.moveTo(eye.x(), eye.y());
-                for (int i = 0; i < rays; i++) {
-                    double bearing = laser.angleMin() + extent * i / Math.max(1, rays - 1);
-                    Point2d end = end(eye, bearing, laser.rangeMax());
-                    fan.lineTo(end.x(), end.y());
+                double apart = extent / Math.max(1, rays - 1);
+                var fan = new Sight.Fan(eye, height, laser.angleMin(), apart, rays, laser.rangeMax());
+                double[] ranges = sight.ranges(fan, body.name());
+                var outline = new Path2D.Double();
+                outline.moveTo(eye.x(), eye.y());
+                for (int ray = 0; ray < rays; ray++) {
+                    double direction = fan.direction(ray);
+                    outline.lineTo(
+                            eye.x() + ranges[ray] * Math.cos(direction), eye.y() + ranges[ray] * Math.sin(direction));
                 }
-                fan.closePath();
+                outline.closePath();
                 graphics.setColor(LASER);
-                graphics.fill(pixelsFromMap.createTransformedShape(fan));
+                graphics.fill(pixelsFromMap.createTransformedShape(outline));
             }
             case Part.Sonars sonars -> {
                 graphics.setColor(SONAR);
                 for (Pose2d baseFromSonar : sonars.baseFromSensors()) {
-                    Pose2d eye = mapFromBase.compose(baseFromSonar);
-                    Point2d end = end(eye, 0, sonars.rangeMax());
+                    Pose2d eye = body.mapFromEntity().compose(baseFromSonar);
+                    double range = sight.ranges(new Sight.Fan(eye, height, 0, 0, 1, sonars.rangeMax()), body.name())[0];
+                    Point2d end = eye.transform(new Point2d(range, 0));
                     graphics.draw(pixelsFromMap.createTransformedShape(
                             new Line2D.Double(eye.x(), eye.y(), end.x(), end.y())));
                 }
             }
             default -> {}
         }
-    }
-
-    /// Where a ray ends that goes as far as it can without leaving what is not occupied in the map, to half a cell.
-    private Point2d end(Pose2d eye, double bearing, double reach) {
-        OccupancyGrid map = scene.map();
-        double step = map.resolution() / 2;
-        double cos = Math.cos(eye.theta() + bearing);
-        double sin = Math.sin(eye.theta() + bearing);
-        double way = 0;
-        while (way < reach && !isWall(map, eye.x() + way * cos, eye.y() + way * sin)) {
-            way += step;
-        }
-        double seen = Math.min(way, reach);
-        return new Point2d(eye.x() + seen * cos, eye.y() + seen * sin);
-    }
-
-    private static boolean isWall(OccupancyGrid map, double x, double y) {
-        int column = map.column(x);
-        int row = map.row(y);
-        return !map.contains(column, row) || map.at(column, row) == OccupancyGrid.OCCUPIED;
     }
 
     private void drawBar() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
@@ -24,6 +25,7 @@ import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
 import rsal.scene.Touch;
+import rsal.scene.yaml.YamlFormat;
 
 /// Pictures of a hall of 4 m × 4 m with a single cell of wall, 1 m × 1 m × 0.6 m, at its middle.
 class WorldPictureTest {
@@ -53,6 +55,69 @@ class WorldPictureTest {
 
         assertThat(colorAt(picture(board, tower), 2, 2)).isEqualTo(RED.packed());
         assertThat(colorAt(picture(tower, board), 2, 2)).isEqualTo(RED.packed());
+    }
+
+    @Test
+    void fansEndWhereTheSensorsRaysEnd() throws IOException {
+        var scene = world("""
+                rsal: 1
+                area: [0, 0, 5, 5]
+                walls: [{line: [[0, 1.4], [4, 1.4]], height: 0.1}, {image: wall.pgm, resolution: 0.2, origin: [2, 4, 0]}]
+                things:
+                  can: {pose: [2.5, 2.5, 0], body: {radius: 0.3}, grippable: true}
+                  glass: {pose: [2, 2, 0], body: {length: 0.2, width: 0.2}, reflectance: -1}
+                  board: {pose: [2, 1, 0], body: {length: 0.2, width: 0.2, bottom: 0.5, height: 0.1}}
+                robots:
+                  seer: {model: cart, pose: [1, 2.5, 0], devices: {laser: eye}}
+                  other: {model: cart, pose: [1.75, 3.25, 0]}
+                models:
+                  cart:
+                    body: {radius: 0.1, height: 0.4}
+                    drive:
+                      maxSpeed: 1
+                      maxTurnRate: 90
+                      maxAcceleration: 1
+                      maxTurnAcceleration: 90
+                      odometryNoise: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0}
+                    mounts: {laser: [0, 0, 0]}
+                parts: {eye: {type: laser, fieldOfView: 200, samples: 401, range: [0, 3.5], noise: 0, period: 0.1}}
+                """);
+        var picture = ImageIO.read(new ByteArrayInputStream(WorldPicture.of(scene, 1000)));
+        assertThat(isSeen(picture, scene, 1.8, 2.5)).as("before the can").isTrue();
+        assertThat(isSeen(picture, scene, 3.2, 2.5)).as("behind the can").isFalse();
+        assertThat(isSeen(picture, scene, 2.4, 3.9))
+                .as("behind the other robot")
+                .isFalse();
+        assertThat(isSeen(picture, scene, 2.7, 1.65))
+                .as("behind what rangers look through")
+                .isTrue();
+        assertThat(isSeen(picture, scene, 2.5, 0.25))
+                .as("behind a low wall, under a board")
+                .isTrue();
+        assertThat(isSeen(picture, scene, 1, 3.2)).as("aside").isTrue();
+        assertThat(isSeen(picture, scene, 1.9, 4.2)).as("beside the image").isTrue();
+        assertThat(isSeen(picture, scene, 2.4, 4.8)).as("behind the image").isFalse();
+        assertThat(isSeen(picture, scene, 4.3, 1.5)).as("at its range").isTrue();
+        assertThat(isSeen(picture, scene, 4.6, 1.41)).as("beyond its range").isFalse();
+        assertThat(isSeen(picture, scene, 0.7, 2.5)).as("behind its back").isFalse();
+    }
+
+    private static Scene world(String text) {
+        return new YamlFormat()
+                .read(
+                        "hall.world.yaml",
+                        (path, _, _) ->
+                                (path.equals("wall.pgm") ? "P1 2 1 1 1" : text).getBytes(StandardCharsets.US_ASCII),
+                        1);
+    }
+
+    /// Whether a fan is drawn over the white of the floor.
+    private static boolean isSeen(BufferedImage picture, Scene scene, double x, double y) {
+        OccupancyGrid map = scene.map();
+        double perMeter = picture.getWidth() / (map.width() * map.resolution());
+        int column = (int) ((x - map.originX()) * perMeter);
+        int row = (int) ((map.originY() + map.height() * map.resolution() - y) * perMeter);
+        return (picture.getRGB(column, row) & 0xff0000) < 0xff0000;
     }
 
     private static Entity box(String name, double side, double height, double thick, Rgb color) {
