@@ -8,11 +8,12 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.regex.Pattern;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.data.Rgb;
 import rsal.device.Device;
 import rsal.map.FreeSpace;
+import rsal.robot.ColorNames;
 import rsal.robot.RobotColors;
 import rsal.robot.RobotModels;
 import rsal.robot.RobotSpec;
@@ -32,8 +33,6 @@ final class RobotReader {
     private static final String COUNT = Format.COUNT.name();
     private static final String ROBOTS = "robots";
     static final String OPEN = "auto"; // poses
-
-    private static final Pattern COLOR = Pattern.compile("#[0-9a-fA-F]{6}");
 
     private final DeviceReader devices;
     private final SystemReader systems;
@@ -272,11 +271,10 @@ final class RobotReader {
         Optional<Mrs> mrs = systems.of(section, "robot%s (%s)".formatted(ids.size() > 1 ? "s" : "", words(ids)));
         Equipment equipment = devices.read(section);
         Start start = isLeftOpen(section) ? Start.OPEN : Start.read(section, ids.size(), "robots");
-        String color = section.text("color", usual);
-        if (!COLOR.matcher(color).matches()) {
-            section.problem(
-                    "color", "(%s) must be like #1f77b4, not (%s).".formatted(section.path("color"), color), "");
-        }
+        String color = section.find("color")
+                .flatMap(read -> ColorNames.read(section, "color", read))
+                .map(Rgb::toString)
+                .orElse(usual);
         int marker = Math.toIntExact((Long) section.value(Format.FIDUCIAL).orElse(0L));
         int firstMarker = marker == 0 ? 0 : marker + number;
         boolean proxy = Boolean.TRUE.equals(section.value(Format.PROXY).orElse(false));

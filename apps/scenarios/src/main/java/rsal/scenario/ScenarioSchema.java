@@ -321,7 +321,7 @@ public final class ScenarioSchema {
     }
 
     private static Map<String, Object> color() {
-        return orReference(fields("type", "string", "pattern", "^#[0-9a-fA-F]{6}$"));
+        return orReference(fields("type", "string", "pattern", "^(#[0-9a-fA-F]{6}|[a-zA-Z][a-zA-Z0-9 ]*)$"));
     }
 
     private static Map<String, Object> free() {

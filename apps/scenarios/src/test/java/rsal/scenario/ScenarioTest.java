@@ -280,7 +280,7 @@ class ScenarioTest {
                 List.of("A good scenario", "A $way scenario", "never inside other text"),
                 List.of("count: $hunters", "count: 5000", "must be a whole number from 1 to 1000, not (5000)"),
                 List.of("count: $hunters", "count: 2.5", "must be a whole number"),
-                List.of("\"#123456\"", "red", "must be like #1f77b4"),
+                List.of("\"#123456\"", "rde", "Maybe (red) was meant?"),
                 List.of(
                         "type: wanderer, robot: prey",
                         "type: wanderrer, robot: prey",

@@ -111,7 +111,7 @@ class WorldSchemaTest {
                 "walls: [{length: 1}]",
                 "walls: [{radius: 1, heigth: 2}]",
                 "things: {a: {}}",
-                "things: {a: {body: {radius: 1}, color: red}}",
+                "things: {a: {body: {radius: 1}, color: '#12'}}",
                 "things: {a: {body: {radius: 1}, blob: 1}}",
                 "things: {a: {body: {radius: 1}, pose: [1, 2]}}",
                 "things: {a: {body: {radius: 1}, count: 0}}",

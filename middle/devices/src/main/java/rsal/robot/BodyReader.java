@@ -143,11 +143,10 @@ public final class BodyReader {
 
     /// A color, or black when it can't be read.
     public static Rgb color(Section section, String key) {
-        String text = section.text(key);
-        Optional<Rgb> color = Rgb.parse(text);
-        if (color.isEmpty() && !text.isEmpty()) {
-            section.problem(key, "(%s) must be a color, #rrggbb, not (%s).".formatted(section.path(key), text), "");
+        Optional<Value> value = section.find(key);
+        if (value.isEmpty()) {
+            section.text(key); // notes that it is missing
         }
-        return color.orElse(Rgb.of(0));
+        return value.flatMap(read -> ColorNames.read(section, key, read)).orElse(Rgb.of(0));
     }
 }

@@ -141,10 +141,7 @@ final class PartReader {
     private List<Rgb> colors() {
         var colors = new ArrayList<Rgb>();
         for (Value item : part.list("colors").orElse(List.of())) {
-            Optional<Rgb> color = item instanceof Value.Scalar scalar
-                    ? Rgb.parse(scalar.value().toString())
-                    : Optional.empty();
-            color.ifPresentOrElse(colors::add, () -> part.expected("colors", "a list of colors \"#rrggbb\"", item));
+            ColorNames.read(part, "colors", item).ifPresent(colors::add);
         }
         return colors;
     }

@@ -203,7 +203,7 @@ class PartReaderTest {
                 "image: [80, 60] | image: [80.5, 60] | such as [80, 60]",
                 "fieldOfView: 60 | fieldOfView: 400 | (fieldOfView) must be a number from 0.001 to 360.0",
                 "range: 4 | range: [0, 4] | (range) must be a number",
-                "'#0000ff' | blue | a list of colors",
+                "'#0000ff' | bleu | (colors) must be a color",
                 "idRange: 5 | idRange: 9 | (idRange) must be a number from 0.0 to 8.0",
                 "key: 3 | key: 3.5 | (key) must be a whole number",
                 "paddleWidth: 0.03 | paddleWidth: 0.2 | (paddleWidth)",
@@ -215,7 +215,7 @@ class PartReaderTest {
                 "home: 10 | home: 91 | (home) must be a number from -45.0 to 90.0",
                 "capacity: 5000 | capacity: 0 | (capacity)",
                 "idlePower: 20 | idlePower: -1 | (idlePower)",
-                "color: '#00ff00' | color: green | (color) must be a color, #rrggbb, not (green)",
+                "color: '#00ff00' | color: greem | (color) must be a color, \"#rrggbb\" or a name, not (greem)",
                 "dutyCycle: 0.25 | dutyCycle: 25 | (dutyCycle) must be a number from 0.0 to 1.0"
             })
     void whatMakesNoSenseIsRefused(String from, String to, String message) {

@@ -235,7 +235,7 @@ class RobotModelsTest {
                 "width: 0.2}|width: 0.2, center: [1e300, 0]}",
                 "length: 0.3|lenght: 0.3",
                 "length: 0.3|length: 0.3, height: 0",
-                "length: 0.3|length: 0.3, color: blue",
+                "length: 0.3|length: 0.3, color: bleu",
                 "length: 0.3|length: 0.3, radius: 0.2",
                 "length: 0.3, width: 0.2|radius: 0",
                 "length: 0.3, width: 0.2|radius: 0.2, center: [0]",

@@ -15,6 +15,7 @@ import rsal.data.Pose2d;
 import rsal.data.Prism;
 import rsal.data.Rgb;
 import rsal.data.Shape;
+import rsal.robot.ColorNames;
 import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.NamedSeed;
@@ -137,10 +138,7 @@ final class FieldReader {
         }
         var colors = new ArrayList<Rgb>();
         for (Value item : section.list("colors").orElse(List.of())) {
-            Optional<Rgb> color = item instanceof Value.Scalar scalar
-                    ? Rgb.parse(scalar.value().toString())
-                    : Optional.empty();
-            color.ifPresentOrElse(colors::add, () -> section.expected("colors", "a list of colors \"#rrggbb\"", item));
+            ColorNames.read(section, "colors", item).ifPresent(colors::add);
         }
         return colors.isEmpty() ? List.of(Surface.PLAIN.color()) : colors;
     }

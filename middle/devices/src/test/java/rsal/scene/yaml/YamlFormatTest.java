@@ -530,6 +530,20 @@ class YamlFormatTest {
     }
 
     @Test
+    void colorsMayHaveNames() {
+        String text = """
+                walls: [{radius: 1, center: [5, 5], color: COLOR}]
+                things: {a: {body: {radius: 1}, color: COLOR}}
+                fields: {f: {area: [-9, -9, 0, 0], count: 1, seed: 1, colors: [COLOR]}}
+                parts: {eye: {type: blob-finder, image: [80, 60], fieldOfView: 60, range: 4, colors: [COLOR], period: 0.1}}
+                robots: {r: {model: pioneer2dx, pose: [3, 3, 0], color: COLOR, devices: {camera: eye}}}
+                """;
+        assertThat(Worlds.parts(Worlds.of(text.replace("COLOR", "Steel Blue")).read()))
+                .isEqualTo(Worlds.parts(
+                        Worlds.of(text.replace("COLOR", "\"#4682b4\"")).read()));
+    }
+
+    @Test
     void otherProgramsAreToldOf() {
         Scene scene = scene("robots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}");
         assertThat(scene.programs()).containsEntry("r", "dance");
@@ -562,7 +576,11 @@ class YamlFormatTest {
             things: {a: {body: {radius: 1}, givingPower: -5}} | 2:46 | (things.a.givingPower) must be a number
             things: {a: {}}                                | 2:13  | (things.a.body) is missing
             things: {a: {body: {radius: 1}, colour: red}}  | 2:33  | Maybe (color) was meant?
-            things: {a: {body: {radius: 1}, color: red}}   | 2:40  | must be a color, #rrggbb, not (red)
+            things: {a: {body: {radius: 1}, color: rde}}   | 2:40  | must be a color, "#rrggbb" or a name, not (rde).
+            things: {a: {body: {radius: 1}, color: rde}}   | 2:40  | Maybe (red) was meant?
+            things: {a: {body: {radius: 1}, color: "#12"}} | 2:40  | such as red, orange or gray30
+            things: {a: {body: {radius: 1}, color: [1]}}   | 2:40  | or a name, not a list of 1
+            fields: {a: {count: 1, colors: [red, rde]}}    | 2:38  | Maybe (red) was meant?
             things: {a: {body: {radius: 1}, blob: 1}}      | 2:39  | (things.a.blob) must be true or false, not (1)
             things: {a: {pose: [1, 2], body: {radius: 1}}} | 2:20  | (things.a.pose) must be a list of 3 numbers
             things: {a: {count: 2, pose: [1, 2, 3], body: {radius: 1}}} | 2:30 | (things.a.pose) has 1 for 2
@@ -624,6 +642,33 @@ class YamlFormatTest {
                 .singleElement()
                 .asString()
                 .contains("A piece of its body stands on (arm), which is no actuator.");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "odometryNoise: 5            | (models.cart.drive.odometryNoise) must be a group of settings, not (5).",
+                "odometryNoise: [0, 0, 0]    | must be a group of settings, not a list of 3.",
+                "odometryNoice: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0} "
+                        + "| Maybe (odometryNoise) was meant?",
+                "odometryNoise: {distancePerMetre: 0, headingPerMeter: 0, headingPerDegree: 0} "
+                        + "| Maybe (distancePerMeter) was meant?",
+                "odometryNoise: {distancePerMeter: -1, headingPerMeter: 0, headingPerDegree: 0} | from 0.0 to 1000000000",
+                "odometryNoise: {distancePerMeter: 0, headingPerMeter: 0} | headingPerDegree) is missing"
+            })
+    void aMistakeInADriveIsToldOnce(String noise, String expected) {
+        assertThat(Worlds.of("""
+                        robots: {r: {model: cart}, s: {model: cart, devices: {laser: urg04lx}}}
+                        models:
+                          cart:
+                            body: {radius: 0.1}
+                            drive: {maxSpeed: 1, maxTurnRate: 90, maxAcceleration: 1, maxTurnAcceleration: 90, NOISE}
+                            mounts: {laser: [0, 0, 0]}
+                        """.replace("NOISE", noise)).mistakes())
+                .singleElement()
+                .asString()
+                .contains(expected);
     }
 
     @Test

@@ -1,16 +1,8 @@
 package rsal.sim.stage;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.util.Collections;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.StringTokenizer;
-import java.util.TreeMap;
+import rsal.robot.ColorNames;
 
 /// A color, each part 0–255.
 ///
@@ -22,8 +14,6 @@ public record Color(int red, int green, int blue, int alpha) {
     static final Color BLUE = new Color(0, 0, 255, 255);
     static final Color GREEN = new Color(0, 255, 0, 255);
 
-    private static final Map<String, Color> NAMED = read();
-
     /// `0xRRGGBB`.
     public int rgb() {
         return red << 16 | green << 8 | blue;
@@ -31,11 +21,11 @@ public record Color(int red, int green, int blue, int alpha) {
 
     /// A color by its name in X11; case, blanks, and whether it is gray or grey don't count.
     static Optional<Color> named(String name) {
-        return Optional.ofNullable(NAMED.get(normal(name)));
+        return ColorNames.named(name).map(rgb -> new Color(rgb.red(), rgb.green(), rgb.blue(), 255));
     }
 
     static Set<String> names() {
-        return NAMED.keySet();
+        return ColorNames.all();
     }
 
     /// @param parts red, green, blue, alpha from 0 to 1; what is beyond is cut
@@ -45,27 +35,5 @@ public record Color(int red, int green, int blue, int alpha) {
 
     private static int part(double share) {
         return (int) Math.round(Math.clamp(share, 0.0, 1.0) * 255);
-    }
-
-    private static String normal(String name) {
-        return name.replace(" ", "").toLowerCase(Locale.ROOT).replace("grey", "gray");
-    }
-
-    private static Map<String, Color> read() {
-        var colors = new TreeMap<String, Color>();
-        try (InputStream in = Color.class.getResourceAsStream("x11-colors.txt")) {
-            if (in == null) {
-                throw new IllegalStateException("Resource (x11-colors.txt) is missing.");
-            }
-            var words = new StringTokenizer(new String(in.readAllBytes(), StandardCharsets.US_ASCII));
-            while (words.hasMoreTokens()) {
-                String name = words.nextToken();
-                int rgb = Integer.parseInt(words.nextToken(), 16);
-                colors.put(name, new Color(rgb >> 16, rgb >> 8 & 0xff, rgb & 0xff, 255));
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return Collections.unmodifiableMap(colors);
     }
 }
