@@ -1038,6 +1038,27 @@ class CommandLineIT {
         assertThat(folder.resolve("hull.world.png")).doesNotExist();
     }
 
+    @Test
+    void aWorldWithNothingInItOrWithoutRobotsIsToldOf() throws Exception {
+        Files.writeString(folder.resolve("empty.world"), "");
+        Files.writeString(folder.resolve("still.world"), "model ( )");
+        Files.writeString(folder.resolve("blind.world"), "position ( bumper ( ) )");
+        String nothing = "There is nothing in this world: no wall, no thing, no robot.";
+        assertThat(rsal.run("show", "empty.world").out()).contains("Warnings", nothing, "Maybe it is another file");
+        assertThat(rsal.run("show", "still.world").out()).doesNotContain("Warnings");
+        String[] run = {"run", "empty.world", "--headless", "--for", "1", "--speed", "max"};
+        Ended empty = rsal.run(run);
+        assertThat(empty.code()).isZero();
+        assertThat(empty.err()).containsOnlyOnce(nothing).contains("Maybe it is another file");
+        run[1] = "still.world";
+        assertThat(rsal.run(run).err()).contains("There is no robot in this world", "add them on the page");
+        Ended converted = rsal.run("convert", "blind.world");
+        assertThat(converted.code()).isZero();
+        assertThat(converted.err()).contains("blind.world:1:12: This bumper feels nothing");
+        run[1] = "blind.world.yaml";
+        assertThat(rsal.run(run).err()).contains("Bumper (bumper)", "feels nothing").doesNotContain("no robot");
+    }
+
     private static final String YARD = """
             rsal: 1
             title: yard

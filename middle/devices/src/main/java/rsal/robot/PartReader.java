@@ -103,7 +103,9 @@ final class PartReader {
         Interval range = range();
         return new Part.Sonars(
                 name,
-                rows("sensors", "[x, y, heading]", 3).stream().map(this::pose).toList(),
+                rows("sensors", "[x, y, heading]", 3, 1).stream()
+                        .map(this::pose)
+                        .toList(),
                 fieldOfView(),
                 range.least(),
                 range.most(),
@@ -183,7 +185,7 @@ final class PartReader {
 
     private Part bumper() {
         var pads = new ArrayList<Part.Bumper.Pad>();
-        for (double[] row : rows("bumpers", "[x, y, heading, length]", 4)) {
+        for (double[] row : rows("bumpers", "[x, y, heading, length]", 4, 0)) {
             if (!(row[3] > 0 && row[3] <= Numbers.MOST)) {
                 part.problem("bumpers", "A bumper's length must be positive, not (%s).".formatted(row[3]), "");
             }
@@ -283,11 +285,16 @@ final class PartReader {
     }
 
     /// A list of lists of so many numbers.
-    private List<double[]> rows(String key, String what, int count) {
-        List<Value> items = part.list(key).orElse(List.of());
-        if (items.isEmpty() || items.size() > MAX_SENSORS) {
+    /// @param count of the numbers of each
+    /// @param least how many there must be
+    private List<double[]> rows(String key, String what, int count, int least) {
+        Optional<List<Value>> listed = part.list(key);
+        List<Value> items = listed.orElse(List.of());
+        if (!part.has(key) || (listed.isPresent() && (items.size() < least || items.size() > MAX_SENSORS))) {
             part.problem(
-                    key, "(%s) must list 1 to %d of %s, not %d.".formatted(key, MAX_SENSORS, what, items.size()), "");
+                    key,
+                    "(%s) must list %d to %d of %s, not %d.".formatted(key, least, MAX_SENSORS, what, items.size()),
+                    "");
         }
         return items.stream()
                 .flatMap(item -> part.numbers(key, item, count).stream())

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
 import rsal.scene.Entity;
 import rsal.scene.MapPainter;
@@ -31,6 +32,7 @@ import rsal.settings.Value;
 /// Reads a world: first all that has a place, then fields of obstacles, then robots that stand anywhere.
 final class WorldReader {
     private static final String PROGRAM = "wander";
+    private static final int MOST_WARNINGS = 500;
     private static final double TURNING = 0.05; // around a robot that may turn in place [m]
 
     private final String path;
@@ -224,6 +226,7 @@ final class WorldReader {
                 }
                 member.odometry().ifPresent(pose -> odometry.put(member.id(), pose));
                 member.program().ifPresent(program -> program(member, program, programs));
+                bumpers(member);
                 count(member.role(), 1);
             }
             return new Scene(
@@ -243,14 +246,33 @@ final class WorldReader {
                     warnings);
         }
 
+        /// Robots of worlds that are converted may have such.
+        private void bumpers(Member member) {
+            member.model().sensors().forEach((name, part) -> {
+                if (part instanceof Part.Bumper bumper && bumper.pads().isEmpty()) {
+                    warn(new Problem(
+                            member.location(),
+                            "Bumper (%s) of the model (%s) feels nothing: it has no (bumpers)."
+                                    .formatted(name, member.model().name()),
+                            "{bumpers: [[0.25, 0, 0, 0.4]]}"));
+                }
+            });
+        }
+
+        private void warn(Problem warning) {
+            if (!warnings.contains(warning) && warnings.size() < MOST_WARNINGS) {
+                warnings.add(warning);
+            }
+        }
+
         private void program(Member member, String program, Map<String, String> programs) {
             programs.put(member.id(), program);
             var warning = new Problem(
                     member.location(),
                     "There is no program (%s) here; the robot wanders instead.".formatted(program),
                     "{program: %s}".formatted(PROGRAM));
-            if (!program.equals(PROGRAM) && !warnings.contains(warning) && warnings.size() < 500) {
-                warnings.add(warning);
+            if (!program.equals(PROGRAM)) {
+                warn(warning);
             }
         }
     }

@@ -544,6 +544,20 @@ class YamlFormatTest {
     }
 
     @Test
+    void aBumperThatFeelsNothingIsToldOf() {
+        Scene scene = Worlds.of("""
+                        parts: {numb: {type: bumper, bumpers: [], period: 0.1}}
+                        robots:
+                          r: {model: pioneer2dx, pose: [[0, 0, 0], [2, 2, 0]], devices: {bumper: numb}}
+                        """).read();
+        assertThat(scene.robots()).hasSize(2);
+        assertThat(scene.warnings())
+                .singleElement()
+                .asString()
+                .startsWith("hall.world.yaml:4:6: Bumper (bumper) of the model (pioneer2dx) feels nothing");
+    }
+
+    @Test
     void otherProgramsAreToldOf() {
         Scene scene = scene("robots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}");
         assertThat(scene.programs()).containsEntry("r", "dance");

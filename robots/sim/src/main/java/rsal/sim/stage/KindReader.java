@@ -191,6 +191,13 @@ final class KindReader {
 
     private static Kind bumper(Fields fields) {
         int count = fields.integer("bcount", 0, 0, MOST_STRIPS);
+        if (count == 0 && fields.entity().find("bcount").isEmpty()) {
+            fields.findings()
+                    .warn(
+                            fields.entity().location(),
+                            "This bumper feels nothing: it has no (bcount).",
+                            "Write bcount N, then bpose[0] [X Y Z A], blength[0] LENGTH and so on to the last, N - 1.");
+        }
         double length = fields.notNegative("blength", Units.Kind.LENGTH, 0.1);
         var strips = new ArrayList<Strip>();
         for (int i = 0; i < count; i++) {

@@ -60,6 +60,17 @@ class ConversionTest {
         assertConverted(scene);
     }
 
+    @Test
+    void aBumperWithoutPadsIsOneInYamlToo() {
+        Scene scene = stage(Worlds.of("position ( size [0.4 0.4 0.2] bumper ( ) )"));
+        assertThat(scene.warnings())
+                .singleElement()
+                .asString()
+                .startsWith("test.world:1:31: This bumper feels nothing");
+        assertThat(converted(scene).warnings()).singleElement().asString().contains("feels nothing");
+        assertConverted(scene);
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {
