@@ -7,6 +7,7 @@ export default defineConfig({
     fileParallelism: false, // one browser at a time; they share the machine with the run
     testTimeout: 60_000,
     hookTimeout: 120_000,
+    chaiConfig: { truncateThreshold: 0 }, // what was found is told whole
     reporters: ['default', 'junit'],
     outputFile: { junit: 'target/reports/browser.xml' },
   },
