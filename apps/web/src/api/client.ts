@@ -99,8 +99,8 @@ export const api = {
   /** @param topic of which what was said is told; empty for none
    * @param time of a recording [s of the run] */
   routine: (topic: string, time: number | null = null) =>
-    found<Routine>(`routine?topic=${encodeURIComponent(topic)}${at(time)}`),
-  topics: () => found<Topics>('topics'),
+    found<Routine>(`routine?topic=${encodeURIComponent(topic)}${at(time)}${ofRun()}`),
+  topics: () => found<Topics>(`topics?${ofRun()}`),
   scenarios: () => found<Scenarios>('scenarios'),
   scenarioPicture: (id: string) => `api/scenarios/picture?scenario=${encodeURIComponent(id)}`,
   /** @param id of another than the present one */

@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.zip.GZIPOutputStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -98,7 +99,7 @@ final class Api {
         configure(new Routes(routes, Seats.BESIDE));
         routes.get("/metrics", exposition::answer);
         routes.get(Seats.BESIDE + "/*", request -> asset(request, page, pathIn(seats.find(request), request)));
-        serve(routes, page);
+        serve(routes, page, this::isLate);
     }
 
     private void configure(Routes routes) {
@@ -329,10 +330,18 @@ final class Api {
     }
 
     /// After all else: the page, and refusals.
-    static void serve(RoutesConfig routes, Page page) {
+    ///
+    /// @param isLate what is told nothing where it would be refused
+    static void serve(RoutesConfig routes, Page page, Predicate<Context> isLate) {
         routes.get("/*", request -> asset(request, page, request.path()));
 
-        routes.exception(Refusal.class, (refusal, request) -> refuse(request, refusal));
+        routes.exception(Refusal.class, (refusal, request) -> {
+            if (isLate.test(request)) {
+                request.status(204);
+            } else {
+                refuse(request, refusal);
+            }
+        });
         routes.exception(
                 HttpResponseException.class,
                 (e, request) -> refuse(request, new Refusal(e.getStatus(), String.valueOf(e.getMessage()))));
@@ -384,10 +393,25 @@ final class Api {
     /// Whoever asks about a run that another one has followed meanwhile is told nothing: that is no mistake of theirs.
     private void passOver(Context request) {
         String run = asked(request, "run");
-        if (!run.isEmpty()
-                && !run.equals(Integer.toString(seats.find(request).now().number()))) {
+        if (!run.isEmpty() && !isPresent(run, seats.find(request).now())) {
             request.status(204).skipRemainingHandlers();
         }
+    }
+
+    /// Whether a run is asked about that is over or not there any more, of which whoever asks could not know yet:
+    /// another
+    /// one may be about to follow it.
+    private boolean isLate(Context request) {
+        String run = asked(request, "run");
+        return !run.isEmpty()
+                && seats.look(request)
+                        .map(Seat::now)
+                        .filter(now -> now.isOver() || !isPresent(run, now))
+                        .isPresent();
+    }
+
+    private static boolean isPresent(String run, Numbered now) {
+        return run.equals(Integer.toString(now.number()));
     }
 
     /// What of a seat's page is asked for.

@@ -90,7 +90,7 @@ final class ReplayApi {
             gate.authorize(request.header("Authorization"));
             throw new Refusal(409, OVER);
         });
-        Api.serve(routes, page);
+        Api.serve(routes, page, _ -> false);
     }
 
     private void map(Context request) {

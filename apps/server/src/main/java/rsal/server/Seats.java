@@ -3,6 +3,7 @@ package rsal.server;
 import io.javalin.http.Context;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
@@ -68,16 +69,25 @@ final class Seats implements Viewing {
     ///
     /// @throws Refusal when there is none of that number (any more)
     Seat find(Context request) {
-        String number = request.pathParamMap().get("seat");
-        return number == null ? first : beside(number);
+        return look(request).orElseThrow(() -> gone(numberIn(request)));
     }
 
-    private Seat beside(String number) {
+    /// Whose address was asked for, if there is one of that number (still).
+    Optional<Seat> look(Context request) {
+        String number = numberIn(request);
+        return number.isEmpty() ? Optional.of(first) : beside(number);
+    }
+
+    /// Empty for the first.
+    private static String numberIn(Context request) {
+        return request.pathParamMap().getOrDefault("seat", "");
+    }
+
+    private Optional<Seat> beside(String number) {
         return all.stream()
                 .filter(seat ->
                         !seat.isFirst() && Integer.toString(seat.number()).equals(number))
-                .findFirst()
-                .orElseThrow(() -> gone(number));
+                .findFirst();
     }
 
     private static Refusal gone(String number) {
@@ -158,7 +168,7 @@ final class Seats implements Viewing {
         if (number.equals(Integer.toString(first.number()))) {
             throw new Refusal(409, "The first run can't be closed. Stop it instead.");
         }
-        Seat seat = beside(number);
+        Seat seat = beside(number).orElseThrow(() -> gone(number));
         all = all.stream().filter(other -> other != seat).toList();
         seat.close();
     }
@@ -221,7 +231,8 @@ final class Seats implements Viewing {
         try {
             gate.admit(request.getHeader("Host"), request.getHeader("Origin"));
             Matcher path = LIVE.matcher(request.getRequestURI().getPath());
-            return beside(path.matches() ? path.group(1) : "").live().open(request, response);
+            String number = path.matches() ? path.group(1) : "";
+            return beside(number).orElseThrow(() -> gone(number)).live().open(request, response);
         } catch (Refusal refusal) {
             response.sendError(refusal.status(), refusal.sentence());
             return null;

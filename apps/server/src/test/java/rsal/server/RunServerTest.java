@@ -24,6 +24,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -566,6 +567,17 @@ class RunServerTest {
             assertThat(late.status()).isEqualTo(204);
             assertThat(late.body()).isEmpty();
             assertThat(get("/api/" + question + "&run=3").status()).isEqualTo(409);
+        }
+
+        @ParameterizedTest
+        @ValueSource(strings = {"abilities?robot=courier-1", "costs?robot=courier-1", "blobs?robot=courier-1"})
+        void tellsNothingToWhoeverDoesNotKnowYetThatTheRunIsOver(String question) throws Exception {
+            post("stop", "{}");
+            server.run().result().toCompletableFuture().get(10, TimeUnit.SECONDS);
+            assertThat(get("/api/" + question).status()).isEqualTo(409);
+            assertThat(get("/api/" + question + "&run=1"))
+                    .returns(204, Response::status)
+                    .returns("", Response::body);
         }
 
         @Test

@@ -300,6 +300,7 @@ class SeatsTest {
         assertThat(all()).extracting(SeatInfo::number).containsExactly(1, 2, 4, 5);
         assertThat(get("/beside/3/api/run").status()).isEqualTo(404);
         assertThat(get("/beside/3/api/control").status()).isEqualTo(404);
+        assertThat(get("/beside/3/api/costs?robot=courier-1&run=1").status()).isEqualTo(404);
     }
 
     @Test
