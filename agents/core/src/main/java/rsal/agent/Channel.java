@@ -12,12 +12,12 @@ import rsal.device.Subscription;
 final class Channel<M> {
     private final Topic<M> topic;
     private final String firstUser;
-    private final Supplier<Listeners<Message<M>>> none;
-    private final Listeners<Message<M>> all;
-    private final Map<String, Listeners<Message<M>>> byAgent = new HashMap<>();
+    private final Supplier<Listeners<Telling<M>>> none;
+    private final Listeners<Telling<M>> all;
+    private final Map<String, Listeners<Telling<M>>> byAgent = new HashMap<>();
 
     /// @param none makes a set of listeners without any
-    Channel(Topic<M> topic, String firstUser, Supplier<Listeners<Message<M>>> none) {
+    Channel(Topic<M> topic, String firstUser, Supplier<Listeners<Telling<M>>> none) {
         this.topic = topic;
         this.firstUser = firstUser;
         this.none = none;
@@ -33,8 +33,8 @@ final class Channel<M> {
         return firstUser;
     }
 
-    Subscription add(String agent, Consumer<? super Message<M>> listener) {
-        Listeners<Message<M>> own = byAgent.computeIfAbsent(agent, _ -> none.get());
+    Subscription add(String agent, Consumer<? super Telling<M>> listener) {
+        Listeners<Telling<M>> own = byAgent.computeIfAbsent(agent, _ -> none.get());
         Subscription amongAll = all.add(listener);
         Subscription amongOwn = own.add(listener);
         return () -> {
@@ -50,17 +50,18 @@ final class Channel<M> {
         return byAgent.containsKey(agent);
     }
 
-    void tell(Message<M> said) {
-        if (said.isForAll()) {
+    void tell(Telling<M> said) {
+        Message<M> message = said.message();
+        if (message.isForAll()) {
             all.tell(said);
         } else {
-            tell(said, said.to());
+            tell(said, message.to());
         }
     }
 
     /// Tells one of those it is for.
-    void tell(Message<M> said, String agent) {
-        Listeners<Message<M>> own = byAgent.get(agent);
+    void tell(Telling<M> said, String agent) {
+        Listeners<Telling<M>> own = byAgent.get(agent);
         if (own != null) {
             own.tell(said);
         }

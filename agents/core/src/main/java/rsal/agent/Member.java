@@ -48,6 +48,7 @@ final class Member implements AgentContext {
     private final AgentSpec spec;
     private final Directory.Entry entry;
     private final Scheduler hostLane;
+    private final boolean isOnRunsLane;
     private final Scheduler lane = new Lane();
     private final Directory directory = new Others();
     private final Turns.Turn turn;
@@ -60,7 +61,10 @@ final class Member implements AgentContext {
     private Society.Status status = Society.Status.RUNNING;
     private String state = "";
     private long sent;
-    private @Nullable Arrival coming; // of the newest message
+    private @Nullable Message<?> coming; // the newest
+    private List<Duration> copies = List.of(); // of that one
+    private @Nullable Arrival arrival; // of that one, when it is not one copy at once
+    private @Nullable Message<?> heard; // the newest that was
     private Instant windowEnd = Instant.MIN;
     private int setOff;
     private Map<String, Integer> answers = new HashMap<>(); // that others may still give at its expense, by agent
@@ -70,6 +74,7 @@ final class Member implements AgentContext {
         this.society = society;
         this.spec = spec;
         this.hostLane = hostLane;
+        this.isOnRunsLane = society.runs(hostLane);
         this.turn = society.turns().of(spec.name());
         this.random = new SplittableRandom(spec.seed());
         this.blackboard = new Blackboard(hostLane);
@@ -268,25 +273,32 @@ final class Member implements AgentContext {
 
     /// The same for all of this agent's listeners.
     @SuppressWarnings("ReferenceEquality") // two may say the same
-    private Arrival arrival(Message<?> message) {
-        Arrival newest = coming;
-        if (newest == null || newest.message != message) {
-            newest = new Arrival(message, society.copies(message, name()));
-            coming = newest;
+    private void draw(Message<?> message) {
+        if (coming != message) {
+            coming = message;
+            copies = society.copies(message, name());
+            arrival = null;
         }
-        return newest;
     }
 
-    /// What this agent hears of a message.
+    /// A message of which one copy comes, at once: told once however many listeners this agent has, whose turns are one
+    /// after the other.
+    @SuppressWarnings("ReferenceEquality") // two may say the same
+    private void note(Message<?> message) {
+        if (heard != message) {
+            heard = message;
+            society.heard(message, name());
+        }
+    }
+
+    /// What this agent hears of a message of which copies come late.
     private final class Arrival {
         private final Message<?> message;
-        private final List<Duration> copies;
         private boolean heard;
         private int onTheirWay; // to any of its ears
 
-        Arrival(Message<?> message, List<Duration> copies) {
+        Arrival(Message<?> message) {
             this.message = message;
-            this.copies = copies;
         }
 
         void note() {
@@ -424,8 +436,12 @@ final class Member implements AgentContext {
 
         void hear(T value) {
             if (listens()) {
-                act(value, listener);
+                actOn(value);
             }
+        }
+
+        void actOn(T value) {
+            act(value, listener);
         }
 
         boolean listens() {
@@ -442,37 +458,57 @@ final class Member implements AgentContext {
     }
 
     /// Hears messages: those it wants, when they arrive.
-    private final class MessageEar<M> extends Ear<Message<M>> {
+    private final class MessageEar<M> extends Ear<Telling<M>> implements Telling.Hearer<M> {
         private final Interest<M> interest;
-        private final Map<String, Instant> heard = new HashMap<>(); // when last, by sender
+        private final Map<String, Instant> last = new HashMap<>(); // when it wanted one, by sender
+        private final Consumer<Telling<M>> taking = this::take;
 
         MessageEar(Interest<M> interest, Consumer<? super Message<M>> listener) {
-            super(listener);
+            super(told -> listener.accept(told.message()));
             this.interest = interest;
         }
 
         @Override
-        public void accept(Message<M> message) {
-            act(message, this::take); // what it wants is decided by its own code
+        public void accept(Telling<M> told) {
+            act(told, taking); // what it wants is decided by its own code
         }
 
-        private void take(Message<M> message) {
+        private void take(Telling<M> told) {
+            Message<M> message = told.message();
             boolean own = message.sender().equals(name());
             if ((own && message.isForAll()) || !wants(message)) {
                 return;
             }
             if (own) { // it talks to itself, which nothing disturbs
-                super.accept(message);
+                super.accept(told);
                 return;
             }
-            Arrival arrival = arrival(message);
-            for (Duration late : arrival.copies) {
+            draw(message);
+            if (copies.size() == 1 && copies.getFirst().isZero()) {
+                atOnce(told, this); // nearly always, so it costs no object
+            } else {
+                takeCopies(told);
+            }
+        }
+
+        private void takeCopies(Telling<M> told) {
+            Arrival drawn = arrival == null ? new Arrival(told.message()) : arrival;
+            arrival = drawn;
+            for (Duration late : copies) {
                 if (late.isZero()) {
-                    hostLane.execute(() -> hear(message, arrival));
+                    atOnce(told, at -> hear(at, drawn));
                 } else {
-                    arrival.onTheirWay++;
-                    hostLane.after(late, Phase.THINK, () -> hearLate(message, arrival));
+                    drawn.onTheirWay++;
+                    hostLane.after(late, Phase.THINK, () -> hearLate(told, drawn));
                 }
+            }
+        }
+
+        private void atOnce(Telling<M> told, Telling.Hearer<M> hearer) {
+            if (isOnRunsLane) {
+                told.add(hearer);
+            } else {
+                hostLane.execute(() -> hearer.reach(told));
             }
         }
 
@@ -483,27 +519,35 @@ final class Member implements AgentContext {
             if (interest.period().isZero()) {
                 return true;
             }
-            Instant last = heard.get(message.sender());
-            if (last != null && message.time().isBefore(last.plus(interest.period()))) {
+            Instant before = last.get(message.sender());
+            if (before != null && message.time().isBefore(before.plus(interest.period()))) {
                 return false;
             }
-            heard.put(message.sender(), message.time());
+            last.put(message.sender(), message.time());
             return true;
         }
 
-        private void hearLate(Message<M> message, Arrival arrival) {
-            arrival.onTheirWay--;
-            if (society.reaches(message, name())) {
-                hear(message, arrival);
+        private void hearLate(Telling<M> told, Arrival drawn) {
+            drawn.onTheirWay--;
+            if (society.reaches(drawn.message, name())) {
+                hear(told, drawn);
             } else {
-                arrival.noteInVain();
+                drawn.noteInVain();
             }
         }
 
-        private void hear(Message<M> message, Arrival arrival) {
+        private void hear(Telling<M> told, Arrival drawn) {
             if (listens()) {
-                arrival.note();
-                hear(message);
+                drawn.note();
+                actOn(told);
+            }
+        }
+
+        @Override
+        public void reach(Telling<M> told) {
+            if (listens()) {
+                note(told.message());
+                actOn(told);
             }
         }
     }

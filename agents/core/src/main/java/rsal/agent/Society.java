@@ -146,8 +146,21 @@ public final class Society implements AutoCloseable {
         var said = new Message<>(topic, sender, to, scheduler.instant(), message);
         traffic.forEach(listener -> listener.accept(said));
         carrier.ifPresentOrElse(
-                way -> way.carry(said, agent -> channel.tell(said, agent)),
-                () -> scheduler.execute(() -> channel.tell(said)));
+                way -> way.carry(said, agent -> tell(said, telling -> channel.tell(telling, agent))),
+                () -> scheduler.execute(() -> tell(said, channel::tell)));
+    }
+
+    private <M> void tell(Message<M> said, Consumer<Telling<M>> listeners) {
+        var telling = new Telling<>(said);
+        listeners.accept(telling);
+        if (telling.isHeard()) {
+            scheduler.execute(telling);
+        }
+    }
+
+    /// Whether an agent's lane is the run's own.
+    boolean runs(Scheduler lane) {
+        return lane.equals(scheduler);
     }
 
     /// Whether an agent hears what is said about a topic.
@@ -201,7 +214,7 @@ public final class Society implements AutoCloseable {
     }
 
     /// Tells an agent what is said there, until it does not want that any more.
-    <M> Subscription listen(Topic<M> topic, String agent, Consumer<? super Message<M>> listener) {
+    <M> Subscription listen(Topic<M> topic, String agent, Consumer<? super Telling<M>> listener) {
         Channel<M> channel = channel(topic, agent);
         if (!channel.isHeardBy(agent)) {
             carrier.ifPresent(way -> way.listens(agent, topic));

@@ -16,7 +16,7 @@ final class Mailboxes {
     static final int MOST_TOPICS = 32;
 
     /// How many agents' are kept: of those that heard something last.
-    private static final int MOST_AGENTS = 4_000;
+    private static final int MOST_AGENTS = 20_000;
 
     private final Instant began;
     private final Map<String, Newest<Message<?>>> byAgent = Newest.touchedLast(MOST_AGENTS);
