@@ -12,7 +12,8 @@ import rsal.robot.Robot;
 final class Team {
     private final Map<String, Robot> robots = new LinkedHashMap<>();
     private final Map<String, Controls> controls = new LinkedHashMap<>();
-    private List<Teammate> mates = List.of();
+    private final Map<String, Teammate> cameSoFar = new LinkedHashMap<>();
+    private Optional<List<Teammate>> mates = Optional.empty(); // made when somebody asks
 
     /// One that was there before keeps its place.
     ///
@@ -21,10 +22,8 @@ final class Team {
     void join(Robot robot, Optional<Controls> told, Teammate mate) {
         robots.put(robot.id(), robot);
         told.ifPresent(own -> controls.put(robot.id(), own));
-        var grown = new LinkedHashMap<String, Teammate>();
-        mates.forEach(other -> grown.put(other.spec().id(), other));
-        grown.put(robot.id(), mate);
-        mates = List.copyOf(grown.values());
+        cameSoFar.put(robot.id(), mate);
+        mates = Optional.empty();
     }
 
     void leave(String id) {
@@ -63,6 +62,8 @@ final class Team {
 
     /// All that are or were there, in the order in which they came; the same list until it grows.
     List<Teammate> mates() {
-        return mates;
+        List<Teammate> now = mates.orElseGet(() -> List.copyOf(cameSoFar.values()));
+        mates = Optional.of(now);
+        return now;
     }
 }
