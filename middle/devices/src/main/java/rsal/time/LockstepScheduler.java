@@ -138,6 +138,15 @@ public final class LockstepScheduler implements Scheduler {
         settle();
     }
 
+    /// Forgets all that is due or was handed in: for a run that has no memory left for it.
+    public void drop() {
+        due.clear();
+        fromOutside.clear();
+        next.clear();
+        work.clear();
+        done.clear();
+    }
+
     private boolean step(long until) {
         runPending();
         Entry first = due.peek();

@@ -709,7 +709,11 @@ public final class LiveRun implements AutoCloseable {
         var broken = cause instanceof RunBroken known ? known : new RunBroken("The run", cause);
         journal.event("fault", "", String.valueOf(broken.getMessage()));
         end("broken");
-        for (Runnable rest : List.<Runnable>of(snapshots::make, this::remember, this::letGo)) {
+        List<Runnable> last = List.of(snapshots::make, this::remember, this::letGo);
+        if (cause instanceof OutOfMemoryError) { // a last look needs what is not there, and would take minutes
+            last = List.of(this::dropTasks, this::letGo);
+        }
+        for (Runnable rest : last) {
             try {
                 rest.run();
             } catch (RuntimeException | Error e) {
@@ -727,6 +731,12 @@ public final class LiveRun implements AutoCloseable {
             lastLook = stage.lastLook(elapsed(), handClock.getAsLong());
         } catch (RuntimeException e) { // of a device or an agent: to look must not change how the run ended
             LOG.log(Level.WARNING, "What was known at the end of the run is not remembered.", e);
+        }
+    }
+
+    private void dropTasks() {
+        if (scheduler instanceof LockstepScheduler time) {
+            time.drop();
         }
     }
 

@@ -464,6 +464,18 @@ class LiveRunTest {
     }
 
     @Test
+    void aRunWithoutMemoryLeftEndsAtOnceWithoutALastLook() {
+        String text = Runs.TWO_WANDERERS.replace(
+                "chase: {type: wanderer, robot: hunter}", "chase: {type: glutton, robot: hunter}");
+        try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE))) {
+            assertThatThrownBy(() -> Runs.result(run))
+                    .isInstanceOf(RunBroken.class)
+                    .hasMessageContaining("Java heap space");
+            assertThat(run.snapshot().time()).isLessThan(Duration.ofSeconds(1));
+        }
+    }
+
+    @Test
     void viewersThatFailHarmOnlyThemselves() {
         RunResult unwatched = Runs.result(plan());
         try (var run = LiveRun.start(plan())) {

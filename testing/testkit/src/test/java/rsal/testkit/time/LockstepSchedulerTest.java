@@ -52,6 +52,19 @@ class LockstepSchedulerTest extends SchedulerContract {
     }
 
     @Test
+    void runsNothingOfWhatItHadWhenThatIsDropped() {
+        var ran = new ArrayList<String>();
+        run.every(millis(10), () -> ran.add("a beat"));
+        run.after(millis(20), () -> ran.add("a timer"));
+        run.execute(() -> ran.add("a task"));
+        run.compute(() -> ran.add("work"));
+        run.drop();
+        run.after(millis(50), () -> ran.add("a timer of afterwards"));
+        run.advance(millis(100));
+        assertThat(ran).containsExactly("a timer of afterwards");
+    }
+
+    @Test
     void advanceToNextGoesNoFartherThanAsked() {
         run.after(millis(50), () -> {});
         assertThat(run.advanceToNext(millis(20))).isFalse();
