@@ -74,13 +74,21 @@ public final class Main implements Runnable {
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT); // files and results have points in numbers anywhere
         var stdout = new Stdout();
         CommandLine commandLine = commandLine(stdout);
-        int code = commandLine.execute(args);
+        int code = execute(commandLine, args);
         commandLine.getOut().flush();
         stdout.failure()
                 .ifPresent(e -> commandLine
                         .getErr()
                         .println("rsal: The result could not be written to stdout: " + e.getMessage()));
         System.exit(code == Exit.SUCCESS && stdout.failure().isPresent() ? Exit.UNREACHABLE : code);
+    }
+
+    private static int execute(CommandLine commandLine, String[] args) {
+        try {
+            return commandLine.execute(args);
+        } catch (OutOfMemoryError _) { // what took it is not held any more
+            return tellNoMemory(commandLine.getErr());
+        }
     }
 
     /// @param stdout where results go
@@ -96,6 +104,14 @@ public final class Main implements Runnable {
                 .setExitCodeExceptionMapper(_ -> Exit.INTERNAL)
                 .setParameterExceptionHandler((mistake, _) -> tellMistake(mistake))
                 .setExecutionExceptionHandler(Main::tellFailure);
+    }
+
+    private static int tellNoMemory(PrintWriter err) {
+        long most = Runtime.getRuntime().maxMemory() >> 20;
+        err.println(
+                "rsal: The %,d MiB of memory that it may have are not enough. Maybe give it more: JAVA_TOOL_OPTIONS=-Xmx%dm rsal …"
+                        .formatted(most, 2 * most));
+        return Exit.UNREACHABLE;
     }
 
     @Override
@@ -147,6 +163,7 @@ public final class Main implements Runnable {
                 err.println("rsal: " + unreachable(broken).get());
                 yield Exit.UNREACHABLE;
             }
+            case RunBroken broken when broken.getCause() instanceof OutOfMemoryError -> tellNoMemory(err);
             case RunBroken broken
             when broken.getCause() == null -> { // it says all, and is no mistake of ours
                 err.println("rsal: The run broke: " + broken.getMessage());

@@ -961,6 +961,21 @@ class CommandLineIT {
     }
 
     @Test
+    void whatNeedsMoreMemoryThanThereIsEndsAndSaysSo() throws Exception {
+        var world = new StringBuilder(
+                "define bot position ( size [0.4 0.4 0.3] ranger ( sensor ( range [0 3] samples 12 ) ) ctrl \"wander\" )\n");
+        for (int i = 0; i < 5000; i++) {
+            world.append("bot ( pose [%d %d 0 0] )%n".formatted(i % 70 * 2, i / 70 * 2));
+        }
+        Files.writeString(folder.resolve("crowd.world"), world);
+        Ended full = rsal.with("-Xmx48m").run("run", "crowd.world", "--headless", "--for", "1");
+        assertThat(full.code()).as(full.err()).isEqualTo(Exit.UNREACHABLE);
+        assertThat(full.err())
+                .contains("of memory that it may have are not enough. Maybe give it more: JAVA_TOOL_OPTIONS=-Xmx")
+                .doesNotContain("\tat ");
+    }
+
+    @Test
     void configurationsOfPlayerShowRunAndValidate() throws Exception {
         Files.writeString(folder.resolve("lab.world"), """
                 define cart position ( size [0.4 0.4 0.3] ranger ( sensor ( range [0 4] fov 180 samples 90 ) ) )
@@ -1056,7 +1071,9 @@ class CommandLineIT {
         assertThat(converted.code()).isZero();
         assertThat(converted.err()).contains("blind.world:1:12: This bumper feels nothing");
         run[1] = "blind.world.yaml";
-        assertThat(rsal.run(run).err()).contains("Bumper (bumper)", "feels nothing").doesNotContain("no robot");
+        assertThat(rsal.run(run).err())
+                .contains("Bumper (bumper)", "feels nothing")
+                .doesNotContain("no robot");
     }
 
     private static final String YARD = """

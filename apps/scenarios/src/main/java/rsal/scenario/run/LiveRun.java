@@ -706,13 +706,16 @@ public final class LiveRun implements AutoCloseable {
             return;
         }
         over = true;
+        boolean isFull = cause instanceof OutOfMemoryError;
+        if (isFull) {
+            dropTasks(); // first of all, as the rest of this needs memory
+        }
         var broken = cause instanceof RunBroken known ? known : new RunBroken("The run", cause);
         journal.event("fault", "", String.valueOf(broken.getMessage()));
         end("broken");
-        List<Runnable> last = List.of(snapshots::make, this::remember, this::letGo);
-        if (cause instanceof OutOfMemoryError) { // a last look needs what is not there, and would take minutes
-            last = List.of(this::dropTasks, this::letGo);
-        }
+        List<Runnable> last = isFull // for which a last look would take minutes
+                ? List.of(this::letGo)
+                : List.of(snapshots::make, this::remember, this::letGo);
         for (Runnable rest : last) {
             try {
                 rest.run();
