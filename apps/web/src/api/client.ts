@@ -100,7 +100,7 @@ export const api = {
    * @param time of a recording [s of the run] */
   routine: (topic: string, time: number | null = null) =>
     found<Routine>(`routine?topic=${encodeURIComponent(topic)}${at(time)}${ofRun()}`),
-  topics: () => found<Topics>(`topics?${ofRun()}`),
+  topics: () => found<Topics>(`topics?${ofRun().slice(1)}`),
   scenarios: () => found<Scenarios>('scenarios'),
   scenarioPicture: (id: string) => `api/scenarios/picture?scenario=${encodeURIComponent(id)}`,
   /** @param id of another than the present one */
