@@ -3,6 +3,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Readings } from '../src/api/messages';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
@@ -245,17 +246,33 @@ describe.skipIf(!chromium)('looking back', () => {
     await picture(page, 'replay-trails');
   });
 
-  it('says that nothing of readings and minds is kept of a run that goes on', async () => {
+  it('tells of a run that goes on what devices had told and agents had in mind at each moment', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });
     await look(running.url);
-    await eventually(async () => (await time()) > 4, 'it has run a while');
+    await eventually(async () => (await time()) > 8, 'it has run a while');
     await page.locator('tr[data-robot="hunter-1"]').click();
+    const odometry = () => page.locator('[data-reading="base"]').innerText();
+    const wants = page.getByRole('list', { name: 'Wants' }).first();
     await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
-    await cursor().fill('2');
-    await shows(1.9, 2.1);
-    await page.getByText('What devices told is not kept of a run that goes on').waitFor();
-    await page.getByText('What it had in mind is not kept of a run that goes on').waitFor();
+    await wants.waitFor();
+    const told: Record<number, string> = {};
+    for (const seconds of [3, 7]) {
+      await cursor().fill(String(seconds));
+      await shows(seconds - 0.1, seconds + 0.1);
+      const asked = `robot=hunter-1&time=${String(await time())}`;
+      const answer = await fetch(`${running.origin}/api/readings?${asked}`);
+      const { readings } = (await answer.json()) as Readings;
+      const base = readings.find(({ device }) => device === 'base')!;
+      const { value } = base.facts.find(({ name }) => name === 'odometry')!;
+      await eventually(async () => (await odometry()).includes(value), 'the base told what it had');
+      await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
+      await wants.waitFor();
+      told[seconds] = value;
+    }
+    expect(told[3]).not.toEqual(told[7]);
     await picture(page, 'live-back-card');
+    await cursor().fill('3');
+    await eventually(async () => (await odometry()).includes(told[3]!), 'it is as it was there');
   });
 
   it('looks back in a run that goes on, and to the present again', async () => {

@@ -115,7 +115,6 @@ export const texts = {
     costsUntold: 'What places cost is told of a run that goes on, as it is now.',
     blobsHint: 'Select a robot to see what its cameras make out.',
     noBlobs: (robot: string) => `${robot} has no camera that finds blobs.`,
-    blobsUntold: 'What cameras make out is told of a run that goes on, as it is now, and of recordings.',
     linksHint: 'So many robots: select one to see whom it hears.',
     loading: 'Loading the map…',
     goalHint: (robot: string) => `Click where ${robot} shall go; drag to set its heading. Esc cancels.`,
@@ -280,7 +279,6 @@ export const texts = {
     nothing: 'nothing',
     untold: 'has told nothing',
     unrecorded: 'nothing of it is in the recording',
-    past: 'What devices told is not kept of a run that goes on; a recording holds it.',
     more: (count: number) => `and ${count} more`,
   },
   plots: {
@@ -376,7 +374,6 @@ export const texts = {
     noHistory:
       'Nothing yet. Of what it believes and wants, what changes while somebody looks into it is noted, step by step.',
     noHistoryRecorded: 'Nothing until then.',
-    past: 'What it had in mind is not kept of a run that goes on; a recording holds it.',
     often: (times: number) => `It changed ${times} times lately; this is the newest`,
     eachChange: 'also each time of what always changes',
     changed: { DOES: 'does', BELIEVES: 'believes', WANTS: 'wants' },
@@ -386,7 +383,7 @@ export const texts = {
     times: (count: number) => `said ${count} times`,
     mailbox: 'What reached it, the newest of each topic',
     mailboxRecorded: 'What was said to it by name',
-    mailboxHint: 'Whom it reached what others told all who listen is not in recordings.',
+    mailboxHint: 'Whom it reached what others told all who listen is not kept.',
     emptyMailbox: 'Nothing yet.',
     forAll: 'for all',
     hearings: 'Whom it hears',

@@ -79,12 +79,12 @@ export const api = {
   remove: (name: string) => post('remove', { name }),
   goal: (to: RobotPose) => post('goal', to),
   abilities: (robot: string) => about<Abilities>('abilities', robot),
-  /** @param time of a recording [s of the run] */
+  /** @param time of what has been [s of the run]; null for the present */
   readings: (robot: string, time: number | null = null) => about<Readings>('readings', robot, time),
   numbers: (robot: string, time: number | null = null) => about<PlottedNumbers>('numbers', robot, time),
   pastNumbers: (robot: string, device: string, number: string) =>
     found<PastNumbers>(`numbers/past?${new URLSearchParams({ robot, device, number }).toString()}${ofRun()}`),
-  /** @param time of a recording [s of the run] */
+  /** @param time of what has been [s of the run]; null for the present */
   agent: (name: string, time: number | null = null) =>
     found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}${ofRun()}`),
   /** @param robot that is chosen, of many; empty for none */
@@ -97,7 +97,7 @@ export const api = {
   startAgent: (name: string) => post('start-agent', { name }),
   stopAgent: (name: string) => post('stop-agent', { name }),
   /** @param topic of which what was said is told; empty for none
-   * @param time of a recording [s of the run] */
+   * @param time of what has been [s of the run]; null for the present */
   routine: (topic: string, time: number | null = null) =>
     found<Routine>(`routine?topic=${encodeURIComponent(topic)}${at(time)}${ofRun()}`),
   topics: () => found<Topics>(`topics?${ofRun().slice(1)}`),
@@ -144,7 +144,7 @@ export const api = {
   drawn,
   /** Where robots went before a time [s of the run]; null for the present. */
   trails: (time: number | null) => found<Trails>(time === null ? 'trails' : `trails?time=${String(time)}`),
-  /** What a robot's cameras make out. @param time of a recording [s of the run] */
+  /** What a robot's cameras make out. @param time of what has been [s of the run]; null for the present */
   blobs: (robot: string, time: number | null = null) => about<Cameras>('blobs', robot, time),
   /** What places cost a robot's navigator, of 100; null when it tells none. */
   costs: (robot: string) => grid(`costs?robot=${encodeURIComponent(robot)}${ofRun()}`, robot),
@@ -274,7 +274,7 @@ async function found<T>(what: string, home = ''): Promise<T | null> {
 /**
  * The map that a robot has drawn, with its cells as those of `map`; null when there is none any more.
  *
- * @param time of a recording [s of the run]
+ * @param time of what has been [s of the run]; null for the present
  */
 async function drawn(run: number, robot: string, time: number | null = null): Promise<Grid | null> {
   return grid(`drawn/${String(run)}?robot=${encodeURIComponent(robot)}${at(time)}`, robot);

@@ -2,8 +2,8 @@ import { live } from './live.svelte';
 
 /** Of what is asked, what more is known than what is now. */
 interface Known {
-  /** Whether recordings answer it, too; what is now answers nothing about what has been. */
-  recorded?: boolean;
+  /** Whether it is known of what has been, too, in recordings and in runs that go on. */
+  past?: boolean;
   /** Whether a run that is over goes on answering what it answered last. */
   atTheEnd?: boolean;
 }
@@ -19,12 +19,12 @@ export function keepAsking<T>(
   question: () => Promise<T | null>,
   pauseMillis: number,
   told: (answer: T) => void,
-  { recorded = false, atTheEnd = false }: Known = {},
+  { past = false, atTheEnd = false }: Known = {},
 ): void {
   $effect(() => {
     const over = live.over;
     void live.told; // what one run answers is nothing of another
-    if (live.connection !== 'open' || (live.past ? !(recorded && live.recording) : over && !atTheEnd)) {
+    if (live.connection !== 'open' || (live.past ? !past : over && !atTheEnd)) {
       return;
     }
     return askAgain(question, pauseMillis, (answer) => {

@@ -200,12 +200,12 @@ class Live implements Listener {
     return this.info?.recording ?? null;
   }
 
-  /** When the moment is that is shown, to ask a recording about [s of the run]; null of a run that goes on. */
-  get recordedTime(): number | null {
-    return this.recording ? (this.newest?.frame.time ?? 0) : null;
+  /** When the moment is that is shown, to ask about what has been [s of the run]; null for the present. */
+  get pastTime(): number | null {
+    return this.recording || this.past ? (this.newest?.frame.time ?? 0) : null;
   }
 
-  /** Whether it is the past of a run that goes on: nobody has kept what is asked about it, only what was recorded is told. */
+  /** Whether it is the past of a run that goes on. */
   readonly lookingBack: boolean = $derived(this.past && !this.recording);
 
   private readonly happenedCount: number = $derived(

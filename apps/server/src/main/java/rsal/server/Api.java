@@ -11,12 +11,18 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.zip.GZIPOutputStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -31,6 +37,7 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Prop;
+import rsal.scenario.run.Said;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Added;
 import rsal.server.Messages.Addition;
@@ -117,12 +124,11 @@ final class Api {
             answerWhenDone(request, running(request).abilities(asked(request, "robot")));
         });
         routes.get("/api/readings", request -> {
-            answerWhenDone(request, seen(request).readings(asked(request, "robot")));
+            answerWhenDone(request, readings(request));
         });
         routes.get("/api/numbers", request -> {
-            String robot = asked(request, "robot");
-            seats.find(request).numbers().want(robot);
-            answerWhenDone(request, seen(request).readings(robot), Numbers::of);
+            seats.find(request).numbers().want(asked(request, "robot"));
+            answerWhenDone(request, readings(request), Numbers::of);
         });
         routes.get("/api/numbers/past", request -> {
             answer(
@@ -139,10 +145,7 @@ final class Api {
             answerWhenDone(request, running(request).links(asked(request, "robot")));
         });
         routes.get("/api/blobs", request -> {
-            answerWhenDone(
-                    request,
-                    running(request).readings(asked(request, "robot")),
-                    told -> CameraViews.of(told.readings()));
+            answerWhenDone(request, readings(request), told -> CameraViews.of(told.readings()));
         });
         routes.get("/api/costs", request -> {
             answerWhenDone(request, running(request).costs(asked(request, "robot")));
@@ -150,11 +153,8 @@ final class Api {
         routes.get("/api/sayable", request -> answer(request, Descriptions.sayable(LiveRun.sayable())));
         routes.get(
                 "/api/topics", request -> answerWhenDone(request, seen(request).topics()));
-        routes.get(
-                "/api/routine", request -> answerWhenDone(request, seen(request).routine()));
-        routes.get("/api/agent", request -> {
-            answerWhenDone(request, seen(request).inside(asked(request, "name")));
-        });
+        routes.get("/api/routine", request -> answerWhenDone(request, routine(request)));
+        routes.get("/api/agent", request -> answerWhenDone(request, inside(request)));
 
         command(routes, "pause", request -> running(request).pause());
         command(routes, "resume", request -> running(request).resume());
@@ -427,6 +427,58 @@ final class Api {
         return seats.find(request).now().run();
     }
 
+    /// What devices of a robot have told last; at another time than now when that is asked for.
+    private CompletionStage<Answer> readings(Context request) {
+        String robot = asked(request, "robot");
+        return Past.askedBack(request)
+                .<CompletionStage<Answer>>map(time -> CompletableFuture.completedStage(
+                        seats.find(request).recollection().readings(robot, time)))
+                .orElseGet(() -> seen(request).readings(robot));
+    }
+
+    /// What an agent has in mind; at another time than now when that is asked for.
+    private CompletionStage<Answer> inside(Context request) {
+        String name = asked(request, "name");
+        LiveRun run = seen(request);
+        Recollection recollection = seats.find(request).recollection();
+        recollection.want(name);
+        CompletionStage<Answer> now = run.inside(name);
+        return Past.askedBack(request)
+                .map(time -> later(
+                        now,
+                        answer -> answer instanceof Answer.Seen(var agent)
+                                ? new Answer.Seen(recollection.inside(agent, time, run.events(0)))
+                                : answer))
+                .orElse(now);
+    }
+
+    /// What agents say all the time; what they said shortly before another time than now when that is asked for.
+    private CompletionStage<Answer> routine(Context request) {
+        CompletionStage<Answer> now = seen(request).routine();
+        return Past.askedBack(request)
+                .map(time -> later(
+                        now,
+                        answer -> answer instanceof Answer.Repeated repeated ? shortlyBefore(repeated, time) : answer))
+                .orElse(now);
+    }
+
+    /// Not on the run's thread, which has better to do.
+    private static CompletionStage<Answer> later(CompletionStage<Answer> stage, UnaryOperator<Answer> told) {
+        return stage.thenApplyAsync(told, Thread::startVirtualThread);
+    }
+
+    private static Answer shortlyBefore(Answer.Repeated all, Duration time) {
+        var some = new HashMap<String, List<Said>>();
+        all.byTopic()
+                .forEach((topic, said) -> some.put(
+                        topic,
+                        said.stream()
+                                .filter(one -> one.time().compareTo(time) <= 0
+                                        && one.time().compareTo(time.minus(ReplayApi.SHORTLY)) > 0)
+                                .toList()));
+        return new Answer.Repeated(some);
+    }
+
     private LiveRun running(Context request) {
         Numbered now = seats.find(request).now();
         if (now.isOver()) {
@@ -517,13 +569,17 @@ final class Api {
     }
 
     private OccupancyGrid drawn(Context request, String robot) {
-        Numbered now = seats.find(request).now();
-        return now.run().snapshot().robots().stream()
-                .filter(view ->
-                        view.id().equals(robot) && request.pathParam("run").equals(Integer.toString(now.number())))
-                .flatMap(view -> view.map().stream())
-                .map(Stamped::value)
-                .findFirst()
+        Seat seat = seats.find(request);
+        Numbered now = seat.now();
+        Optional<Duration> time = Past.askedBack(request);
+        Optional<OccupancyGrid> drawn = time.isPresent()
+                ? seat.recollection().map(robot, time.get())
+                : now.run().snapshot().robots().stream()
+                        .filter(view -> view.id().equals(robot))
+                        .flatMap(view -> view.map().stream())
+                        .map(Stamped::value)
+                        .findFirst();
+        return drawn.filter(_ -> request.pathParam("run").equals(Integer.toString(now.number())))
                 .orElseThrow(() -> new Refusal(
                         404, "Robot (%s) has drawn no map in this run.".formatted(Refusal.shortened(robot))));
     }
@@ -598,6 +654,8 @@ final class Api {
                                 case Answer.Linked linked -> answer(request, Descriptions.links(linked));
                                 case Answer.Costed(var grid) ->
                                     grid.ifPresentOrElse(costs -> answer(request, costs), () -> request.status(204));
+                                case Answer.Minded _ ->
+                                    throw new IllegalStateException("No page asks for minds alone.");
                                 case Answer.Seen(var agent) -> answer(request, Descriptions.inside(agent));
                                 case Answer.Refused(String why) -> throw new Refusal(409, why);
                             }

@@ -4,7 +4,7 @@ import java.time.Duration;
 import rsal.server.Messages.Trails;
 
 /// Shows the run that goes on, and what has been of it. For one thread, but for [#bytesKept],
-/// [#numbers] and [#trails].
+/// [#numbers], [#recollection] and [#trails].
 final class LiveShowing implements Showing {
     private static final double FOLLOWED = 15; // times real time; a robot of 0.5 m/s is elsewhere then at each look
 
@@ -12,6 +12,7 @@ final class LiveShowing implements Showing {
     private RunFeed feed;
     private volatile History history;
     private volatile NumberHistory numbers = new NumberHistory();
+    private volatile Recollection recollection = new Recollection();
     private volatile long bytesKept;
 
     LiveShowing(CurrentRun current) {
@@ -26,11 +27,13 @@ final class LiveShowing implements Showing {
             feed = new RunFeed(current.now());
             history = new History(feed);
             numbers = new NumberHistory();
+            recollection = new Recollection();
         }
         feed.look();
         history.keep(feed.time(), feed.isLast());
         numbers.look(feed.run().run(), feed.present(), feed.time());
-        bytesKept = history.bytes();
+        recollection.look(feed.run().run(), feed.seen());
+        bytesKept = history.bytes() + recollection.bytes();
     }
 
     /// What looking back takes. For any thread.
@@ -41,6 +44,11 @@ final class LiveShowing implements Showing {
     /// What devices have told so far, as numbers. For any thread.
     NumberHistory numbers() {
         return numbers;
+    }
+
+    /// What devices had told and agents had in mind before. For any thread.
+    Recollection recollection() {
+        return recollection;
     }
 
     /// Where robots went before some time. For any thread.

@@ -56,6 +56,13 @@ interface Past {
         }
     }
 
+    /// The time that is asked about, in s of the run; empty when none is, which is about the present.
+    ///
+    /// @throws Refusal when it is no number
+    static Optional<Duration> askedBack(Context request) {
+        return Optional.ofNullable(request.queryParam("time")).map(_ -> asked(request));
+    }
+
     /// What has happened after an event, oldest first; the future, too.
     ///
     /// @param sequence of that event; 0 for all

@@ -5,7 +5,6 @@ import io.javalin.http.Context;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -22,13 +21,10 @@ import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.run.AgentView;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.Inside;
-import rsal.scenario.run.Mail;
-import rsal.scenario.run.MindChange;
 import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.Said;
 import rsal.scenario.run.Snapshot;
-import rsal.scenario.run.Spoken;
 import rsal.server.Messages.RobotInfo;
 import rsal.server.Messages.RunInfo;
 import rsal.server.Messages.Trails;
@@ -38,9 +34,8 @@ import rsal.server.Messages.Trails;
 final class ReplayApi {
     private static final String OVER = "This is a recording: what it shows is over, and can't be changed.";
 
-    private static final Set<String> DOINGS = Set.of("agent", "fault"); // kinds of events
-    private static final Duration SHORTLY = Duration.ofSeconds(10);
-    private static final int MOST_OF_A_KIND = 100; // changes, or messages
+    /// For which what agents say all the time is told.
+    static final Duration SHORTLY = Duration.ofSeconds(10);
 
     private final Playback playback;
     private final RunInfo run;
@@ -172,6 +167,7 @@ final class ReplayApi {
                 .map(AgentView::view)
                 .filter(view -> view.agent().name().equals(name))
                 .findFirst();
+        var past = new AgentPast(name, time, playback.events());
         Api.answer(
                 request,
                 Descriptions.inside(new Inside(
@@ -179,57 +175,10 @@ final class ReplayApi {
                         shown,
                         playback.mind(time, name),
                         Optional.empty(),
-                        history(name, time),
-                        Optional.of(mail(name, time)),
-                        talks(name, time),
+                        past.history(playback.changes(time, name)),
+                        Optional.of(past.mail()),
+                        past.talks(),
                         List.of())));
-    }
-
-    /// What it did, believed and wanted last until then.
-    private List<MindChange> history(String agent, Duration until) {
-        Stream<MindChange> done = happened(until)
-                .filter(event -> event.subject().equals(agent) && DOINGS.contains(event.kind()))
-                .map(event -> new MindChange(event.time(), MindChange.Kind.DOES, "", event.text()));
-        return last(Stream.concat(done, playback.changes(until, agent).stream())
-                .sorted(Comparator.comparing(MindChange::time))
-                .toList());
-    }
-
-    private List<Mail> mail(String agent, Duration until) {
-        return last(said(until)
-                .filter(said -> said.to().equals(agent))
-                .map(said -> new Mail(said.time(), said.from(), false, said.topic(), words(said)))
-                .toList());
-    }
-
-    /// What was said again, as nobody answered, is not among the events.
-    private List<Spoken> talks(String agent, Duration until) {
-        return last(said(until)
-                .filter(said -> !said.conversation().isEmpty()
-                        && (said.to().equals(agent) || said.from().equals(agent)))
-                .map(said -> new Spoken(
-                        said.time(),
-                        said.from(),
-                        said.to(),
-                        said.conversation(),
-                        said.protocol(),
-                        said.act(),
-                        about(said),
-                        1))
-                .toList());
-    }
-
-    /// What is said of a conversation begins with its partner and the act, which are told beside it.
-    private static String about(Said said) {
-        String words = words(said);
-        return words.startsWith(said.act())
-                ? words.substring(said.act().length()).replaceFirst("^: ", "")
-                : words;
-    }
-
-    private static String words(Said said) {
-        String partner = said.to() + ", ";
-        return said.words().startsWith(partner) ? said.words().substring(partner.length()) : said.words();
     }
 
     private Stream<Said> said(Duration until) {
@@ -238,9 +187,5 @@ final class ReplayApi {
 
     private Stream<RunEvent> happened(Duration until) {
         return playback.events().stream().takeWhile(event -> event.time().compareTo(until) <= 0);
-    }
-
-    private static <T> List<T> last(List<T> all) {
-        return all.subList(Math.max(0, all.size() - MOST_OF_A_KIND), all.size());
     }
 }

@@ -65,6 +65,11 @@ final class RunFeed implements Feed {
         }
     }
 
+    /// What the frame shows.
+    Snapshot seen() {
+        return seen;
+    }
+
     /// Of the frame, since the run's start.
     Duration time() {
         return seen.time();

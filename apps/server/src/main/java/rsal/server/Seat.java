@@ -61,6 +61,11 @@ final class Seat implements AutoCloseable {
         return showing.numbers();
     }
 
+    /// What devices of its run's robots had told and its agents had in mind before.
+    Recollection recollection() {
+        return showing.recollection();
+    }
+
     /// Where its run's robots went before some time.
     Trails trails(Duration until) {
         return showing.trails(until);

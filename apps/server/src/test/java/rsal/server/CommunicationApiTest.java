@@ -6,6 +6,7 @@ import static rsal.server.Errand.TOKEN;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.AfterEach;
@@ -66,6 +67,14 @@ class CommunicationApiTest {
         }
         while (server.run().snapshot().time().toMillis() < 1000 * seconds) {
             Thread.onSpinWait();
+        }
+    }
+
+    /// Waits for what the server does by its own clock.
+    private static void await(Callable<Boolean> wanted) throws Exception {
+        for (int looks = 0; !wanted.call(); looks++) {
+            assertThat(looks).as("looks, in vain").isLessThan(1000);
+            Thread.sleep(20);
         }
     }
 
@@ -324,9 +333,7 @@ class CommunicationApiTest {
     void whatWasKnownAtTheEndIsToldAfterwards() throws Exception {
         advanceTo(2);
         String numbers = "/api/numbers/past?robot=prey&device=laser&number=ranges.least";
-        while (get(numbers).get("times").isEmpty()) {
-            Thread.sleep(20); // the server looks by its own clock
-        }
+        await(() -> !get(numbers).get("times").isEmpty());
         advanceTo(5);
         server.run().stop();
         server.run().result().toCompletableFuture().join();
@@ -344,6 +351,70 @@ class CommunicationApiTest {
         assertThat(get("/api/numbers/past?robot=nobody").get("times").size()).isZero();
         assertThat(get("/api/topics").get("topics").size()).isPositive();
         assertThat(RawHttp.get(port, "/api/agent?name=nobody", host).status()).isEqualTo(409);
+    }
+
+    @Test
+    void whatWasKnownOfAMomentIsToldOfItAfterwards() throws Exception {
+        advanceTo(3);
+        Known then = known("");
+        String asked = "&time=3";
+        await(() -> get("/api/numbers?robot=prey" + asked).get("time").asDouble() == 3
+                && !get("/api/agent?name=evade" + asked).get("mind").isNull());
+        advanceTo(12);
+        assertThat(known("")).isNotEqualTo(then);
+        assertThat(known(asked)).isEqualTo(then);
+        for (String path : List.of("/api/agent?name=evade", "/api/agent?name=spread")) {
+            JsonNode agent = get(path + asked);
+            for (String list : List.of("history", "mail", "talks")) {
+                assertThat(each(agent.get(list)))
+                        .allSatisfy(
+                                one -> assertThat(one.get("time").asDouble()).isLessThanOrEqualTo(3));
+            }
+        }
+        assertThat(thoughts(each(get("/api/agent?name=evade&time=12").get("history"))))
+                .isNotEmpty();
+        assertThat(get("/api/agent?name=spread&time=12").get("talks").size()).isPositive();
+        server.run().stop();
+        server.run().result().toCompletableFuture().join();
+        assertThat(known(asked)).as("when it is over").isEqualTo(then);
+        assertThat(get("/api/readings?robot=nobody" + asked).get("readings").size())
+                .isZero();
+        assertThat(RawHttp.get(port, "/api/readings?robot=prey&time=soon", host).status())
+                .isEqualTo(400);
+    }
+
+    /// What devices of a robot told, and what its agent has in mind.
+    private record Known(JsonNode numbers, JsonNode readings, JsonNode state, JsonNode beliefs) {}
+
+    /// @param asked about when; empty for now
+    private Known known(String asked) throws Exception {
+        JsonNode agent = get("/api/agent?name=evade" + asked);
+        return new Known(
+                get("/api/numbers?robot=prey" + asked),
+                get("/api/readings?robot=prey" + asked),
+                agent.get("state"),
+                agent.get("shown"));
+    }
+
+    /// What is told now was told then, so that it is older.
+    @Test
+    void whatIsKnownOfAMomentIsAsOldAsItWasThen() throws Exception {
+        advanceTo(3);
+        await(() -> get("/api/numbers?robot=prey&time=3").get("time").asDouble() == 3);
+        advanceTo(3.3);
+        JsonNode then = get("/api/readings?robot=prey&time=3.2").get("readings");
+        assertThat(each(then))
+                .filteredOn(reading -> reading.get("device").asString().equals("base"))
+                .singleElement()
+                .satisfies(reading -> assertThat(reading.get("age").asDouble()).isBetween(0.0, 0.31));
+    }
+
+    @Test
+    void whatIsSaidAllTheTimeIsToldOfAMomentToo() throws Exception {
+        advanceTo(20);
+        assertThat(each(get("/api/routine?topic=pose&time=15").get("said")))
+                .isNotEmpty()
+                .allSatisfy(said -> assertThat(said.get("time").asDouble()).isBetween(5.0, 15.0));
     }
 
     @Test

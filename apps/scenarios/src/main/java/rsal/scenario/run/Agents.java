@@ -399,11 +399,24 @@ final class Agents implements AutoCloseable {
 
     /// What those believe and want that show it, by name.
     Map<String, Mind.View> minds() {
+        return society.map(agents -> lookInto(agents.views())).orElse(Map.of());
+    }
+
+    /// The same of some of them.
+    Map<String, Mind.View> minds(List<String> some) {
+        return society.map(agents -> lookInto(some.stream()
+                        .flatMap(name -> agents.view(name).stream())
+                        .toList()))
+                .orElse(Map.of());
+    }
+
+    private Map<String, Mind.View> lookInto(List<Society.View> views) {
         var minds = new TreeMap<String, Mind.View>();
-        society.ifPresent(agents -> agents.views().stream()
+        views.stream()
                 .filter(view -> view.status() == Society.Status.RUNNING)
                 .map(view -> view.agent().name())
-                .forEach(name -> agents.look(name, Mind.View.class).ifPresent(mind -> minds.put(name, mind))));
+                .forEach(name ->
+                        society.orElseThrow().look(name, Mind.View.class).ifPresent(mind -> minds.put(name, mind)));
         return minds;
     }
 

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
 import rsal.system.Bridge;
 
@@ -67,6 +68,14 @@ public sealed interface Answer {
     }
 
     record Seen(Inside agent) implements Answer {}
+
+    /// @param time since the run's start
+    /// @param minds what those agents believe and want that show it, by name
+    record Minded(Duration time, Map<String, Mind.View> minds) implements Answer {
+        public Minded {
+            minds = Map.copyOf(minds);
+        }
+    }
 
     /// @param links between robots that have agents; each pair once, those that hear nothing of each other left out
     /// @param ofChosen whether there are too many robots to tell more than those of one

@@ -318,6 +318,11 @@ public final class LiveRun implements AutoCloseable {
     /// Which robots' agents hear each other now, as [Answer.Linked]. Looking changes nothing in the run, but costs it a
     /// little for the seconds after: what is heard meanwhile is noted.
     ///
+    /// What some agents believe and want now, as [Answer.Minded]; nothing of those that don't run, or don't show it.
+    public CompletionStage<Answer> minds(List<String> agents) {
+        return ask(stage -> new Answer.Minded(elapsed(), stage.minds(agents)));
+    }
+
     /// @param chosen the robot whose links are told when there are more than 50 robots; empty, or unknown, for none
     public CompletionStage<Answer> links(String chosen) {
         long now = handClock.getAsLong();

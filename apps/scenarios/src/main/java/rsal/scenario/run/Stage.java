@@ -240,6 +240,11 @@ final class Stage implements AutoCloseable {
         return agents.minds();
     }
 
+    /// What some agents believe and want.
+    Map<String, Mind.View> minds(List<String> some) {
+        return agents.minds(some);
+    }
+
     /// @param now in real time [ns]
     Answer inside(String agent, long now) {
         return agents.inside(agent, now)

@@ -1,0 +1,226 @@
+package rsal.server;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SequencedSet;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.Society;
+import rsal.agent.bdi.Mind;
+import rsal.data.OccupancyGrid;
+import rsal.data.Stamped;
+import rsal.scenario.run.AgentView;
+import rsal.scenario.run.Answer;
+import rsal.scenario.run.Inside;
+import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.MindChange;
+import rsal.scenario.run.Reading;
+import rsal.scenario.run.RobotView;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.Snapshot;
+
+/// What can be asked about a live run's past, beside the frames of its [History]: what devices had told, twice a second
+/// of the run, and what agents showed and had in mind, once a second. Minds are those of [#MOST_MINDS] agents: of more,
+/// of those that somebody asked about last. Within [#MOST_BYTES] it reaches back to the beginning, ever more coarsely
+/// ([Thinned]). All methods may be called from any thread, [#look] from one at a time.
+final class Recollection {
+    static final long MOST_BYTES = 32L << 20;
+    static final int MOST_MINDS = 20;
+
+    private static final long MOST_OF_MINDS = 8L << 20;
+    private static final Duration SPACING = Duration.ofMillis(500); // of the run
+    private static final Duration SPACING_OF_MINDS = Duration.ofSeconds(1);
+    private static final Mind.View NOTHING = new Mind.View(Map.of(), List.of());
+
+    private final Thinned<Moment> moments = new Thinned<>(MOST_BYTES - MOST_OF_MINDS, SPACING);
+    private final Thinned<Map<String, Mind.View>> minds = new Thinned<>(MOST_OF_MINDS, SPACING_OF_MINDS);
+    private final SequencedSet<String> wanted = new LinkedHashSet<>(); // agents
+    private final AtomicBoolean asking = new AtomicBoolean();
+    private @Nullable Snapshot seen;
+
+    /// @param robots what their devices had told last, by robot; of maps a [PackedMap]
+    /// @param agents what they showed, by name
+    private record Moment(Map<String, List<Reading>> robots, Map<String, Society.View> agents) {}
+
+    /// Keeps what is new, when it is time for that. What agents have in mind it asks for, which is answered later, on
+    /// another thread.
+    ///
+    /// @param now the newest of the run
+    void look(LiveRun run, Snapshot now) {
+        if (keep(now) && asking.compareAndSet(false, true)) {
+            var _ = run.minds(chosen(now))
+                    .whenCompleteAsync( // not on the run's thread, which has better to do than to count
+                            (answer, _) -> {
+                                if (answer instanceof Answer.Minded(Duration time, var told)) {
+                                    keepMinds(time, told);
+                                }
+                                asking.set(false);
+                            },
+                            Thread::startVirtualThread);
+        }
+    }
+
+    /// @return whether agents are to be asked
+    private synchronized boolean keep(Snapshot now) {
+        if (seen != null && seen.sequence() == now.sequence()) {
+            return false;
+        }
+        seen = now;
+        boolean last = now.outcome().isPresent();
+        if (last || moments.isDue(now.time()) || moments.endsAt(now.time())) {
+            moments.keep(now.time(), moment(now));
+        }
+        return !last && minds.isDue(now.time());
+    }
+
+    /// What is as it was before is the same object.
+    private Moment moment(Snapshot now) {
+        Moment before =
+                moments.at(now.time()).map(Thinned.Entry::value).orElseGet(() -> new Moment(Map.of(), Map.of()));
+        var robots = new HashMap<String, List<Reading>>();
+        for (RobotView robot : now.robots()) {
+            List<Reading> known = before.robots.getOrDefault(robot.id(), List.of());
+            robots.put(
+                    robot.id(),
+                    robot.readings().stream()
+                            .map(reading -> packed(reading, known))
+                            .toList());
+        }
+        var agents = new HashMap<String, Society.View>();
+        for (AgentView agent : now.agents()) {
+            Society.View known = before.agents.get(agent.view().agent().name());
+            agents.put(agent.view().agent().name(), agent.view().equals(known) ? known : agent.view());
+        }
+        return new Moment(robots, agents);
+    }
+
+    private static Reading packed(Reading reading, List<Reading> before) {
+        Stamped<?> told = reading.value();
+        if (!(told.value() instanceof OccupancyGrid map)) {
+            return reading;
+        }
+        Stamped<?> kept = before.stream()
+                .filter(other -> other.device().equals(reading.device()))
+                .<Stamped<?>>map(Reading::value)
+                .filter(other -> other.time().equals(told.time()) && other.value() instanceof PackedMap)
+                .findFirst()
+                .orElseGet(() -> new Stamped<>(told.time(), told.frame(), PackedMap.of(map)));
+        return new Reading(reading.device(), kept, reading.age());
+    }
+
+    private synchronized void keepMinds(Duration time, Map<String, Mind.View> told) {
+        if (!minds.isDue(time)) {
+            return;
+        }
+        Map<String, Mind.View> before = minds.at(time).map(Thinned.Entry::value).orElse(Map.of());
+        var all = new HashMap<String, Mind.View>();
+        told.forEach((name, mind) -> {
+            Mind.View known = before.get(name);
+            all.put(name, mind.equals(known) ? known : mind);
+        });
+        minds.keep(time, all);
+    }
+
+    private synchronized List<String> chosen(Snapshot now) {
+        List<String> all =
+                now.agents().stream().map(agent -> agent.view().agent().name()).toList();
+        return all.size() <= MOST_MINDS
+                ? all
+                : Stream.concat(wanted.stream().filter(all::contains), all.stream())
+                        .distinct()
+                        .limit(MOST_MINDS)
+                        .toList();
+    }
+
+    /// Somebody wants to know what an agent has in mind.
+    synchronized void want(String agent) {
+        wanted.addFirst(agent); // also one that was among them
+        if (wanted.size() > MOST_MINDS) {
+            wanted.removeLast();
+        }
+    }
+
+    /// What devices of a robot had told last; nothing of one that was not there. Of what they have told since the
+    /// moment
+    /// that is kept, nothing: it is so much older.
+    Answer.Read readings(String robot, Duration time) {
+        Thinned.Entry<Moment> then;
+        Duration asked;
+        synchronized (this) {
+            then = moments.at(time).orElseGet(() -> new Thinned.Entry<>(Duration.ZERO, new Moment(Map.of(), Map.of())));
+            asked = seen == null || seen.time().compareTo(time) > 0 ? time : seen.time();
+        }
+        Duration since = asked.minus(then.time());
+        Duration passed = since.isNegative() ? Duration.ZERO : since;
+        var readings = new ArrayList<Reading>();
+        for (Reading reading : then.value().robots.getOrDefault(robot, List.of())) {
+            readings.add(new Reading(
+                    reading.device(), unpacked(reading.value()), reading.age().plus(passed)));
+        }
+        return new Answer.Read(then.time(), readings);
+    }
+
+    /// The map that a robot had drawn by then.
+    Optional<OccupancyGrid> map(String robot, Duration time) {
+        return readings(robot, time).readings().stream()
+                .map(reading -> reading.value().value())
+                .filter(OccupancyGrid.class::isInstance)
+                .map(OccupancyGrid.class::cast)
+                .findFirst();
+    }
+
+    private static Stamped<?> unpacked(Stamped<?> told) {
+        return told.value() instanceof PackedMap packed ? new Stamped<>(told.time(), told.frame(), packed.map()) : told;
+    }
+
+    /// What an agent did, believed and wanted then.
+    ///
+    /// @param now how it is now
+    /// @param events of the run, oldest first
+    Inside inside(Inside now, Duration time, List<RunEvent> events) {
+        String name = now.agent().name();
+        var past = new AgentPast(name, time, events);
+        Optional<Society.View> shown;
+        Optional<Mind.View> mind;
+        var changes = new ArrayList<MindChange>();
+        synchronized (this) {
+            shown = moments.at(time).flatMap(then -> shown(then.value(), name));
+            mind = minds.at(time)
+                    .flatMap(then -> Optional.ofNullable(then.value().get(name)));
+            List<Thinned.Entry<Mind.View>> views = minds.until(time, then -> Optional.ofNullable(then.get(name)));
+            if (views.isEmpty()) { // it has none
+                views = moments.until(
+                        time, then -> shown(then, name).map(view -> new Mind.View(view.beliefs(), List.of())));
+            }
+            Mind.View before = NOTHING;
+            for (Thinned.Entry<Mind.View> view : views) {
+                changes.addAll(MindChange.between(before, view.value(), view.time()));
+                before = view.value();
+            }
+        }
+        return new Inside(
+                now.agent(),
+                shown,
+                mind,
+                now.program(),
+                past.history(changes),
+                Optional.of(past.mail()),
+                past.talks(),
+                List.of());
+    }
+
+    private static Optional<Society.View> shown(Moment then, String agent) {
+        return Optional.ofNullable(then.agents.get(agent));
+    }
+
+    /// What it takes, about.
+    synchronized long bytes() {
+        return moments.bytes() + minds.bytes();
+    }
+}

@@ -1,0 +1,105 @@
+package rsal.server;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+
+/// What was by when, oldest first, within a number of bytes: when it has more, every second is let go and half as many
+/// are kept from then on, so that it reaches back to the beginning, ever more coarsely. For one thread.
+final class Thinned<T> {
+    private final long most;
+    private List<Entry<T>> entries = new ArrayList<>();
+    private Duration spacing;
+    private long bytes;
+
+    /// @param time since the run's start
+    record Entry<T>(Duration time, T value) {}
+
+    /// @param most bytes that it keeps, but for the first and the last
+    /// @param spacing between two that are kept, at least, until there are too many
+    Thinned(long most, Duration spacing) {
+        this.most = most;
+        this.spacing = spacing;
+    }
+
+    /// Whether something of then would be kept.
+    boolean isDue(Duration time) {
+        return entries.isEmpty() || time.minus(entries.getLast().time()).compareTo(spacing) >= 0;
+    }
+
+    /// Whether something of just then is the newest that is kept.
+    boolean endsAt(Duration time) {
+        return !entries.isEmpty() && entries.getLast().time().equals(time);
+    }
+
+    /// Keeps it, in place of the newest when that is of the same time. It must not be older.
+    ///
+    /// @param value of which nothing changes; what it shares with the one before is kept once
+    void keep(Duration time, T value) {
+        if (endsAt(time)) {
+            Entry<T> replaced = entries.removeLast();
+            bytes -= Bytes.beyond(newest(), replaced.value());
+        }
+        add(new Entry<>(time, value));
+        while (bytes > most && entries.size() > 2) {
+            thin();
+        }
+    }
+
+    private void add(Entry<T> entry) {
+        bytes += Bytes.beyond(newest(), entry.value());
+        entries.add(entry);
+    }
+
+    private @Nullable T newest() {
+        return entries.isEmpty() ? null : entries.getLast().value();
+    }
+
+    private void thin() {
+        spacing = spacing.multipliedBy(2);
+        List<Entry<T>> before = entries;
+        entries = new ArrayList<>(before.size() / 2 + 1);
+        bytes = 0;
+        for (int i = 0; i < before.size(); i += 2) { // the first stays, so that it reaches back to there
+            add(before.get(i));
+        }
+    }
+
+    /// The newest by then; the first when all came later.
+    Optional<Entry<T>> at(Duration time) {
+        int low = 0;
+        int high = entries.size() - 1;
+        while (low < high) {
+            int middle = (low + high + 1) / 2;
+            if (entries.get(middle).time().compareTo(time) <= 0) {
+                low = middle;
+            } else {
+                high = middle - 1;
+            }
+        }
+        return entries.isEmpty() ? Optional.empty() : Optional.of(entries.get(low));
+    }
+
+    /// What they were by then, each but where it is the same as before.
+    <U> List<Entry<U>> until(Duration time, Function<T, Optional<U>> part) {
+        var parts = new ArrayList<Entry<U>>();
+        for (Entry<T> entry : entries) {
+            if (entry.time().compareTo(time) > 0) {
+                break;
+            }
+            Optional<U> one = part.apply(entry.value());
+            if (one.isPresent() && (parts.isEmpty() || !parts.getLast().value().equals(one.get()))) {
+                parts.add(new Entry<>(entry.time(), one.get()));
+            }
+        }
+        return parts;
+    }
+
+    /// Of all together, about.
+    long bytes() {
+        return bytes;
+    }
+}
