@@ -229,6 +229,22 @@ describe.skipIf(!chromium)('looking back', () => {
     expect((await line()).match(/M/g)).toHaveLength(1);
   });
 
+  it('stays where somebody jumps to who has just paused', async () => {
+    await look(recorded.url);
+    const begin = await time();
+    await eventually(async () => (await time()) > begin + 0.5, 'it plays');
+    await page.evaluate(() => {
+      document.querySelector<HTMLButtonElement>('button[aria-label="Pause"]')!.click();
+      const cursor = document.querySelector<HTMLInputElement>('.timeline input[type="range"]')!;
+      cursor.value = '20';
+      cursor.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+    await button('Resume').waitFor();
+    await shows(19.9, 20.1);
+    await page.waitForTimeout(1000); // in which it would have gone on
+    await shows(19.9, 20.1);
+  });
+
   it('asks where robots went before each moment that is jumped to, also while it is paused', async () => {
     await look(recorded.url);
     await button('Pause').click();

@@ -8,9 +8,13 @@ import { live } from './live/live.svelte';
 import { attempt, notices } from './notices.svelte';
 import { nameOf, nextSpeed } from './speeds';
 import { texts } from './texts';
+import { WantedPlay } from './wantedplay';
 import { WantedSpeed } from './wantedspeed';
 
 const wanted = new WantedSpeed((speed) => attempt(api.speed(speed)));
+const play = new WantedPlay();
+/** Whether what is looked back on goes on by itself, or will. */
+const plays = () => live.past && play.is(live.going);
 
 /** What buttons and keys do to the run. Nothing happens where nothing can. */
 export const commands = {
@@ -51,7 +55,7 @@ export const commands = {
     }
     return false;
   },
-  pause: () => (live.past ? play() : act(() => (live.frame!.paused ? api.resume() : api.pause()))),
+  pause: () => (live.past ? toggle() : act(() => (live.frame!.paused ? api.resume() : api.pause()))),
   step: () => {
     if (live.past) {
       go({ step: 1 });
@@ -64,14 +68,14 @@ export const commands = {
   /** @returns whether it will */
   speed: (factor: string) => {
     if (live.past) {
-      go({ speed: factor, playing: live.going });
+      go({ speed: factor, playing: plays() });
       return Promise.resolve(true);
     }
     return wanted.set(factor);
   },
   stepBack: () => go({ step: -1 }),
   /** Looks at another time [s of the run]. */
-  seek: (time: number) => go({ time, playing: live.past && live.going }),
+  seek: (time: number) => go({ time, playing: plays() }),
   /** The event that is marked before what is shown, or after it. */
   eventBefore: () => seekTo(live.marked.findLast(({ time }) => time < shown() - 0.05)?.time),
   eventAfter: () => seekTo(live.marked.find(({ time }) => time > Math.max(shown() + 0.05, sought))?.time),
@@ -103,14 +107,16 @@ function seekTo(time: number | undefined) {
 }
 
 /** On from where it was; from the beginning, if it was at the end. */
-function play() {
+function toggle() {
   const { until, from } = live.reach ?? { until: Infinity, from: 0 };
   const ended = live.recording !== null && shown() >= until;
-  go({ time: live.frame!.paused && ended ? from : null, playing: live.frame!.paused });
+  const stands = !plays();
+  go({ time: stands && ended ? from : null, playing: stands });
 }
 
 function go(wish: Partial<LookBack>) {
   sought = -Infinity;
+  play.wants(wish.playing ?? false);
   if (live.newest) {
     const { frame } = live.newest;
     look({ time: frame.past ? null : frame.time, speed: frame.past ? nameOf(frame.speed) : '1', ...wish });
@@ -119,7 +125,7 @@ function go(wish: Partial<LookBack>) {
 
 function change(direction: 1 | -1) {
   if (live.past) {
-    go({ speed: nextSpeed(live.frame!.speed, direction), playing: live.going });
+    go({ speed: nextSpeed(live.frame!.speed, direction), playing: plays() });
     return;
   }
   if (commands.mayAct()) {
