@@ -294,6 +294,26 @@ describe.skipIf(!chromium)('what people work with', () => {
     await eventually(async () => (await height()) === before, 'it is as it was');
   });
 
+  it('the list of robots is as wide as its panel, also while motors are off', async () => {
+    await page.getByRole('button', { name: 'Emergency stop' }).click();
+    await told('no robot moves until they are armed');
+    await page.locator('tr[data-robot] .off').first().waitFor();
+    for (const [width, height] of [
+      [820, 1180],
+      [1180, 820],
+      [1024, 768],
+    ] as const) {
+      await page.setViewportSize({ width, height });
+      const list = page.getByRole('region', { name: /^Robots/ });
+      const wide = () => list.evaluate((node) => node.scrollWidth - node.clientWidth);
+      await picture(page, `motors-off-${String(width)}`);
+      expect(await wide(), `${String(width)} px`).toBeLessThanOrEqual(0);
+    }
+    await page.setViewportSize({ width: 1400, height: 900 });
+    await page.locator('.banner').getByRole('button').click();
+    await page.locator('tr[data-robot] .off').first().waitFor({ state: 'detached' });
+  });
+
   it('a plot of a run that is over ends there, and tells what was before', async () => {
     const plot = page.locator('[data-plot="courier-1: base odomFromBase.x"]');
     if ((await page.locator('tr.card').count()) === 0) {
