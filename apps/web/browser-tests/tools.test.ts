@@ -294,6 +294,62 @@ describe.skipIf(!chromium)('what people work with', () => {
     await eventually(async () => (await height()) === before, 'it is as it was');
   });
 
+  describe.each([
+    ['side by side', 1280, 800, 'Border between robots and agents', true, 'ArrowRight'],
+    ['in a corner', 1024, 768, 'Border between robots and agents', true, 'ArrowRight'],
+    ['in a corner', 820, 1180, 'Border between events and what is above them', false, 'ArrowDown'],
+  ] as const)('panels that lie %s at %i × %i', (_, width, height, name, upright, key) => {
+    it('share their room as somebody wants it, by a pointer, a finger and keys', async () => {
+      await page.setViewportSize({ width, height });
+      const border = page.getByRole('separator', { name, exact: true });
+      await border.waitFor();
+      const panel = page.locator('.panels > .place').first();
+      const size = async () => (await panel.boundingBox())![upright ? 'width' : 'height'];
+      const becomes = (wanted: number, what: string) =>
+        eventually(async () => Math.abs((await size()) - wanted) < 3, what);
+      const before = await size();
+      expect(Number(await border.getAttribute('aria-valuenow'))).toBe(Math.round(before));
+      const { x, y, width: w, height: h } = (await border.boundingBox())!;
+      const middle = upright ? [x + w / 2, y + 90] : [x + 200, y + h / 2];
+      const by = (pixels: number) =>
+        upright ? ([middle[0]! + pixels, middle[1]!] as const) : ([middle[0]!, middle[1]! + pixels] as const);
+      await page.mouse.move(...by(0));
+      await page.mouse.down();
+      await page.mouse.move(...by(-40), { steps: 3 });
+      await page.mouse.up();
+      await becomes(before - 40, 'smaller by what it was dragged');
+      await border.press(key);
+      await becomes(before - 16, 'larger by a step');
+      expect(Number(await border.getAttribute('aria-valuenow'))).toBe(Math.round(await size()));
+      await picture(page, `panels-${String(width)}`);
+      await expectAccessible(page);
+      await page.reload();
+      await page.locator('tr[data-robot][data-x]').first().waitFor();
+      await becomes(before - 16, 'as it was left');
+      const now = (await border.boundingBox())!;
+      const touched = upright ? [now.x + w / 2, now.y + 90] : [now.x + 200, now.y + h / 2];
+      await border.evaluate(
+        (node, [fromX, fromY, toX, toY]) => {
+          const touch = (type: string, clientX: number, clientY: number) =>
+            node.dispatchEvent(
+              new PointerEvent(type, { pointerType: 'touch', pointerId: 1, clientX, clientY, bubbles: true }),
+            );
+          node.setPointerCapture = () => {}; // no finger is there to be held
+          touch('pointerdown', fromX!, fromY!);
+          touch('pointermove', toX!, toY!);
+          touch('pointerup', toX!, toY!);
+        },
+        upright
+          ? [touched[0]!, touched[1]!, touched[0]! + 30, touched[1]!]
+          : [touched[0]!, touched[1]!, touched[0]!, touched[1]! + 30],
+      );
+      await becomes(before + 14, 'larger by what a finger dragged');
+      await border.dblclick({ position: upright ? { x: w / 2, y: 90 } : { x: 200, y: h / 2 } });
+      await becomes(before, 'as it was at first');
+      await page.setViewportSize({ width: 1400, height: 900 });
+    });
+  });
+
   it('the list of robots is as wide as its panel, also while motors are off', async () => {
     await page.getByRole('button', { name: 'Emergency stop' }).click();
     await told('no robot moves until they are armed');

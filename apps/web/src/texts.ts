@@ -412,6 +412,13 @@ export const texts = {
     enlarge: 'Enlarge',
     reduce: 'Make small again',
     border: 'Border between the map and the panels',
+    borders: [
+      'Border between robots and agents',
+      'Border between agents and events',
+      'Border between events and what is above them',
+    ],
+    bordersHint:
+      'Drag it, or press arrow keys, to make the panels beside it larger or smaller; a double click, or Home, undoes that',
     borderHint:
       'Drag it, or press arrow keys, to make the panels larger or smaller; a double click, or Home, undoes that',
   },
