@@ -31,7 +31,6 @@ public final class CsvExport {
                     Stream.of(
                             Foxglove.FRAME_TRANSFORMS,
                             Foxglove.POSE_IN_FRAME,
-                            Foxglove.LASER_SCAN,
                             Foxglove.GRID,
                             Foxglove.POINT_CLOUD,
                             Foxglove.SCENE_UPDATE,
@@ -39,7 +38,6 @@ public final class CsvExport {
                             Own.STATE,
                             Own.ROBOT,
                             Own.DEVICE,
-                            Own.RANGES,
                             Own.EVENT,
                             Own.MESSAGE,
                             Own.AGENT,

@@ -18,7 +18,6 @@ import java.util.regex.Pattern;
 import rsal.agent.Directory;
 import rsal.agent.Society;
 import rsal.agent.bdi.Mind;
-import rsal.data.Covariance2d;
 import rsal.data.GripperState;
 import rsal.data.LaserScan;
 import rsal.data.OccupancyGrid;
@@ -65,11 +64,7 @@ final class Decoder {
     private IdentityHashMap<Raw, Optional<Object>> before =
             new IdentityHashMap<>(); // what the last snapshot was made of
     private IdentityHashMap<Raw, Optional<Object>> now = new IdentityHashMap<>();
-    private final Map<String, RangeLimits> limits; // of lasers, by robot
     private final Map<String, ReadingType<?>> types; // of what devices tell, by topic
-
-    /// Of a laser, which tells them once.
-    private record RangeLimits(double min, double max) {}
 
     /// A device.
     ///
@@ -94,14 +89,12 @@ final class Decoder {
         this.start = start;
         this.planned =
                 plan.robots().stream().map(robot -> mate(plan, robot.spec())).toList();
-        this.limits = new HashMap<>();
         this.types = new HashMap<>();
     }
 
     private Decoder(Decoder other) {
         this.start = other.start;
         this.planned = other.planned;
-        this.limits = other.limits;
         this.types = other.types;
     }
 
@@ -124,17 +117,7 @@ final class Decoder {
 
     /// Where messages about the devices of a robot are held.
     static String devices(String robot) {
-        return Topics.DEVICES + " " + robot + " ";
-    }
-
-    /// What a channel tells of its laser.
-    ///
-    /// @param min shortest range it measures [m]
-    /// @param max longest range it measures [m]
-    void limits(String robot, double min, double max) {
-        if (min >= 0 && max > min && Double.isFinite(max)) {
-            limits.put(robot, new RangeLimits(min, max));
-        }
+        return Topics.about(Topics.DEVICES, robot) + "\n";
     }
 
     /// What a channel is of.
@@ -156,16 +139,16 @@ final class Decoder {
         var agents = new ArrayList<AgentView>();
         var things = new ArrayList<Standing>();
         held.messages().keySet().forEach(key -> {
-            if (key.startsWith(Topics.DEVICES)) {
+            if (key.startsWith(Topics.about(Topics.DEVICES, ""))) {
                 read(held, key, Own.DEVICE, (fields, _) -> fields)
                         .ifPresent(fields -> devices.computeIfAbsent(fields.text("robot"), _ -> new ArrayList<>())
                                 .add(device(fields)));
-            } else if (key.startsWith(Topics.ROBOTS)) {
+            } else if (key.startsWith(Topics.about(Topics.ROBOTS, ""))) {
                 read(held, key, Own.ROBOT, (fields, _) -> mate(fields)).ifPresent(mates::add);
-            } else if (key.startsWith(Topics.AGENTS)) {
+            } else if (key.startsWith(Topics.about(Topics.AGENTS, ""))) {
                 read(held, key, Own.AGENT, (fields, _) -> fields)
                         .ifPresent(fields -> agents.add(agent(fields, held.speech(fields.text("name")))));
-            } else if (key.startsWith(Topics.THINGS)) {
+            } else if (key.startsWith(Topics.about(Topics.THINGS, ""))) {
                 read(held, key, Own.THING, (fields, _) -> thing(fields))
                         .flatMap(standing -> standing)
                         .ifPresent(things::add);
@@ -229,7 +212,7 @@ final class Decoder {
     }
 
     Optional<Mind.View> mind(Held held, String agent) {
-        return read(held, Topics.MINDS + " " + agent, Own.MIND, (fields, _) -> mind(fields));
+        return read(held, Topics.about(Topics.MINDS, agent), Own.MIND, (fields, _) -> mind(fields));
     }
 
     /// What a message says, read once for as long as it is the newest of its kind.
@@ -342,10 +325,9 @@ final class Decoder {
                                 .map(Decoder::time)
                                 .orElse(when),
                         belief.text("frame_id"),
-                        estimate(belief)));
-        Optional<Stamped<LaserScan>> scan =
-                reading(held, id, Topics.SCAN, lacks, Foxglove.LASER_SCAN, (fields, taken) -> scan(id, fields, taken));
-        Optional<Stamped<RangeArray>> ranges = reading(held, id, Topics.RANGES, lacks, Own.RANGES, Decoder::ranges);
+                        belief.estimate()));
+        Optional<Stamped<LaserScan>> scan = drawn(held, id, Topics.SCAN, lacks, LaserScan.class);
+        Optional<Stamped<RangeArray>> ranges = drawn(held, id, Topics.RANGES, lacks, RangeArray.class);
         Optional<Stamped<OccupancyGrid>> map = reading(held, id, Topics.MAP, lacks, Foxglove.GRID, Decoder::grid);
         var drawn = Map.of(
                 Topics.STATE,
@@ -361,12 +343,23 @@ final class Decoder {
         var readings = new ArrayList<Reading>();
         for (Recorded device : devices) {
             String topic = device.topic().isEmpty() ? usualTopic(id, device, devices) : device.topic();
-            Optional<? extends Stamped<?>> value = drawn.getOrDefault(topic, Optional.empty());
-            (value.isPresent() ? value : told(held, device, lacks))
+            Optional<? extends Stamped<?>> value = drawn.get(topic);
+            (value == null ? told(held, device, lacks) : value)
                     .map(told -> new Reading(device.view().name(), told, Duration.between(told.time(), when)))
                     .ifPresent(readings::add);
         }
         return new Told(odometry, estimate, scan, ranges, map, readings);
+    }
+
+    /// What a device told that has a topic of its own kind.
+    private <T> Optional<Stamped<T>> drawn(Held held, String robot, String what, List<String> lacks, Class<T> told) {
+        ReadingType<?> type = types.get(Topics.of(robot, what));
+        return type == null || !type.told().equals(told)
+                ? Optional.empty()
+                : reading(held, robot, what, lacks, type.message(), (fields, taken) -> type.read(fields, taken, told))
+                        .map(one -> one.value() instanceof LaserScan
+                                ? new Stamped<>(one.time(), robot + "/laser", one.value())
+                                : one);
     }
 
     /// What a device told for itself alone.
@@ -407,25 +400,6 @@ final class Decoder {
         return lacks.contains(what) ? Optional.empty() : read(held, Topics.of(robot, what), type, reader);
     }
 
-    private static PoseEstimate estimate(Fields belief) {
-        return new PoseEstimate(
-                belief.pose("pose").orElse(Pose2d.ORIGIN),
-                new Covariance2d(
-                        belief.number("xx"), belief.number("xy"), 0, belief.number("yy"), 0, belief.number("headings")),
-                List.of(),
-                belief.number("confidence"),
-                word(PoseEstimate.Quality.class, belief.text("quality"), PoseEstimate.Quality.LOST));
-    }
-
-    private static <E extends Enum<E>> E word(Class<E> type, String text, E otherwise) {
-        for (E word : type.getEnumConstants()) {
-            if (word.name().equals(text)) {
-                return word;
-            }
-        }
-        return otherwise;
-    }
-
     /// Of an older recording, which has only what is drawn.
     private static GripperState gripper(Fields robot) {
         return new GripperState(
@@ -454,37 +428,6 @@ final class Decoder {
         double silence = Math.clamp(robot.number("silence"), 0, 1e9); // NaN becomes NaN, and that 0
         return new RobotView.Real(
                 robot.flag("proxy"), robot.pose("stand_in"), Optional.of(Duration.ofNanos((long) (silence * 1e9))));
-    }
-
-    private Stamped<LaserScan> scan(String robot, Fields fields, Instant taken) {
-        float[] ranges = fields.floats("ranges");
-        double first = fields.number("start_angle");
-        double increment = ranges.length < 2 ? 0 : (fields.number("end_angle") - first) / (ranges.length - 1);
-        RangeLimits known = limits.getOrDefault(robot, new RangeLimits(0, greatest(ranges)));
-        return new Stamped<>(
-                taken,
-                robot + "/laser",
-                new LaserScan(fields.foxglovePose("pose"), first, increment, known.min(), known.max(), ranges));
-    }
-
-    private static double greatest(float[] ranges) {
-        double greatest = 1;
-        for (float range : ranges) {
-            greatest = Float.isFinite(range) ? Math.max(greatest, range) : greatest;
-        }
-        return greatest;
-    }
-
-    private static Stamped<RangeArray> ranges(Fields fields, Instant taken) {
-        return new Stamped<>(
-                taken,
-                fields.text("frame_id"),
-                new RangeArray(
-                        fields.all("poses").stream().map(Fields::pose).toList(),
-                        fields.number("field_of_view"),
-                        fields.number("range_min"),
-                        fields.number("range_max"),
-                        fields.floats("ranges")));
     }
 
     private static Stamped<ParticleCloud> particles(Fields fields, Instant taken) {
@@ -541,7 +484,7 @@ final class Decoder {
         return new AgentView(
                 new Society.View(
                         entry,
-                        word(Society.Status.class, fields.text("status"), Society.Status.ENDED),
+                        fields.word(Society.Status.class, "status", Society.Status.ENDED),
                         fields.text("state"),
                         pairs(fields.all("beliefs")),
                         speech.sent()),
@@ -559,7 +502,7 @@ final class Decoder {
                 fields.all("goals").stream()
                         .map(goal -> new Mind.GoalView(
                                 goal.text("name"),
-                                word(Mind.GoalState.class, goal.text("state"), Mind.GoalState.NOT_WANTED),
+                                goal.word(Mind.GoalState.class, "state", Mind.GoalState.NOT_WANTED),
                                 goal.number("urgency"),
                                 goal.texts("plans"),
                                 goal.texts("steps"),

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import rsal.agent.bdi.Mind;
@@ -129,7 +128,7 @@ public final class Encoder {
     public void minds(Duration at, Map<String, Mind.View> minds) throws IOException {
         long time = time(at);
         for (var mind : minds.entrySet()) {
-            if (isNew("mind " + mind.getKey(), mind.getValue())) {
+            if (isNew(Topics.about(Topics.MINDS, mind.getKey()), mind.getValue())) {
                 out.clear();
                 timestamp(1, time);
                 out.string(2, mind.getKey());
@@ -276,11 +275,11 @@ public final class Encoder {
     private void readings(RobotView robot, long time) throws IOException {
         String id = robot.id();
         if (robot.scan().isPresent() && isNew(id + " scan", robot.scan().get().time())) {
-            scan(id, robot.scan().get(), time);
+            tell(id, Topics.of(id, Topics.SCAN), robot.scan().get(), time);
         }
         if (robot.ranges().isPresent()
                 && isNew(id + " ranges", robot.ranges().get().time())) {
-            ranges(id, robot.ranges().get(), time);
+            tell(id, Topics.of(id, Topics.RANGES), robot.ranges().get(), time);
         }
         if (robot.estimate().isPresent()
                 && isNew(id + " estimate", robot.estimate().get().time())) {
@@ -307,8 +306,10 @@ public final class Encoder {
         for (Reading reading : robot.readings()) {
             String topic = topic(robot, reading);
             moved |= !topic.equals(topics.put(id + " " + reading.device(), topic));
-            if (topic.equals(Topics.of(id, Topics.DEVICE + reading.device()))) {
-                told(id, reading, topic, time);
+            String own = Topics.DEVICE + reading.device();
+            if (topic.equals(Topics.of(id, own))
+                    && isNew(id + " " + own, reading.value().time())) {
+                tell(id, topic, reading.value(), time);
             }
         }
         if (isNew(id + " devices", robot.devices()) || moved) {
@@ -336,52 +337,35 @@ public final class Encoder {
         } else if (is(robot.map(), told)) {
             return Topics.of(id, Topics.MAP);
         }
-        return ReadingType.of(told.value()).isPresent() ? Topics.of(id, Topics.DEVICE + reading.device()) : "";
+        boolean says = !(recorded(told.value()) instanceof Quantities(var numbers)) || !numbers.isEmpty();
+        return says ? Topics.of(id, Topics.DEVICE + reading.device()) : "";
     }
 
     private static boolean is(Optional<? extends Stamped<?>> one, Stamped<?> told) {
         return one.isPresent() && one.get().equals(told);
     }
 
-    private void told(String id, Reading reading, String topic, long time) throws IOException {
-        Stamped<?> told = reading.value();
-        if (isNew(id + " " + Topics.DEVICE + reading.device(), told.time())) {
-            ReadingType<?> type = ReadingType.of(told.value()).orElseThrow();
-            long taken = nanos(told.time());
-            out.clear();
-            timestamp(1, taken);
-            out.string(2, told.frame());
-            type.write(out, told.value());
-            write(topic, type.message(), time, taken, Map.of());
-        }
+    /// As it is recorded: of a kind that nobody thought of here, the numbers in it.
+    private static Object recorded(Object told) {
+        return ReadingType.of(told).isPresent() ? told : Quantities.of(told);
     }
 
-    private void scan(String id, Stamped<LaserScan> scan, long time) throws IOException {
-        LaserScan laser = scan.value();
-        long taken = nanos(scan.time());
+    private void tell(String id, String topic, Stamped<?> told, long time) throws IOException {
+        Object value = recorded(told.value());
+        ReadingType<?> type = ReadingType.of(value).orElseThrow();
+        long taken = nanos(told.time());
+        boolean mounted = value instanceof LaserScan || value instanceof RangeArray; // poses say where on the base
         out.clear();
         timestamp(1, taken);
-        out.string(2, frame(id)); // the pose says where on it
-        foxglovePose(3, laser.baseFromLaser());
-        out.number(4, laser.angleMin());
-        out.number(5, laser.angle(Math.max(0, laser.count() - 1)));
-        out.numbers(6, laser.ranges());
-        String topic = Topics.of(id, Topics.SCAN);
-        write(topic, Foxglove.LASER_SCAN, time, taken, channels.containsKey(topic) ? Map.of() : limits(laser));
-    }
-
-    private void ranges(String id, Stamped<RangeArray> ranges, long time) throws IOException {
-        RangeArray array = ranges.value();
-        long taken = nanos(ranges.time());
-        out.clear();
-        timestamp(1, taken);
-        out.string(2, frame(id));
-        out.number(3, array.fieldOfView());
-        out.number(4, array.rangeMin());
-        out.number(5, array.rangeMax());
-        array.baseFromSensors().forEach(baseFromSensor -> pose(6, baseFromSensor));
-        out.numbers(7, array.ranges());
-        write(Topics.of(id, Topics.RANGES), Own.RANGES, time, taken, Map.of());
+        out.string(2, mounted ? frame(id) : told.frame());
+        type.write(out, value);
+        boolean first = !channels.containsKey(topic);
+        write(
+                topic,
+                type.message(),
+                time,
+                taken,
+                first && value instanceof LaserScan laser ? ReadingType.limits(laser) : Map.of());
     }
 
     private void particles(String id, Stamped<ParticleCloud> particles, long time) throws IOException {
@@ -480,7 +464,7 @@ public final class Encoder {
     private void agent(AgentView agent, long time) throws IOException {
         var view = agent.view();
         var told = List.of(view.status(), view.state(), view.beliefs());
-        if (!isNew("agent " + view.agent().name(), told)) {
+        if (!isNew(Topics.about(Topics.AGENTS, view.agent().name()), told)) {
             return;
         }
         out.clear();
@@ -644,26 +628,15 @@ public final class Encoder {
     }
 
     private void foxglovePose(int field, Pose2d pose) {
-        int begun = out.begin(field);
-        vector(1, pose.x(), pose.y(), 0);
-        quaternion(2, pose.theta());
-        out.end(begun);
+        Foxglove.pose(out, field, pose);
     }
 
     private void vector(int field, double x, double y, double z) {
-        int begun = out.begin(field);
-        out.number(1, x);
-        out.number(2, y);
-        out.number(3, z);
-        out.end(begun);
+        Foxglove.vector(out, field, x, y, z);
     }
 
-    /// A turn about the upward axis.
     private void quaternion(int field, double heading) {
-        int begun = out.begin(field);
-        out.number(3, Math.sin(heading / 2));
-        out.number(4, Math.cos(heading / 2));
-        out.end(begun);
+        Foxglove.quaternion(out, field, heading);
     }
 
     /// @param color `#rrggbb`
@@ -698,13 +671,6 @@ public final class Encoder {
 
     private static long nanos(Instant time) {
         return time.getEpochSecond() * SECOND + time.getNano();
-    }
-
-    private static Map<String, String> limits(LaserScan laser) {
-        var limits = new TreeMap<String, String>();
-        limits.put("range_min", Double.toString(laser.rangeMin()));
-        limits.put("range_max", Double.toString(laser.rangeMax()));
-        return limits;
     }
 
     /// Writes the message that is in the sink.

@@ -20,7 +20,8 @@ record FieldTable(MessageType type, String list) implements Table {
             "foxglove.FrameTransforms", "transforms",
             "rsal.Blobs", "blobs",
             "rsal.BumperState", "bumpers",
-            "rsal.Fiducials", "fiducials");
+            "rsal.Fiducials", "fiducials",
+            "rsal.Quantities", "quantities");
 
     FieldTable(MessageType type) {
         this(type, LISTS.getOrDefault(type.name(), ""));

@@ -5,7 +5,9 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoReader;
 
@@ -68,6 +70,26 @@ record Fields(Map<?, ?> values) {
 
     private List<?> many(String name) {
         return values.get(name) instanceof List<?> many ? many : List.of();
+    }
+
+    /// One of a few words; another one when it is none of them.
+    <E extends Enum<E>> E word(Class<E> type, String name, E otherwise) {
+        for (E word : type.getEnumConstants()) {
+            if (word.name().equals(text(name))) {
+                return word;
+            }
+        }
+        return otherwise;
+    }
+
+    /// What a localizer believes, but for other hypotheses.
+    PoseEstimate estimate() {
+        return new PoseEstimate(
+                pose("pose").orElse(Pose2d.ORIGIN),
+                new Covariance2d(number("xx"), number("xy"), 0, number("yy"), 0, number("headings")),
+                List.of(),
+                number("confidence"),
+                word(PoseEstimate.Quality.class, "quality", PoseEstimate.Quality.LOST));
     }
 
     /// One of ours: x, y, heading.

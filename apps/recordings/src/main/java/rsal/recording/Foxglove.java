@@ -1,8 +1,10 @@
 package rsal.recording;
 
 import java.util.List;
+import rsal.data.Pose2d;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
+import rsal.recording.proto.ProtoWriter;
 
 /// The well-known kinds of messages that Foxglove draws, with the numbers of their fields: docs.foxglove.dev,
 /// "Message schemas". Of what scenes are made of, only what is written here.
@@ -106,6 +108,31 @@ final class Foxglove {
             .withMany(2, "entities", ENTITY);
 
     private Foxglove() {}
+
+    /// Writes a [#POSE], as seen from above.
+    static void pose(ProtoWriter out, int field, Pose2d pose) {
+        int begun = out.begin(field);
+        vector(out, 1, pose.x(), pose.y(), 0);
+        quaternion(out, 2, pose.theta());
+        out.end(begun);
+    }
+
+    /// Writes a [#VECTOR3], or a point.
+    static void vector(ProtoWriter out, int field, double x, double y, double z) {
+        int begun = out.begin(field);
+        out.number(1, x);
+        out.number(2, y);
+        out.number(3, z);
+        out.end(begun);
+    }
+
+    /// Writes a [#QUATERNION]: a turn about the upward axis.
+    static void quaternion(ProtoWriter out, int field, double heading) {
+        int begun = out.begin(field);
+        out.number(3, Math.sin(heading / 2));
+        out.number(4, Math.cos(heading / 2));
+        out.end(begun);
+    }
 
     private static MessageType xyz(String name) {
         return MessageType.named(name)

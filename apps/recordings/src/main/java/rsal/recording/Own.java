@@ -88,9 +88,7 @@ final class Own {
             .with(6, "health", Kind.STRING)
             .with(7, "reason", Kind.STRING)
             .with(8, "topic", Kind.STRING);
-    static final MessageType RANGES = MessageType.named("rsal.Ranges")
-            .with(1, "timestamp", Foxglove.TIMESTAMP)
-            .with(2, "frame_id", Kind.STRING)
+    static final MessageType RANGES = reading("rsal.Ranges")
             .with(3, "field_of_view", Kind.DOUBLE)
             .with(4, "range_min", Kind.DOUBLE)
             .with(5, "range_max", Kind.DOUBLE)
@@ -216,6 +214,24 @@ final class Own {
             .with(3, "goal", POSE)
             .with(4, "remaining", Kind.DOUBLE)
             .with(5, "paused", Kind.BOOL);
+    static final MessageType ODOMETRY = reading("rsal.Odometry")
+            .with(3, "pose", POSE)
+            .with(4, "twist", TWIST)
+            .with(5, "stalled", Kind.BOOL);
+    static final MessageType POSE_ESTIMATE = reading("rsal.PoseEstimate")
+            .with(3, "pose", POSE)
+            .with(4, "xx", Kind.DOUBLE)
+            .with(5, "xy", Kind.DOUBLE)
+            .with(6, "yy", Kind.DOUBLE)
+            .with(7, "headings", Kind.DOUBLE)
+            .with(8, "confidence", Kind.DOUBLE)
+            .with(9, "quality", Kind.STRING);
+    static final MessageType QUANTITY = MessageType.named("rsal.Quantity")
+            .with(1, "name", Kind.STRING)
+            .with(2, "title", Kind.STRING)
+            .with(3, "unit", Kind.STRING)
+            .with(4, "value", Kind.DOUBLE);
+    static final MessageType QUANTITIES = reading("rsal.Quantities").withMany(3, "quantities", QUANTITY);
 
     private Own() {}
 

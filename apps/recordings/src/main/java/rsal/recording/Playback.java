@@ -89,7 +89,6 @@ public final class Playback implements Closeable {
         RunPlan plan = recording.plan();
         long start = plan.clock() == RunPlan.Clock.SIMULATED ? 0 : started(recording);
         var playback = new Playback(recording, plan, start);
-        recording.file().channels().forEach(playback::limits);
         recording.file().channels().forEach(playback::reads);
         playback.readThrough();
         playback.newest.clear();
@@ -105,30 +104,12 @@ public final class Playback implements Closeable {
         }
     }
 
-    private void limits(Channel channel) {
-        String end = "/" + Topics.SCAN;
-        if (channel.topic().endsWith(end) && channel.topic().length() > end.length()) {
-            decoder.limits(
-                    channel.topic().substring(1, channel.topic().length() - end.length()),
-                    number(channel, "range_min"),
-                    number(channel, "range_max"));
-        }
-    }
-
     private void reads(Channel channel) {
         recording
                 .file()
                 .schema(channel)
-                .flatMap(schema -> ReadingType.named(schema.name()))
+                .flatMap(schema -> ReadingType.of(schema.name(), channel.metadata()))
                 .ifPresent(type -> decoder.reads(channel.topic(), type));
-    }
-
-    private static double number(Channel channel, String name) {
-        try {
-            return Double.parseDouble(channel.metadata().getOrDefault(name, ""));
-        } catch (NumberFormatException _) {
-            return Double.NaN;
-        }
     }
 
     private void readThrough() throws IOException {
@@ -147,12 +128,12 @@ public final class Playback implements Closeable {
                 }
                 case Topics.MINDS -> {
                     Fields fields = Fields.read(Own.MIND, data);
-                    note(key(Topics.MINDS, fields.text("agent")), Decoder.mind(fields), logTime);
+                    note(Topics.about(Topics.MINDS, fields.text("agent")), Decoder.mind(fields), logTime);
                     take(held, channel, publishTime, data);
                 }
                 case Topics.AGENTS -> {
                     Fields fields = Fields.read(Own.AGENT, data);
-                    note(key(Topics.AGENTS, fields.text("name")), Decoder.shown(fields), logTime);
+                    note(Topics.about(Topics.AGENTS, fields.text("name")), Decoder.shown(fields), logTime);
                     take(held, channel, publishTime, data);
                 }
                 default -> take(held, channel, publishTime, data);
@@ -231,10 +212,6 @@ public final class Playback implements Closeable {
         }
     }
 
-    private static String key(String topic, String agent) {
-        return topic + " " + agent;
-    }
-
     private static String clip(String text) {
         return text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT);
     }
@@ -255,13 +232,18 @@ public final class Playback implements Closeable {
                 yield held.said(fields.text("from"), clip(fields.text("topic") + ": " + fields.text("words")));
             }
             case Topics.ROBOTS, Topics.AGENTS, Topics.MINDS ->
-                held.put(topic + " " + Fields.read(SECOND_TEXT, data).text("about"), publishTime, data);
+                held.put(Topics.about(topic, Fields.read(SECOND_TEXT, data).text("about")), publishTime, data);
             case Topics.DEVICES -> {
                 Fields about = Fields.read(TWO_TEXTS, data);
                 yield held.put(Decoder.devices(about.text("about")) + about.text("part"), publishTime, data);
             }
             case Topics.THINGS ->
-                held.put(topic + " " + Fields.read(SECOND_NUMBER, data).count("about"), publishTime, data);
+                held.put(
+                        Topics.about(
+                                topic,
+                                Long.toString(Fields.read(SECOND_NUMBER, data).count("about"))),
+                        publishTime,
+                        data);
             default -> held.put(topic, publishTime, data);
         };
         if (!fits) {
@@ -307,8 +289,8 @@ public final class Playback implements Closeable {
     /// What an agent came to believe and want until then, oldest first: as its mind was recorded, once a second, else
     /// what it showed of itself. Of the first 100,000 changes of all agents.
     public List<MindChange> changes(Duration until, String agent) {
-        List<MindChange> shown = changes.getOrDefault(key(Topics.AGENTS, agent), List.of());
-        return changes.getOrDefault(key(Topics.MINDS, agent), shown).stream()
+        List<MindChange> shown = changes.getOrDefault(Topics.about(Topics.AGENTS, agent), List.of());
+        return changes.getOrDefault(Topics.about(Topics.MINDS, agent), shown).stream()
                 .takeWhile(change -> change.time().compareTo(until) <= 0)
                 .toList();
     }

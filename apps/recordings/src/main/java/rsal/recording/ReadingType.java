@@ -3,8 +3,10 @@ package rsal.recording;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import rsal.behavior.Decision;
@@ -18,8 +20,12 @@ import rsal.data.Fiducials;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.GripperState;
 import rsal.data.Interval;
+import rsal.data.LaserScan;
 import rsal.data.LightState;
+import rsal.data.Odometry;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
@@ -27,8 +33,8 @@ import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 import rsal.scenario.run.NavigatorState;
 
-/// How what a device tells is written and read again, where Foxglove has no kind of message for it. Names of fields and
-/// their meanings are those of the records.
+/// How what a device tells is written and read again. Names of fields and their meanings are those of the records, and
+/// of scans Foxglove's.
 ///
 /// @param told what the device tells
 /// @param message which has a timestamp, a frame, and its own fields from 3 on
@@ -55,9 +61,35 @@ record ReadingType<T>(
     private static final ReadingType<NavigatorState> NAVIGATOR =
             new ReadingType<>(NavigatorState.class, Own.NAVIGATOR_STATE, ReadingType::write, ReadingType::navigator);
 
+    private static final ReadingType<LaserScan> SCAN = laser(Optional.empty());
+    private static final ReadingType<RangeArray> RANGES =
+            new ReadingType<>(RangeArray.class, Own.RANGES, ReadingType::write, ReadingType::ranges);
+    private static final ReadingType<PoseEstimate> ESTIMATE =
+            new ReadingType<>(PoseEstimate.class, Own.POSE_ESTIMATE, ReadingType::write, Fields::estimate);
+    private static final ReadingType<Odometry> ODOMETRY =
+            new ReadingType<>(Odometry.class, Own.ODOMETRY, ReadingType::write, ReadingType::odometry);
+    private static final ReadingType<Quantities> QUANTITIES =
+            new ReadingType<>(Quantities.class, Own.QUANTITIES, ReadingType::write, ReadingType::quantities);
+
+    private static final String LEAST = "range_min"; // of what channels of lasers tell
+    private static final String MOST = "range_max";
+
     /// All there are.
-    static final List<ReadingType<?>> ALL =
-            List.of(ACTUATOR, BATTERY, BLOBS, BUMPERS, DECISION, FIDUCIALS, GRIPPER, LIGHT, NAVIGATOR);
+    static final List<ReadingType<?>> ALL = List.of(
+            ACTUATOR,
+            BATTERY,
+            BLOBS,
+            BUMPERS,
+            DECISION,
+            FIDUCIALS,
+            GRIPPER,
+            LIGHT,
+            NAVIGATOR,
+            SCAN,
+            RANGES,
+            ESTIMATE,
+            ODOMETRY,
+            QUANTITIES);
 
     /// Of what a device tells; empty when nobody thought of that here.
     static Optional<ReadingType<?>> of(Object value) {
@@ -74,6 +106,37 @@ record ReadingType<T>(
         return ALL.stream().filter(type -> type.message.name().equals(schema)).findFirst();
     }
 
+    /// @param about what the channel of such messages tells of its device
+    static Optional<ReadingType<?>> of(String schema, Map<String, String> about) {
+        return named(schema).map(type -> type.equals(SCAN) ? laser(limits(about)) : type);
+    }
+
+    /// @param limits shortest and longest range that it measures [m]; empty where nobody knows
+    private static ReadingType<LaserScan> laser(Optional<Interval> limits) {
+        return new ReadingType<>(
+                LaserScan.class, Foxglove.LASER_SCAN, ReadingType::write, fields -> scan(fields, limits));
+    }
+
+    /// What the channel of a laser tells, once.
+    static Map<String, String> limits(LaserScan laser) {
+        var limits = new TreeMap<String, String>(); // so that equal runs are equal files
+        limits.put(LEAST, Double.toString(laser.rangeMin()));
+        limits.put(MOST, Double.toString(laser.rangeMax()));
+        return limits;
+    }
+
+    private static Optional<Interval> limits(Map<String, String> about) {
+        try {
+            double least = Double.parseDouble(about.getOrDefault(LEAST, ""));
+            double most = Double.parseDouble(about.getOrDefault(MOST, ""));
+            return least >= 0 && most > least && Double.isFinite(most)
+                    ? Optional.of(new Interval(least, most))
+                    : Optional.empty();
+        } catch (NumberFormatException _) {
+            return Optional.empty();
+        }
+    }
+
     void write(ProtoWriter out, Object value) {
         writer.accept(out, told.cast(value));
     }
@@ -81,6 +144,91 @@ record ReadingType<T>(
     /// @throws IllegalArgumentException when no device tells that
     Stamped<T> read(Fields fields, Instant taken) {
         return new Stamped<>(taken, fields.text("frame_id"), reader.apply(fields));
+    }
+
+    /// The same, of which is known what it is.
+    ///
+    /// @param known that
+    <K> Stamped<K> read(Fields fields, Instant taken, Class<K> known) {
+        return new Stamped<>(taken, fields.text("frame_id"), known.cast(reader.apply(fields)));
+    }
+
+    private static void write(ProtoWriter out, LaserScan scan) {
+        Foxglove.pose(out, 3, scan.baseFromLaser());
+        out.number(4, scan.angleMin());
+        out.number(5, scan.angle(Math.max(0, scan.count() - 1)));
+        out.numbers(6, scan.ranges());
+    }
+
+    private static LaserScan scan(Fields fields, Optional<Interval> limits) {
+        float[] ranges = fields.floats("ranges");
+        double first = fields.number("start_angle");
+        double increment = ranges.length < 2 ? 0 : (fields.number("end_angle") - first) / (ranges.length - 1);
+        Interval known = limits.orElseGet(() -> new Interval(0, greatest(ranges)));
+        return new LaserScan(fields.foxglovePose("pose"), first, increment, known.least(), known.most(), ranges);
+    }
+
+    private static double greatest(float[] ranges) {
+        double greatest = 1;
+        for (float range : ranges) {
+            greatest = Float.isFinite(range) ? Math.max(greatest, range) : greatest;
+        }
+        return greatest;
+    }
+
+    private static void write(ProtoWriter out, RangeArray array) {
+        out.number(3, array.fieldOfView());
+        out.number(4, array.rangeMin());
+        out.number(5, array.rangeMax());
+        array.baseFromSensors().forEach(baseFromSensor -> Own.pose(out, 6, baseFromSensor));
+        out.numbers(7, array.ranges());
+    }
+
+    private static RangeArray ranges(Fields fields) {
+        return new RangeArray(
+                fields.all("poses").stream().map(Fields::pose).toList(),
+                fields.number("field_of_view"),
+                fields.number("range_min"),
+                fields.number("range_max"),
+                fields.floats("ranges"));
+    }
+
+    private static void write(ProtoWriter out, PoseEstimate belief) {
+        Own.pose(out, 3, belief.mapFromBase());
+        out.number(4, belief.covariance().xx());
+        out.number(5, belief.covariance().xy());
+        out.number(6, belief.covariance().yy());
+        out.number(7, belief.covariance().thetaTheta());
+        out.number(8, belief.confidence());
+        out.string(9, belief.quality().name());
+    }
+
+    private static void write(ProtoWriter out, Odometry odometry) {
+        Own.pose(out, 3, odometry.odomFromBase());
+        Own.twist(out, 4, odometry.velocity());
+        out.bool(5, odometry.stalled());
+    }
+
+    private static Odometry odometry(Fields fields) {
+        return new Odometry(mounted(fields), twist(fields), fields.flag("stalled"));
+    }
+
+    private static void write(ProtoWriter out, Quantities told) {
+        for (Quantity quantity : told.all()) {
+            int begun = out.begin(3);
+            out.string(1, quantity.name());
+            out.string(2, quantity.title());
+            out.string(3, quantity.unit());
+            out.number(4, quantity.value());
+            out.end(begun);
+        }
+    }
+
+    private static Quantities quantities(Fields fields) {
+        return new Quantities(fields.all("quantities").stream()
+                .limit(Quantities.MOST)
+                .map(one -> new Quantity(one.text("name"), one.text("title"), one.text("unit"), one.number("value")))
+                .toList());
     }
 
     private static void write(ProtoWriter out, ActuatorState state) {

@@ -20,6 +20,11 @@ final class Topics {
 
     private Topics() {}
 
+    /// What of a channel that is of many is of one of them: no topic of a robot, whatever that is called.
+    static String about(String topic, String name) {
+        return topic + "\n" + name;
+    }
+
     /// Of a robot: `/r1/scan`.
     static String of(String robot, String what) {
         return "/" + robot + "/" + what;

@@ -50,9 +50,10 @@ class OfficialSchemasIT {
     @Test
     void decodeAll() throws Exception {
         Path file = folder.resolve("run.mcap");
-        Recorded.run(Recorded.plan("hunt-and-prey", 7, 10), file);
+        Recorded.runWithMore(Recorded.plan("hunt-and-prey", 7, 10), file);
         String printed = OfficialPython.run(SCRIPT, file.toString());
         assertThat(printed)
+                .contains("/hunter-1/device/rear", "/hunter-1/device/weather")
                 .contains("/tf", "/map", "/state", "/events", "/log", "/messages", "/world", "/scan")
                 .contains("LaserScan", "FrameTransforms", "Grid", "Log", "SceneUpdate", "TriangleListPrimitive");
     }

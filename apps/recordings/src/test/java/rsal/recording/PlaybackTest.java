@@ -11,8 +11,10 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.agent.bdi.Mind;
@@ -20,7 +22,11 @@ import rsal.behavior.Decision;
 import rsal.data.Blobs;
 import rsal.data.GripperState;
 import rsal.data.LaserScan;
+import rsal.data.Odometry;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
+import rsal.data.Stamped;
 import rsal.recording.Playback.Told;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -29,6 +35,7 @@ import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.NavigatorState;
 import rsal.scenario.run.Reading;
+import rsal.scenario.run.RobotView;
 import rsal.scenario.run.RunEvent;
 import rsal.scenario.run.RunResult;
 import rsal.scenario.run.Said;
@@ -108,10 +115,83 @@ class PlaybackTest {
                 .contains(Blobs.class, Decision.class, GripperState.class, NavigatorState.class, LaserScan.class);
     }
 
+    /// Of each of the kinds of which one is drawn, with topics of their own.
     private static List<Reading> ofOwnTopics(List<Reading> readings) {
         return readings.stream()
-                .filter(reading -> ReadingType.of(reading.value().value()).isPresent())
+                .filter(reading -> switch (reading.value().value()) {
+                    case LaserScan _, RangeArray _, Odometry _, PoseEstimate _ -> false;
+                    default -> ReadingType.of(reading.value().value()).isPresent();
+                })
                 .toList();
+    }
+
+    @Test
+    void whatSecondDevicesAndThoseOfUnknownKindsToldIsToldAgain() throws Exception {
+        Path file = folder.resolve("run.mcap");
+        Recorded.runWithMore(Recorded.plan(HUNT, 7, 3), file);
+        try (Playback playback = open(file)) {
+            for (int tenth = 5; tenth < 30; tenth++) {
+                var time = Duration.ofMillis(100L * tenth);
+                RobotView robot = playback.at(time).robots().getFirst();
+                Map<String, Object> told = robot.readings().stream()
+                        .filter(reading -> reading.age().isZero())
+                        .collect(Collectors.toMap(
+                                Reading::device, reading -> reading.value().value()));
+                List<Object> values = MoreDevices.values(tenth / 10.0);
+                for (int i = 0; i < 4; i++) {
+                    assertThat(told.get(MoreDevices.NAMES.get(i)))
+                            .usingRecursiveComparison()
+                            .isEqualTo(values.get(i));
+                }
+                assertThat(told.get("weather"))
+                        .as("only the numbers")
+                        .isEqualTo(new Quantities(List.of(
+                                new Quantity("wind.speed", "wind speed", "", tenth / 10.0),
+                                new Quantity("wind.angle", "wind angle", "rad", 1.5),
+                                new Quantity("pressure", "pressure", "", Double.NaN))));
+                assertThat(told).doesNotContainKey("speech");
+                assertThat(robot.scan()).map(Stamped::value).isNotEqualTo(Optional.of(told.get("rear")));
+            }
+        }
+    }
+
+    /// Names of robots are parts of topics.
+    @Test
+    void robotsMayBeCalledAsTopicsAre() throws Exception {
+        var names = List.of("devices", "agents", "minds", "robots", "things", "agent", "messages");
+        String robots = names.stream()
+                .map(name -> "%s: {model: pioneer2dx, pose: [0, %d, 0], devices: {laser: urg04lx}}"
+                        .formatted(name, names.indexOf(name) - 3))
+                .collect(Collectors.joining(", "));
+        Path scenario = Files.writeString(folder.resolve("own.yaml"), """
+                rsal: 1
+                scenario: own
+                world: {map: office}
+                robots: {%s}
+                agents: {scan: {type: wander, robot: agent}}
+                run: {stop: [{when: time > 2, outcome: success}]}
+                """.formatted(robots));
+        Path file = folder.resolve("run.mcap");
+        Seen seen = record(Recorded.plan(scenario.toString(), 1, 20), file);
+        Snapshot then = seen.snapshots.getLast();
+        try (Playback playback = open(file)) {
+            Snapshot now = playback.at(then.time());
+            assertThat(now.agents()).hasSameSizeAs(then.agents());
+            assertThat(now.things()).isEqualTo(then.things());
+            assertThat(now.robots()).extracting(RobotView::id).isEqualTo(names);
+            for (int i = 0; i < names.size(); i++) {
+                RobotView robot = now.robots().get(i);
+                assertThat(robot.devices()).isEqualTo(then.robots().get(i).devices());
+                assertThat(robot.readings()).extracting(Reading::device).contains("base", "laser");
+                assertThat(robot.scan().orElseThrow().value().ranges())
+                        .isEqualTo(then.robots()
+                                .get(i)
+                                .scan()
+                                .orElseThrow()
+                                .value()
+                                .ranges());
+            }
+        }
     }
 
     /// From wherever one begins, and whatever else is looked at.

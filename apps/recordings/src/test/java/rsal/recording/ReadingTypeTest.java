@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -22,12 +23,17 @@ import rsal.data.BatteryState;
 import rsal.data.Blobs;
 import rsal.data.Blobs.Blob;
 import rsal.data.BumperState;
+import rsal.data.Covariance2d;
 import rsal.data.Fiducials;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.GripperState;
 import rsal.data.Interval;
+import rsal.data.LaserScan;
 import rsal.data.LightState;
+import rsal.data.Odometry;
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
@@ -80,6 +86,13 @@ class ReadingTypeTest {
                 new GripperState(
                         GripperState.Paddles.OPEN, 0, GripperState.Lift.DOWN, 0, false, true, false, true, false),
                 new LightState(new Rgb(1, 2, 3), new LightState.Signal(Duration.ofMillis(300), 0.5), true),
+                new Odometry(POSE, TWIST, true),
+                new PoseEstimate(
+                        POSE, new Covariance2d(1, 0.5, 0, 2, 0, 0), List.of(), 0.25, PoseEstimate.Quality.LOCALIZED),
+                new Quantities(List.of(
+                        new Quantity("wind.speed", "wind speed", "m/s", 3.5),
+                        new Quantity("", "", "", 0),
+                        new Quantity("pressure", "pressure", "", Double.NaN))),
                 new NavigatorState(Optional.of(Pose2d.ORIGIN), 3.5, false),
                 new NavigatorState(Optional.empty(), 0, true));
     }
@@ -93,9 +106,30 @@ class ReadingTypeTest {
         assertThat(type.read(written(type, value), taken)).isEqualTo(new Stamped<>(taken, "r1/there", value));
     }
 
+    /// With arrays, which are equal when what is in them is; and a laser's limits, which its channel tells.
+    @Test
+    void whatIsWrittenOfRangesIsRead() throws IOException {
+        for (Record value : ranges()) {
+            ReadingType<?> any = ReadingType.of(value).orElseThrow();
+            Map<String, String> about = value instanceof LaserScan scan ? ReadingType.limits(scan) : Map.of();
+            ReadingType<?> type = ReadingType.of(any.message().name(), about).orElseThrow();
+            assertThat(type.read(written(type, value), Instant.EPOCH).value())
+                    .usingRecursiveComparison()
+                    .withComparatorForType((a, b) -> Math.abs(a - b) < 1e-12 ? 0 : Double.compare(a, b), Double.class)
+                    .isEqualTo(value);
+        }
+    }
+
+    private static List<Record> ranges() {
+        float[] ranges = {1.5F, Float.POSITIVE_INFINITY, 0, Float.NEGATIVE_INFINITY};
+        return List.of(
+                new LaserScan(POSE, -1, 0.1, 0.02, 5.6, ranges),
+                new RangeArray(List.of(POSE, POSE, Pose2d.ORIGIN, POSE), 0.3, 0.1, 5, ranges));
+    }
+
     @Test
     void allTypesAreTried() {
-        Set<String> tried = values().stream()
+        Set<String> tried = Stream.concat(values().stream(), ranges().stream())
                 .map(value -> ReadingType.of(value).orElseThrow().message().name())
                 .collect(Collectors.toSet());
         assertThat(ReadingType.ALL).extracting(type -> type.message().name()).hasSameElementsAs(tried);

@@ -5,11 +5,13 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.concurrent.TimeUnit;
+import java.util.function.UnaryOperator;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.RunResult;
+import rsal.scenario.run.Witness;
 
 /// Runs with a recording.
 final class Recorded {
@@ -29,8 +31,17 @@ final class Recorded {
 
     /// @param told what the recording says that it is of
     static RunResult run(RunPlan plan, RunPlan told, Path file) throws Exception {
+        return run(plan, told, file, witness -> witness);
+    }
+
+    /// With robots that have [MoreDevices].
+    static RunResult runWithMore(RunPlan plan, Path file) throws Exception {
+        return run(plan, plan, file, MoreDevices::new);
+    }
+
+    private static RunResult run(RunPlan plan, RunPlan told, Path file, UnaryOperator<Witness> seen) throws Exception {
         try (Recorder recorder = begin(told, file)) {
-            RunResult result = LiveRun.start(plan, recorder.witness())
+            RunResult result = LiveRun.start(plan, seen.apply(recorder.witness()))
                     .result()
                     .toCompletableFuture()
                     .get(100, TimeUnit.SECONDS);

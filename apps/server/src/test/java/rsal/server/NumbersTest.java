@@ -4,22 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.data.ActuatorState;
 import rsal.data.BatteryState;
-import rsal.data.Blobs;
-import rsal.data.BumperState;
 import rsal.data.Covariance2d;
-import rsal.data.Fiducials;
 import rsal.data.Interval;
 import rsal.data.LaserScan;
 import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
-import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.scenario.run.Answer;
@@ -29,11 +24,11 @@ import rsal.server.Messages.NumberInfo;
 
 class NumbersTest {
     /// Of a device that nobody here knows.
-    record Weather(Wind wind, double pressure, String words, List<String> clouds) {}
+    public record Weather(Wind wind, double pressure, String words, List<String> clouds) {}
 
-    record Wind(double speed, int gusts, double angle) {}
+    public record Wind(double speed, int gusts, double angle) {}
 
-    record Nested(Object inner) {}
+    public record Nested(Object inner) {}
 
     private static List<String> words(Object value) {
         return Numbers.of(value).stream()
@@ -72,25 +67,6 @@ class NumbersTest {
         assertThat(titles(BatteryState.of(10, 100, -2, BatteryState.Charging.DISCHARGING)))
                 .contains("charge [J]", "power [W]", "voltage [V]", "level []");
         assertThat(Numbers.of(new OccupancyGrid(2, 1, 0.5, 0, 0, new byte[2]))).isEmpty();
-    }
-
-    /// Or they would be offered again when somebody calls them otherwise.
-    @Test
-    void whatStaysTheSameIsThere() {
-        List<Class<? extends Record>> records = List.of(
-                OccupancyGrid.class,
-                LaserScan.class,
-                RangeArray.class,
-                BumperState.class,
-                BatteryState.class,
-                ActuatorState.class,
-                Blobs.class,
-                Fiducials.class);
-        assertThat(records.stream()
-                        .flatMap(record -> Arrays.stream(record.getRecordComponents()))
-                        .filter(Quantity::isSetting)
-                        .map(part -> part.getDeclaringRecord().getSimpleName() + "." + part.getName()))
-                .containsExactlyInAnyOrderElementsOf(Quantity.SETTINGS);
     }
 
     /// A square of degrees is nobody's unit, and would have to be computed.

@@ -1,4 +1,4 @@
-package rsal.server;
+package rsal.recording;
 
 import java.lang.reflect.RecordComponent;
 import java.util.Locale;
@@ -6,13 +6,11 @@ import java.util.Map;
 import java.util.Set;
 import rsal.data.ActuatorState;
 
-/// What people call the numbers in what devices tell, and the units these have: the only place that says so, as a
+/// What people call the [Quantities] in what devices tell, and the units these have: the only place that says so, as a
 /// number in Java has its unit in a comment. Parts that nobody thought of here are called as in Java.
-final class Quantity {
-    /// Shown in degrees.
-    static final String ANGLE = "rad";
-    /// Likewise, per second.
-    static final String TURN = "rad/s";
+final class QuantityNames {
+    private static final String ANGLE = "rad";
+    private static final String TURN = "rad/s";
 
     private static final Map<String, Words> KNOWN = Map.ofEntries(
             known("Pose2d.x", "x", "m"),
@@ -73,7 +71,7 @@ final class Quantity {
             "Fiducials.fieldOfView",
             "Fiducials.rangeMax");
 
-    private Quantity() {}
+    private QuantityNames() {}
 
     /// @param title of the number, a few words; empty where its device says it all
     /// @param unit of SI; empty where it has none, or nobody knows

@@ -1,0 +1,129 @@
+package rsal.recording;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import rsal.agent.bdi.Mind;
+import rsal.data.Covariance2d;
+import rsal.data.LaserScan;
+import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
+import rsal.data.Stamped;
+import rsal.data.Twist2d;
+import rsal.device.Health;
+import rsal.scenario.run.DeviceView;
+import rsal.scenario.run.Reading;
+import rsal.scenario.run.RobotView;
+import rsal.scenario.run.RunEvent;
+import rsal.scenario.run.Said;
+import rsal.scenario.run.Snapshot;
+import rsal.scenario.run.Witness;
+
+/// Sees of a run that each robot has more devices: a second one of kinds of which one is drawn, one of a kind that
+/// nobody knows, and one that tells no numbers. Each tells something ten times a second.
+record MoreDevices(Witness told) implements Witness {
+    static final List<String> NAMES = List.of("rear", "more-sonars", "elsewhere", "trailer", "weather", "speech");
+
+    public record Weather(Wind wind, double pressure, String words) {}
+
+    public record Wind(double speed, double angle) {}
+
+    /// What they tell at a time, as in [#NAMES].
+    static List<Object> values(double seconds) {
+        float[] ranges = {(float) seconds, Float.POSITIVE_INFINITY, 0.5F};
+        return List.of(
+                new LaserScan(new Pose2d(-0.2, 0, Math.PI), -1, 1, 0.02, 5.6, ranges),
+                new RangeArray(List.of(Pose2d.ORIGIN, new Pose2d(1, 2, 3), new Pose2d(4, 5, 6)), 0.3, 0.1, 5, ranges),
+                new PoseEstimate(
+                        new Pose2d(seconds, 2, 0.5),
+                        new Covariance2d(1, 0.5, 0, 2, 0, 0.25),
+                        List.of(),
+                        0.5,
+                        PoseEstimate.Quality.AMBIGUOUS),
+                new Odometry(new Pose2d(1, 2, 0.5), new Twist2d(seconds, 0, -0.5), seconds > 1),
+                new Weather(new Wind(seconds, 1.5), Double.NaN, "fair"),
+                "it is late");
+    }
+
+    @Override
+    public Duration period() {
+        return told.period();
+    }
+
+    @Override
+    public void sees(Snapshot now, String hash) {
+        told.sees(
+                new Snapshot(
+                        now.sequence(),
+                        now.time(),
+                        now.paused(),
+                        now.stopped(),
+                        now.speed(),
+                        now.rate(),
+                        now.outcome(),
+                        now.robots().stream()
+                                .map(robot -> withMore(robot, now.time()))
+                                .toList(),
+                        now.agents(),
+                        now.team(),
+                        now.things()),
+                hash);
+    }
+
+    private static RobotView withMore(RobotView robot, Duration time) {
+        var devices = new ArrayList<>(robot.devices());
+        var readings = new ArrayList<>(robot.readings());
+        List<Object> values = values(time.toMillis() / 1e3);
+        for (int i = 0; i < NAMES.size(); i++) {
+            String name = NAMES.get(i);
+            var told = new Stamped<>(Instant.EPOCH.plus(time), robot.id() + "/" + name, values.get(i));
+            devices.add(new DeviceView(name, "test", "Test", Health.ok()));
+            readings.add(new Reading(name, told, Duration.ZERO));
+        }
+        return new RobotView(
+                robot.id(),
+                robot.role(),
+                robot.color(),
+                robot.model(),
+                robot.gone(),
+                robot.truth(),
+                robot.odometry(),
+                robot.estimate(),
+                robot.particles(),
+                robot.scan(),
+                robot.ranges(),
+                robot.map(),
+                robot.path(),
+                robot.goal(),
+                robot.inCharge(),
+                robot.behavior(),
+                robot.driver(),
+                robot.gripper(),
+                robot.stopped(),
+                robot.switchedOff(),
+                robot.lit(),
+                robot.carried(),
+                robot.real(),
+                devices,
+                readings);
+    }
+
+    @Override
+    public void looksInto(Duration time, Map<String, Mind.View> minds) {
+        told.looksInto(time, minds);
+    }
+
+    @Override
+    public void happened(RunEvent event, String hash) {
+        told.happened(event, hash);
+    }
+
+    @Override
+    public void heard(Said message) {
+        told.heard(message);
+    }
+}
