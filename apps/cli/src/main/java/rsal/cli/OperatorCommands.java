@@ -77,17 +77,36 @@ final class OperatorCommands {
         private boolean takesControl;
 
         final JsonNode command(String command, Object message) throws InterruptedException {
-            boolean takes = takesControl && isControlled(); // where nobody has it, all may act
-            if (takes) {
-                takeControl();
-            }
-            try {
+            if (!takesControl || !isControlled()) { // where nobody has it, all may act
                 return tell(command, message);
-            } finally {
-                if (takes) {
-                    giveControlBack();
-                }
             }
+            takeControl();
+            return andThen(() -> tell(command, message), this::giveControlBack);
+        }
+
+        interface Work<T> {
+            T done() throws InterruptedException;
+        }
+
+        interface Ending {
+            void done() throws InterruptedException;
+        }
+
+        /// Ends what was begun for some work, whatever came of that. Of two refusals that of the work is told.
+        static <T> T andThen(Work<T> work, Ending ending) throws InterruptedException {
+            T done;
+            try {
+                done = work.done();
+            } catch (RuntimeException refused) {
+                try {
+                    ending.done();
+                } catch (RuntimeException e) {
+                    refused.addSuppressed(e);
+                }
+                throw refused;
+            }
+            ending.done();
+            return done;
         }
     }
 
