@@ -29,9 +29,11 @@ final class NumberHistory {
     private static final Duration FIRST_SPACING = Duration.ofMillis(500); // of the run
     private static final long LEAST_PAUSE = 250_000_000; // in real time [ns]
     private static final int OVERHEAD = 6; // of a sample, in numbers
+    private static final int NAME = 10; // likewise
 
     private final int most;
     private final Map<String, List<Sample>> samples = new HashMap<>();
+    private final Map<List<Name>, List<Name>> lists = new HashMap<>(); // of names, each once
     private final SequencedSet<String> wanted = new LinkedHashSet<>();
     private final AtomicInteger asked = new AtomicInteger();
     private Optional<Asking> last = Optional.empty();
@@ -49,7 +51,7 @@ final class NumberHistory {
 
     private record Name(String device, String number) {}
 
-    /// @param names the same list as of the sample before, where they are the same
+    /// @param names the same list as of all samples that have the same
     private record Sample(double time, List<Name> names, double[] values) {}
 
     /// @param time of the run
@@ -62,6 +64,11 @@ final class NumberHistory {
         if (wanted.size() > MOST_ROBOTS) {
             wanted.removeLast();
         }
+    }
+
+    /// How many different lists of names it keeps.
+    synchronized int lists() {
+        return lists.size();
     }
 
     /// Asks for what is new, when it is time for that and all has been answered. Answers come on other threads.
@@ -123,34 +130,40 @@ final class NumberHistory {
                     names.add(new Name(device.device(), number.name()));
                     values.add(number.value().orElse(Double.NaN));
                 }));
-        boolean same = !all.isEmpty() && all.getLast().names().equals(names);
-        all.add(new Sample(
-                now.time(),
-                same ? all.getLast().names() : names,
-                values.stream().mapToDouble(value -> value).toArray()));
-        kept += size(names.size());
+        add(
+                all,
+                new Sample(
+                        now.time(),
+                        names,
+                        values.stream().mapToDouble(value -> value).toArray()));
         while (kept > most && samples.values().stream().anyMatch(some -> some.size() > 1)) {
             thin();
         }
     }
 
+    private void add(List<Sample> all, Sample sample) {
+        List<Name> known = lists.get(sample.names());
+        if (known == null) { // a number may be there in one sample, and not in the next
+            known = List.copyOf(sample.names());
+            lists.put(known, known);
+            kept += NAME * known.size();
+        }
+        all.add(new Sample(sample.time(), known, sample.values()));
+        kept += OVERHEAD + sample.values().length; // one of a robot that tells none takes room, too
+    }
+
     private void thin() {
         spacing = spacing.multipliedBy(2);
         kept = 0;
+        lists.clear();
         for (Map.Entry<String, List<Sample>> entry : samples.entrySet()) {
             List<Sample> before = entry.getValue();
             var some = new ArrayList<Sample>(before.size() / 2 + 1);
             for (int i = 0; i < before.size(); i += 2) {
-                some.add(before.get(i));
-                kept += size(before.get(i).values().length);
+                add(some, before.get(i));
             }
             entry.setValue(some);
         }
-    }
-
-    /// What a sample takes, in numbers; one of a robot that tells none takes room, too.
-    private static int size(int numbers) {
-        return numbers + OVERHEAD;
     }
 
     /// What a number of a device was; nothing when nobody knows.

@@ -16,7 +16,7 @@ import rsal.server.Messages.PlottedNumbers;
 class NumberHistoryTest {
     private static final int A_SAMPLE = 7; // of one number takes as much as so many
 
-    private final NumberHistory history = new NumberHistory(10 * A_SAMPLE);
+    private final NumberHistory history = new NumberHistory(10 * A_SAMPLE + 10);
 
     private static PlottedNumbers numbers(double time, DeviceNumbers... devices) {
         return new PlottedNumbers(time, List.of(devices));
@@ -72,6 +72,19 @@ class NumberHistoryTest {
             history.keep("r1", numbers(i));
         }
         assertThat(history.past("r1", "base", "n0").times()).startsWith(0.0).hasSizeLessThan(20);
+    }
+
+    /// As of a robot that sees something now and then.
+    @Test
+    void wordsOfWhatComesAndGoesAreKeptOnce() {
+        var large = new NumberHistory();
+        for (int i = 0; i < 100; i++) {
+            large.keep("r1", i % 2 == 0 ? numbers(i, device("base", i)) : numbers(i, device("base", i, 1, 2)));
+            large.keep("r2", numbers(i, device("base", i)));
+        }
+        assertThat(large.lists()).isEqualTo(2);
+        assertThat(large.past("r1", "base", "n0").values()).hasSize(100).doesNotContain(Optional.empty());
+        assertThat(large.past("r1", "base", "n1").values()).contains(Optional.empty(), Optional.of(1.0));
     }
 
     @Test
