@@ -59,6 +59,7 @@ public final class LiveRun implements AutoCloseable {
     private static final AtomicLong RUNS = new AtomicLong();
     private static final Duration PATIENCE = Duration.ofSeconds(1);
     private static final long MOMENT = 500_000; // [ns], after which it looks again whether it may go on
+    private static final long WHILE = 10_000_000; // [ns], likewise, before robots are there and while nobody waits
     private static final Duration PERIOD_OF_MINDS = Duration.ofSeconds(1); // of the run
     private static final int AGENTS_MAY_TAKE = 20; // times as long for one turn
     private static final Answer LATE = new Answer.Refused("The run has ended.");
@@ -652,7 +653,7 @@ public final class LiveRun implements AutoCloseable {
             if (!ready) {
                 time.runPending(); // by which robots and agents come, who can be asked something meanwhile
             }
-            rest(ready ? Long.MAX_VALUE : MOMENT);
+            rest(ready ? Long.MAX_VALUE : WHILE);
             return;
         }
         long early = paused ? 0 : pace.early(elapsed().toNanos());
