@@ -454,7 +454,7 @@ final class Api {
 
     /// What agents say all the time; what they said shortly before another time than now when that is asked for.
     private CompletionStage<Answer> routine(Context request) {
-        CompletionStage<Answer> now = seen(request).routine();
+        CompletionStage<Answer> now = seen(request).routine(asked(request, "topic"));
         return Past.askedBack(request)
                 .map(time -> later(
                         now,

@@ -43,7 +43,7 @@ public sealed interface Answer {
         }
     }
 
-    /// @param byTopic what agents say all the time, each topic's newest, oldest first
+    /// @param byTopic what agents say all the time: all topics, with the newest of those that were wanted, oldest first
     record Repeated(Map<String, List<Said>> byTopic) implements Answer {
         public Repeated {
             byTopic = Map.copyOf(byTopic);

@@ -88,6 +88,11 @@ final class Journal {
         routine.said(of(message, words));
     }
 
+    /// What is said all the time of one topic: see [Routine#of].
+    Map<String, List<Said>> routine(String topic) {
+        return routine.of(topic);
+    }
+
     /// What is said all the time: see [Routine#all].
     Map<String, List<Said>> routine() {
         return routine.all();

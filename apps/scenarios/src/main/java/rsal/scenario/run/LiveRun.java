@@ -306,8 +306,10 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// What agents say so often that it is no event each time, as where they are: see [Answer.Repeated].
-    public CompletionStage<Answer> routine() {
-        return askOrRecall(stage -> new Answer.Repeated(stage.routine()), LastLook::routine);
+    ///
+    /// @param topic of which all is told; of the others, that they are there
+    public CompletionStage<Answer> routine(String topic) {
+        return askOrRecall(stage -> new Answer.Repeated(stage.routine(topic)), LastLook::routine);
     }
 
     /// What an agent believes, wants and says now, as [Answer.Seen]. Looking changes nothing in the run, but costs it a
@@ -316,14 +318,14 @@ public final class LiveRun implements AutoCloseable {
         return askOrRecall(stage -> stage.inside(agent, handClock.getAsLong()), last -> last.agent(agent));
     }
 
-    /// Which robots' agents hear each other now, as [Answer.Linked]. Looking changes nothing in the run, but costs it a
-    /// little for the seconds after: what is heard meanwhile is noted.
-    ///
     /// What some agents believe and want now, as [Answer.Minded]; nothing of those that don't run, or don't show it.
     public CompletionStage<Answer> minds(List<String> agents) {
         return ask(stage -> new Answer.Minded(elapsed(), stage.minds(agents)));
     }
 
+    /// Which robots' agents hear each other now, as [Answer.Linked]. Looking changes nothing in the run, but costs it a
+    /// little for the seconds after: what is heard meanwhile is noted.
+    ///
     /// @param chosen the robot whose links are told when there are more than 50 robots; empty, or unknown, for none
     public CompletionStage<Answer> links(String chosen) {
         long now = handClock.getAsLong();

@@ -25,6 +25,14 @@ final class Routine {
         }
     }
 
+    /// Which topics there are, each with nothing but the one that is wanted: that with all of it, oldest first.
+    Map<String, List<Said>> of(String topic) {
+        return byTopic.entrySet().stream()
+                .collect(Collectors.toUnmodifiableMap(
+                        Map.Entry::getKey,
+                        said -> said.getKey().equals(topic) ? List.copyOf(said.getValue()) : List.of()));
+    }
+
     /// Of each topic, oldest first.
     Map<String, List<Said>> all() {
         return byTopic.entrySet().stream()
