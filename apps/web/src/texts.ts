@@ -207,7 +207,8 @@ export const texts = {
     lost: 'lost',
     lostHint: 'What it measures does not fit where it believes to be, or it has measured nothing yet',
     ambiguous: '?',
-    ambiguousHint: 'Ambiguous: what it measures fits as well elsewhere, or anywhere along a corridor',
+    ambiguousHint:
+      'Ambiguous: what it measures fits as well elsewhere, or anywhere along a corridor, or the map that it draws is bent',
     devices: 'Devices',
     stalled: 'stalled',
     gone: 'gone',

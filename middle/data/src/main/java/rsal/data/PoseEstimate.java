@@ -26,7 +26,8 @@ public record PoseEstimate(
     public enum Quality {
         /// What is measured does not fit the map at the best hypothesis, or nothing has been measured yet.
         LOST,
-        /// It fits, but elsewhere too, or along some way: a corridor that looks the same everywhere.
+        /// It fits, but elsewhere too, or along some way: a corridor that looks the same everywhere. Or the map that it
+        /// fits is one that the robot drew itself, and is probably wrong.
         AMBIGUOUS,
         /// It fits here and nowhere else that could be.
         LOCALIZED

@@ -15,6 +15,7 @@ import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Quality;
 import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
@@ -24,6 +25,7 @@ import rsal.device.Localizer;
 import rsal.device.SensorCore;
 import rsal.navigation.grid.ScanMapper.PosedScan;
 import rsal.navigation.slam.Slam;
+import rsal.navigation.slam.Strain;
 import rsal.navigation.slam.Tracking;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
@@ -32,7 +34,9 @@ import rsal.time.Scheduler;
 /// where the newest scan was taken, moved as the wheels moved since. Scans are looked at beside the other
 /// robots' work ([Scheduler#compute]); those that come meanwhile are skipped. When a loop closes, estimates
 /// jump. How sure an estimate is, is told against what was mapped around it ([Tracking]): it errs more the
-/// farther the wheels led it since a scan matched, and is lost when they don't match for long.
+/// farther the wheels led it since a scan matched, and is lost when they don't match for long. When a loop has bent
+/// the map by more than anything that was told of the way errs ([Strain#tooMuch]), one of the two is probably wrong:
+/// then estimates are ambiguous at best, less sure the more it is bent, and a word in the log says where.
 ///
 /// Its map's frame is that of the pose it was told to start from, else one of its own, `<robot>/map`, in which it
 /// starts at the origin. Told otherwise where it is, it begins a new map from there. Without scans or odometry it
@@ -53,6 +57,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private @Nullable Known known; // of the newest scan
     private Pose2d slamFromOdom = Pose2d.ORIGIN; // by which odometry is handed to it
     private List<PosedScan> map = List.of();
+    private Optional<Strain.Step> bent = Optional.empty(); // too much
     private final RecentOdometry odometry = new RecentOdometry();
     private boolean busy;
     private boolean failed;
@@ -63,7 +68,8 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             Slam slam,
             Pose2d mapFromBase,
             Tracking tracking,
-            @Nullable List<PosedScan> map) {}
+            @Nullable List<PosedScan> map,
+            @Nullable Strain strain) {}
 
     /// Where the robot was and how sure that is.
     private record Known(Pose2d mapFromBase, Pose2d odomFromBase, Tracking tracking) {
@@ -97,6 +103,22 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         mates = others;
     }
 
+    /// The newest belief, seen from where the wheels led since.
+    private PoseEstimate estimate(Known belief, Pose2d odomFromBase) {
+        PoseEstimate estimate = belief.at(odomFromBase);
+        return bent.map(step -> doubted(estimate, step)).orElse(estimate);
+    }
+
+    /// Sure as far as the map can be.
+    private static PoseEstimate doubted(PoseEstimate estimate, Strain.Step bent) {
+        return new PoseEstimate(
+                estimate.mapFromBase(),
+                estimate.covariance(),
+                estimate.hypotheses(),
+                estimate.confidence() * Strain.TOO_MUCH / bent.deviations(),
+                estimate.quality() == Quality.LOCALIZED ? Quality.AMBIGUOUS : estimate.quality());
+    }
+
     /// Of its map: that of the world when somebody told it where it was, else one of its own.
     String frame() {
         return told ? "map" : info().robot() + "/map";
@@ -124,6 +146,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         slam = null;
         known = null;
         map = List.of();
+        bent = Optional.empty();
         scrutiny.reset();
     }
 
@@ -136,7 +159,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         odometry.add(reading);
         if (known != null && !failed && !isSilent(lastScan)) {
             deliver(new Stamped<>(
-                    reading.time(), frame(), known.at(reading.value().odomFromBase())));
+                    reading.time(), frame(), estimate(known, reading.value().odomFromBase())));
             var answered = List.copyOf(followers);
             followers.clear();
             answered.forEach(f -> f.complete(null));
@@ -188,6 +211,9 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
                 if (found.map() != null) {
                     map = found.map();
                 }
+                if (found.strain() != null) {
+                    learn(found.strain());
+                }
             }
         });
     }
@@ -195,9 +221,30 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private static Supplier<Found> work(Slam slam, Pose2d odomFromBase, LaserScan scan) {
         return () -> {
             int frames = slam.frameCount();
+            int fits = slam.fits();
             Pose2d mapFromBase = slam.pose(slam.add(odomFromBase, scan));
-            return new Found(slam, mapFromBase, slam.tracking(), slam.frameCount() > frames ? slam.posedScans() : null);
+            return new Found(
+                    slam,
+                    mapFromBase,
+                    slam.tracking(),
+                    slam.frameCount() > frames ? slam.posedScans() : null,
+                    slam.fits() > fits ? slam.strain() : null); // what is just added is not bent
         };
+    }
+
+    private void learn(Strain strain) {
+        boolean news = bent.isEmpty();
+        bent = strain.tooMuch();
+        bent.filter(_ -> news).ifPresent(step -> {
+            Pose2d place = map.get(step.to()).mapFromBase();
+            LOG.log(
+                    Level.WARNING,
+                    () -> ("The map of (%s) is probably wrong: at (%.1f, %.1f) it is off all that was told of the"
+                                    + " robot's way, by (%.2f m) and (%.0f°) at least. Maybe places that look alike were"
+                                    + " taken for one, or it was carried.")
+                            .formatted(
+                                    info().id(), place.x(), place.y(), step.meters(), Math.toDegrees(step.radians())));
+        });
     }
 
     private void fail(Throwable error) {

@@ -182,13 +182,43 @@ class SilenceTest {
                         stale -> assertThat(stale.reason()).contains("No scan", "Skipped", "(3) beams"));
     }
 
+    /// Someone turns the robot and its wheels don't: what it maps then is believed until a loop closes, which bends the
+    /// map where it was turned.
+    @Test
+    void aMapperWhoseMapIsBentSaysThatItMayBeWrong() {
+        Localizer mapper = mapper();
+        circle(20);
+        Pose2d odomFromBase = base.latest().orElseThrow().value().odomFromBase();
+        base.resetOdometry(odomFromBase.compose(new Pose2d(0, 0, 1.2)));
+        circle(30);
+        PoseEstimate bent = mapper.latest().orElseThrow().value();
+        assertThat(bent.mapFromBase().distanceTo(base.mapFromBase())).isGreaterThan(0.3);
+        assertThat(bent.quality()).isEqualTo(PoseEstimate.Quality.AMBIGUOUS);
+        assertThat(bent.confidence()).isLessThan(0.6);
+        assertThat(bent.hypotheses().getFirst().mapFromBase()).isEqualTo(bent.mapFromBase());
+
+        mapper.relocalize(PoseEstimate.of(base.mapFromBase(), Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
+        circle(2);
+        PoseEstimate anew = mapper.latest().orElseThrow().value();
+        assertThat(anew.quality()).isEqualTo(PoseEstimate.Quality.LOCALIZED);
+        assertThat(anew.confidence()).isGreaterThan(0.7);
+    }
+
     private Localizer localizer() {
         return robot.require(Localizer.class);
     }
 
     private void drive(int seconds) {
+        drive(seconds, Twist2d.drive(0.3, 0.2));
+    }
+
+    private void circle(int seconds) {
+        drive(seconds, Twist2d.drive(0.3, 0.3));
+    }
+
+    private void drive(int seconds, Twist2d velocity) {
         for (int beat = 0; beat < 10 * seconds; beat++) {
-            base.command(Twist2d.drive(0.3, 0.2));
+            base.command(velocity);
             scheduler.advance(Duration.ofMillis(100));
         }
     }
