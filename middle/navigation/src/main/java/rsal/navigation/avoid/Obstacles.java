@@ -129,7 +129,7 @@ public final class Obstacles {
     }
 
     /// Whether a laser scan looks in a direction of the base frame [rad].
-    static boolean covers(LaserScan scan, double direction) {
+    public static boolean covers(LaserScan scan, double direction) {
         double angle = Angles.difference(scan.baseFromLaser().theta() + scan.angleMin(), direction);
         return (angle < 0 ? angle + 2 * Math.PI : angle) <= (scan.count() - 1) * scan.angleIncrement();
     }

@@ -12,6 +12,7 @@ import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 import rsal.device.DeviceCore;
@@ -45,10 +46,11 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private static final double STRANGE = 0.3; // m from the next wall of the map
     private static final double STRANGER_ROOM = 0.05; // m, standing
     private static final double STRANGER_ROOM_PER_SPEED = 0.4; // m per m/s; a stranger as fast needs it to stop, too
-    private static final Duration STRANGERS_FADE = Duration.ofSeconds(5);
+    private static final Duration STRANGERS_FADE = Duration.ofSeconds(15);
 
     private static final double BEHIND = Math.toRadians(60); // to each side
     private static final int BEHIND_RAYS = 6; // to each side; a chair's leg fits between, a cabinet doesn't
+    private static final double STRAIGHT_BACK = Math.toRadians(30); // to each side
     private static final double MOST_UNSURE = 0.1; // m
 
     /// What it is made of.
@@ -80,7 +82,15 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Duration patience) {}
 
     /// What a beat sees.
-    record Situation(Instant now, PoseEstimate estimate, Motion motion, boolean stalled, Obstacles obstacles) {
+    ///
+    /// @param seesBehind whether anything looks straight back
+    record Situation(
+            Instant now,
+            PoseEstimate estimate,
+            Motion motion,
+            boolean stalled,
+            Obstacles obstacles,
+            boolean seesBehind) {
         Pose2d mapFromBase() {
             return estimate.mapFromBase();
         }
@@ -232,7 +242,15 @@ final class PathNavigator extends DeviceCore implements Navigator {
                 estimate.get().value(),
                 new Motion(odomFromBase, odometry.get().value().velocity()),
                 odometry.get().value().stalled(),
-                obstacles));
+                obstacles,
+                seesBehind(scan, ranges)));
+    }
+
+    private static boolean seesBehind(Optional<Stamped<LaserScan>> scan, Optional<Stamped<RangeArray>> ranges) {
+        return scan.stream().anyMatch(s -> Obstacles.covers(s.value(), Math.PI))
+                || ranges.stream()
+                        .flatMap(r -> r.value().baseFromSensors().stream())
+                        .anyMatch(mount -> Math.cos(mount.theta()) < -Math.cos(STRAIGHT_BACK));
     }
 
     /// The laser doesn't see behind the robot, but the map knows of walls there, as exactly as the robot knows where

@@ -30,7 +30,9 @@ import rsal.navigation.wavefront.Route;
 import rsal.time.Scheduler;
 
 /// One goal of a [PathNavigator], from its start to its one ending. When the robot gets no nearer, it first plans
-/// again with what it sees in the way, then backs off and turns, and in the end gives up.
+/// again with what it sees in the way, then drives back a bit and turns to it again, and in the end gives up. Who does
+/// not see behind turns about to drive back, as somebody may stand there; only where it has no room for that it backs
+/// off.
 final class Trip {
     private static final double NEARER = 0.1; // m or rad; less is no progress
     private static final double OFF_ROUTE = 0.8; // m
@@ -46,6 +48,8 @@ final class Trip {
     private static final Duration HELD_UP = Duration.ofSeconds(6);
     private static final Duration REMEMBERED = Duration.ofSeconds(15);
     private static final Duration LOST = Duration.ofSeconds(2); // someone may stand before its sensors for a moment
+    private static final double ABOUT = Math.toRadians(45); // turned so far that it sees where it drives
+    private static final Duration TURNING_ABOUT = Duration.ofSeconds(12);
     private static final Duration TURNING = Duration.ofSeconds(3);
 
     private final Parts parts;
@@ -73,10 +77,13 @@ final class Trip {
     private int bumps; // since it got on
     private double leftAtBump = Double.POSITIVE_INFINITY; // least that was left at one of these
     private Manoeuvre manoeuvre = Manoeuvre.NONE;
+    private double back; // heading that leads back where it came from [rad], on the map
     private Instant manoeuvreEnds;
 
     private enum Manoeuvre {
         NONE,
+        TURN_ABOUT,
+        DRIVE_BACK,
         BACK_OFF,
         TURN
     }
@@ -195,6 +202,8 @@ final class Trip {
                 new Progress(mapFromBase, route.remaining(), target, Duration.between(started, now.now()))));
         return switch (manoeuvre) {
             case NONE -> driveTo(target, route.end(), now);
+            case TURN_ABOUT -> turnAbout(now);
+            case DRIVE_BACK -> driveBack(now);
             case BACK_OFF -> backOff(now);
             case TURN -> turnTo(target, now);
         };
@@ -297,7 +306,12 @@ final class Trip {
                 return;
             }
             backedOff++;
-            begin(Manoeuvre.BACK_OFF, settings.escapeTime(), now);
+            if (now.seesBehind() || now.stalled() || arrived) {
+                begin(Manoeuvre.BACK_OFF, settings.escapeTime(), now);
+            } else {
+                back = mapFromBase.theta() + Math.PI;
+                begin(Manoeuvre.TURN_ABOUT, TURNING_ABOUT, now);
+            }
         }
     }
 
@@ -323,7 +337,7 @@ final class Trip {
     }
 
     private void endManoeuvre(Situation now) {
-        if (manoeuvre == Manoeuvre.BACK_OFF) {
+        if (manoeuvre == Manoeuvre.BACK_OFF || manoeuvre == Manoeuvre.DRIVE_BACK) {
             begin(Manoeuvre.TURN, TURNING, now);
         } else {
             manoeuvre = Manoeuvre.NONE;
@@ -331,6 +345,25 @@ final class Trip {
             parts.avoidance().reset();
             planned = now.now().minus(settings.replanPeriod());
         }
+    }
+
+    private Twist2d turnAbout(Situation now) {
+        double angle = Angles.difference(mapFromBase.theta(), back);
+        Twist2d turn = parts.avoidance().turn(now.obstacles(), angle, now.motion());
+        if (Math.abs(angle) < ABOUT) {
+            begin(Manoeuvre.DRIVE_BACK, settings.escapeTime(), now);
+        } else if (turn.equals(Twist2d.STOP)) {
+            begin(Manoeuvre.BACK_OFF, settings.escapeTime(), now);
+        }
+        return turn;
+    }
+
+    private Twist2d driveBack(Situation now) {
+        double angle = Angles.difference(mapFromBase.theta(), back);
+        Target away = Target.at(new Point2d(Math.cos(angle), Math.sin(angle)), false);
+        Twist2d fast = parts.avoidance().drive(now.obstacles(), away, now.motion());
+        double share = Math.min(1, settings.escapeSpeed() / Math.max(settings.escapeSpeed(), fast.vx()));
+        return parts.avoidance().guarded(now.obstacles(), Twist2d.drive(share * fast.vx(), fast.omega()), now.motion());
     }
 
     private Twist2d backOff(Situation now) {

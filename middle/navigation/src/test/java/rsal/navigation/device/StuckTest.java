@@ -16,6 +16,7 @@ import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.device.Navigator.Result;
+import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Thing;
 import rsal.testkit.DrawnMap;
 
@@ -53,6 +54,59 @@ class StuckTest {
             #........................
             #........................
             #########################""");
+
+    private static final DrawnMap HALL = DrawnMap.grid(0.1, """
+            ##################################################
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #...................r.........................g..#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            #................................................#
+            ##################################################""");
+
+    /// It is held up before a board, and somebody comes up from behind, where its laser doesn't look.
+    @ParameterizedTest
+    @ValueSource(strings = {"vfh", "nd", "snd", "dwa", "mpc"})
+    void drivesBackIntoNobodyWhomItDidNotSeeCome(String planner) {
+        Pose2d start = HALL.pose('r', 0);
+        NavigationRun run = new NavigationRun(
+                        HALL.grid(),
+                        1,
+                        Runnable::run,
+                        List.of(NavigationRun.robot("r", NavigationRun.pioneer("urg04lx"), start)))
+                .with(new AmclDriver(), Map.of())
+                .with(new NavigatorDriver(), Map.of("local", planner));
+        add(run, "board", new Pose2d(start.x() + 0.6, start.y(), 0), 0.05, 0.82);
+        run.navigator("r").goTo(HALL.pose('g', 0));
+        run.advance(6);
+        add(run, "person", run.truth("r").compose(new Pose2d(-0.5, 0, 0)), 0.1, 0.1);
+        run.advance(25);
+        assertThat(run.simulation.contacts()).isEmpty();
+    }
+
+    private static void add(NavigationRun run, String name, Pose2d mapFromMiddle, double halfLength, double halfWidth) {
+        var outline = new Shape.Polygon(List.of(
+                new Point2d(-halfLength, -halfWidth),
+                new Point2d(halfLength, -halfWidth),
+                new Point2d(halfLength, halfWidth),
+                new Point2d(-halfLength, halfWidth)));
+        var solid = new Solid(List.of(Prism.standing(outline, 1)));
+        assertThat(run.simulation.add(Thing.of(name, mapFromMiddle, solid, new Rgb(90, 60, 30))
+                        .asObstacle()))
+                .isInstanceOf(Placement.Placed.class);
+    }
 
     @Test
     void leavesAGoalAloneThatIsBehindWhatItDoesNotSee() {
