@@ -61,10 +61,10 @@ final class Member implements AgentContext {
     private Society.Status status = Society.Status.RUNNING;
     private String state = "";
     private long sent;
-    private @Nullable Message<?> coming; // the newest
+    private @Nullable Message<?> drawnFor; // the newest message
     private List<Duration> copies = List.of(); // of that one
     private @Nullable Arrival arrival; // of that one, when it is not one copy at once
-    private @Nullable Message<?> heard; // the newest that was
+    private @Nullable Message<?> lastHeard;
     private Instant windowEnd = Instant.MIN;
     private int setOff;
     private Map<String, Integer> answers = new HashMap<>(); // that others may still give at its expense, by agent
@@ -274,8 +274,8 @@ final class Member implements AgentContext {
     /// The same for all of this agent's listeners.
     @SuppressWarnings("ReferenceEquality") // two may say the same
     private void draw(Message<?> message) {
-        if (coming != message) {
-            coming = message;
+        if (drawnFor != message) {
+            drawnFor = message;
             copies = society.copies(message, name());
             arrival = null;
         }
@@ -285,8 +285,8 @@ final class Member implements AgentContext {
     /// after the other.
     @SuppressWarnings("ReferenceEquality") // two may say the same
     private void note(Message<?> message) {
-        if (heard != message) {
-            heard = message;
+        if (lastHeard != message) {
+            lastHeard = message;
             society.heard(message, name());
         }
     }

@@ -6,7 +6,7 @@ import java.util.List;
 /// A message that those who listen are told: takes down who hears it at once, then lets them, in that order. It is one
 /// task for all of them, as ten thousand agents that greet each other would be a hundred million.
 ///
-/// All calls on the run's thread, but for [#message].
+/// Calls come in turn, on the run's thread or on that of an agent.
 final class Telling<M> implements Runnable {
     private final Message<M> message;
     private List<Hearer<M>> hearers = new ArrayList<>();

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import rsal.device.Subscription;
 
 class DeliveryTest {
     private final Run run = new Run();
@@ -101,6 +102,83 @@ class DeliveryTest {
         run.advance(2);
         assertThat(said).containsExactly("hi");
         assertThat(log).isEmpty();
+    }
+
+    @Test
+    void isToldOnceWhenAnAgentHearsAtOnceWithSeveralEars() {
+        run.start("amy", self -> {
+            self.subscribe(WORDS, _ -> {});
+            self.subscribe(WORDS, _ -> {});
+        });
+        startSpeaker("bob", "hi", "hi");
+        run.society.deliverBy(new Delivery() {
+            @Override
+            public List<Duration> copies(Message<?> message, String listener) {
+                return AT_ONCE;
+            }
+
+            @Override
+            public void heard(Message<?> message, String listener) {
+                log.add(listener + " hears " + message.content());
+            }
+        });
+        run.advance(2);
+        assertThat(log).containsExactly("amy hears hi", "amy hears hi"); // two messages, though they are equal
+    }
+
+    @Test
+    void whoeverIsStoppedByOneWhoHeardBeforeHearsNoMore() {
+        run.startListener("amy", _ -> run.society.stop("zoe"));
+        startListener("zoe");
+        startListener("joe");
+        startSpeaker("bob", "hi");
+        run.advance(2);
+        assertThat(log).containsExactly("joe heard bob: hi at PT1S");
+    }
+
+    @Test
+    void anEarThatTheOneBeforeItClosesHearsNoMore() {
+        run.start("amy", self -> {
+            var second = new ArrayList<Subscription>();
+            self.subscribe(WORDS, m -> {
+                log.add("one: " + m.content());
+                second.forEach(Subscription::cancel);
+            });
+            second.add(self.subscribe(WORDS, m -> log.add("two: " + m.content())));
+        });
+        startListener("zoe");
+        startSpeaker("bob", "hi");
+        run.advance(2);
+        assertThat(log).containsExactly("one: hi", "zoe heard bob: hi at PT1S");
+    }
+
+    @Test
+    void thoseAfterOneThatFailsHearAllTheSame() {
+        run.startListener("amy", _ -> {
+            throw new IllegalStateException("too loud");
+        });
+        startListener("zoe");
+        startSpeaker("bob", "hi");
+        run.advance(2);
+        assertThat(log).containsExactly("zoe heard bob: hi at PT1S");
+        assertThat(run.view("amy").status()).isEqualTo(Society.Status.FAILED);
+    }
+
+    @Test
+    void thoseWhoHearAtOnceHearInTheOrderInWhichTheySubscribedHoweverManyCopiesThereAre() {
+        startListener("amy");
+        startListener("zoe");
+        startListener("joe");
+        startSpeaker("bob", "hi");
+        run.society.deliverBy((_, listener) ->
+                listener.equals("zoe") ? List.of(Duration.ZERO, Duration.ofSeconds(1)) : Delivery.AT_ONCE);
+        run.advance(3);
+        assertThat(log)
+                .containsExactly(
+                        "amy heard bob: hi at PT1S",
+                        "zoe heard bob: hi at PT1S",
+                        "joe heard bob: hi at PT1S",
+                        "zoe heard bob: hi at PT2S");
     }
 
     @Test

@@ -16,7 +16,7 @@ final class Exit {
     /// The scenario ended in failure or timeout.
     static final int NO_SUCCESS = 4;
 
-    /// Something outside cannot be reached or had: a port, a tool.
+    /// Something outside cannot be reached or had: a port, a tool, memory.
     static final int UNREACHABLE = 5;
 
     private Exit() {}

@@ -86,8 +86,8 @@ public final class Main implements Runnable {
     private static int execute(CommandLine commandLine, String[] args) {
         try {
             return commandLine.execute(args);
-        } catch (OutOfMemoryError _) { // what took it is not held any more
-            return tellNoMemory(commandLine.getErr());
+        } catch (OutOfMemoryError lack) { // what took it is not held any more
+            return tellNoMemory(commandLine.getErr(), lack);
         }
     }
 
@@ -106,11 +106,17 @@ public final class Main implements Runnable {
                 .setExecutionExceptionHandler(Main::tellFailure);
     }
 
-    private static int tellNoMemory(PrintWriter err) {
-        long most = Runtime.getRuntime().maxMemory() >> 20;
-        err.println(
-                "rsal: The %,d MiB of memory that it may have are not enough. Maybe give it more: JAVA_TOOL_OPTIONS=-Xmx%dm rsal …"
-                        .formatted(most, 2 * most));
+    /// @param lack of the heap, or of something else that more of it would not help, as of threads
+    private static int tellNoMemory(PrintWriter err, OutOfMemoryError lack) {
+        String what = String.valueOf(lack.getMessage());
+        if (what.contains("heap") || what.contains("GC overhead")) {
+            long most = Runtime.getRuntime().maxMemory() >> 20;
+            err.println(
+                    "rsal: The %,d MiB of memory that it may have are not enough. Maybe give it more: JAVA_TOOL_OPTIONS=-Xmx%dm rsal …"
+                            .formatted(most, 2 * most));
+        } else {
+            err.println("rsal: The machine has not enough for this: " + what);
+        }
         return Exit.UNREACHABLE;
     }
 
@@ -163,7 +169,9 @@ public final class Main implements Runnable {
                 err.println("rsal: " + unreachable(broken).get());
                 yield Exit.UNREACHABLE;
             }
-            case RunBroken broken when broken.getCause() instanceof OutOfMemoryError -> tellNoMemory(err);
+            case RunBroken broken
+            when RunBroken.lackOfMemory(broken).isPresent() ->
+                tellNoMemory(err, RunBroken.lackOfMemory(broken).get());
             case RunBroken broken
             when broken.getCause() == null -> { // it says all, and is no mistake of ours
                 err.println("rsal: The run broke: " + broken.getMessage());

@@ -200,7 +200,7 @@ public final class SweepRun implements AutoCloseable {
     }
 
     private static String reason(@Nullable Throwable cause) {
-        if (cause instanceof OutOfMemoryError || (cause != null && cause.getCause() instanceof OutOfMemoryError)) {
+        if (cause != null && RunBroken.lackOfMemory(cause).isPresent()) {
             return "There was not enough memory. Maybe fewer --jobs, or more memory: JAVA_TOOL_OPTIONS=-Xmx4g.";
         }
         return cause instanceof RunBroken ? String.valueOf(cause.getMessage()) : String.valueOf(cause);

@@ -3,6 +3,7 @@ package rsal.server;
 import io.javalin.config.RoutesConfig;
 import io.javalin.http.Context;
 import io.javalin.http.Handler;
+import io.javalin.http.HandlerType;
 import io.javalin.http.Header;
 import io.javalin.http.HttpResponseException;
 import java.io.ByteArrayOutputStream;
@@ -331,12 +332,12 @@ final class Api {
 
     /// After all else: the page, and refusals.
     ///
-    /// @param isLate what is told nothing where it would be refused
+    /// @param isLate what is told nothing where it would be refused as things are
     static void serve(RoutesConfig routes, Page page, Predicate<Context> isLate) {
         routes.get("/*", request -> asset(request, page, request.path()));
 
         routes.exception(Refusal.class, (refusal, request) -> {
-            if (isLate.test(request)) {
+            if (refusal.status() == 409 && isLate.test(request)) {
                 request.status(204);
             } else {
                 refuse(request, refusal);
@@ -392,22 +393,26 @@ final class Api {
 
     /// Whoever asks about a run that another one has followed meanwhile is told nothing: that is no mistake of theirs.
     private void passOver(Context request) {
-        String run = asked(request, "run");
+        String run = lookedAt(request);
         if (!run.isEmpty() && !isPresent(run, seats.find(request).now())) {
             request.status(204).skipRemainingHandlers();
         }
     }
 
-    /// Whether a run is asked about that is over or not there any more, of which whoever asks could not know yet:
-    /// another
-    /// one may be about to follow it.
+    /// Whether somebody looks at a run that is over or not there any more, and could not know that yet: another one may
+    /// be about to follow it.
     private boolean isLate(Context request) {
-        String run = asked(request, "run");
+        String run = lookedAt(request);
         return !run.isEmpty()
                 && seats.look(request)
                         .map(Seat::now)
                         .filter(now -> now.isOver() || !isPresent(run, now))
                         .isPresent();
+    }
+
+    /// The number of the run that somebody wants to see something of; empty where that is not said, and in commands.
+    private static String lookedAt(Context request) {
+        return request.method().equals(HandlerType.GET) ? asked(request, "run") : "";
     }
 
     private static boolean isPresent(String run, Numbered now) {

@@ -570,7 +570,7 @@ class RunServerTest {
         }
 
         @ParameterizedTest
-        @ValueSource(strings = {"abilities?robot=courier-1", "costs?robot=courier-1", "blobs?robot=courier-1"})
+        @ValueSource(strings = {"abilities?robot=courier-1", "costs?robot=courier-1", "links?robot=courier-1"})
         void tellsNothingToWhoeverDoesNotKnowYetThatTheRunIsOver(String question) throws Exception {
             post("stop", "{}");
             server.run().result().toCompletableFuture().get(10, TimeUnit.SECONDS);
@@ -578,6 +578,15 @@ class RunServerTest {
             assertThat(get("/api/" + question + "&run=1"))
                     .returns(204, Response::status)
                     .returns("", Response::body);
+        }
+
+        @Test
+        void refusesCommandsWhateverRunTheyName() throws Exception {
+            post("stop", "{}");
+            server.run().result().toCompletableFuture().get(10, TimeUnit.SECONDS);
+            assertThat(post("pause?run=1", "{}").status()).isEqualTo(409);
+            assertThat(post("pause?run=9", "{}").status()).isEqualTo(409);
+            assertThat(get("/api/drawn/1?robot=courier-1&run=1").status()).isEqualTo(404);
         }
 
         @Test

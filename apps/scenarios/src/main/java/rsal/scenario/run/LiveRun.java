@@ -471,7 +471,8 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// Has the run remember, once it ends, what [#readings], [#inside], [#routine], [#topics] and [#communication]
-    /// answered then: they go on answering that. Otherwise they are refused when it is over.
+    /// answered then: they go on answering that. Otherwise they are refused when it is over. One that ends for lack
+    /// of memory remembers nothing.
     public void rememberItsEnd() {
         remembers = true;
     }
@@ -714,7 +715,7 @@ public final class LiveRun implements AutoCloseable {
             return;
         }
         over = true;
-        boolean isFull = cause instanceof OutOfMemoryError;
+        boolean isFull = RunBroken.lackOfMemory(cause).isPresent();
         if (isFull) {
             dropTasks(); // first of all, as the rest of this needs memory
         }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import rsal.time.LockstepScheduler;
@@ -52,5 +53,17 @@ class GuardedSchedulerTest {
         assertThatThrownBy(() -> time.advance(Duration.ZERO))
                 .isInstanceOf(RunBroken.class)
                 .hasMessage("Device (lamp) failed: StackOverflowError");
+    }
+
+    @Test
+    void tellsOfALackOfMemoryWhereverItWas() {
+        var lack = new OutOfMemoryError("Java heap space");
+        guarded.execute(() -> {
+            throw new IllegalStateException("the rays", new CompletionException(lack));
+        });
+        assertThatThrownBy(() -> time.advance(Duration.ZERO))
+                .satisfies(broken -> assertThat(RunBroken.lackOfMemory(broken)).containsSame(lack));
+        assertThat(RunBroken.lackOfMemory(new RunBroken("The lamp", new IllegalStateException("no bulb"))))
+                .isEmpty();
     }
 }
