@@ -43,9 +43,10 @@ import rsal.settings.Location;
 /// * `amcl.corridor.falseConfidence`: share of the time in which a robot in a corridor that looks the same from both
 ///   ends, not told where it is, says to be localized and is not; 20 drives.
 /// * `amcl.<log>.<what>`: the log's map is drawn from every other of its scans; on the rest, 50 robots with erring
-///   wheels begin anywhere in the log without being told where: share of those right within 10 scans; of all
-///   scans from where each is right on the errors, and those of the robot that has the largest; and the share of
-///   scans at which they say to be localized and are not. Robots that never are right have no part in the errors.
+///   wheels begin anywhere in the log without being told where: share of those right within 10 scans, who know it
+///   later; of all scans from where each is right on the errors, and those of the robot that has the largest; and the
+///   share of scans at which they say to be localized and are not. Robots that never are right have no part in the
+///   errors.
 final class LocalizationBench implements Bench {
     private static final List<String> OF_LOGS = List.of("converged", "rmse", "worst", "p95", "falseConfidence");
     private static final List<String> SENSORS = List.of("laser", "sonar16", "sonar8");

@@ -10,7 +10,8 @@ import rsal.data.PoseEstimate.Quality;
 ///
 /// @param judged scans of which it is known where they were taken; the rest of this is about them
 /// @param converged after how many of them it was right, from 1: within [#NEAR] and [#NEARLY] from there on for
-/// [#HELD], or all the while when there are not so many; empty when it never was
+/// [#HELD], or all the while when there are not so many, and sure of it before it was wrong again, since who is near
+/// by chance knows nothing; empty when it never was
 /// @param errors of positions from there on, ascending [m]; none when it never was right
 /// @param headingRmse likewise [rad]; NaN when it never was right
 /// @param near share from there on within [#NEAR] and [#NEARLY]
@@ -73,13 +74,15 @@ public record Verdict(
     public static Verdict of(List<Replay.Step> all) {
         List<Replay.Step> steps =
                 all.stream().filter(step -> step.error().isPresent()).toList();
-        int falselySure = (int) steps.stream()
-                .filter(step -> step.estimate().quality() == Quality.LOCALIZED && !isNear(step))
-                .count();
+        int falselySure = (int)
+                steps.stream().filter(step -> isSure(step) && !isNear(step)).count();
         int right = 0; // in a row
+        boolean sure = false; // at one of them
         for (int i = 0; i < steps.size(); i++) {
-            right = isNear(steps.get(i)) ? right + 1 : 0;
-            if (right == Math.min(HELD, steps.size())) {
+            boolean near = isNear(steps.get(i));
+            right = near ? right + 1 : 0;
+            sure = near && (sure || isSure(steps.get(i)));
+            if (sure && right >= Math.min(HELD, steps.size())) {
                 return from(steps, i - right + 1, falselySure);
             }
         }
@@ -97,6 +100,10 @@ public record Verdict(
                         .toList()),
                 (double) after.stream().filter(Verdict::isNear).count() / after.size(),
                 falselySure);
+    }
+
+    private static boolean isSure(Replay.Step step) {
+        return step.estimate().quality() == Quality.LOCALIZED;
     }
 
     private static boolean isNear(Replay.Step step) {

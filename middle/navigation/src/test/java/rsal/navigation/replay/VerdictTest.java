@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -52,6 +53,17 @@ class VerdictTest {
     }
 
     @Test
+    void whoPassesTheRightPlaceWithoutKnowingHasNotConverged() {
+        assertThat(Verdict.of(steps(Quality.AMBIGUOUS, 3, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 3))
+                        .converged())
+                .isEmpty();
+
+        List<Replay.Step> known = new ArrayList<>(steps(Quality.AMBIGUOUS, 0.1, 0.1, 0.1, 0.1, 0.1, 3, 0.1, 0.1, 0.1));
+        known.addAll(steps(0.1, 0.1, 0.1, 0.1));
+        assertThat(Verdict.of(known).converged()).hasValue(7);
+    }
+
+    @Test
     void runsAreSummedUpByAllTheirScansAndTheWorstBesideThem() {
         Verdict good = Verdict.of(steps(9, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1));
         Verdict bad = Verdict.of(steps(0, 0, 0, 0, 0, 0, 0, 0, 0, 3));
@@ -68,6 +80,10 @@ class VerdictTest {
     }
 
     private static List<Replay.Step> steps(double... errors) {
+        return steps(Quality.LOCALIZED, errors);
+    }
+
+    private static List<Replay.Step> steps(Quality quality, double... errors) {
         var scan = new LaserScan(Pose2d.ORIGIN, 0, 0, 0, 1, new float[] {1});
         return Arrays.stream(errors)
                 .mapToObj(error -> new Replay.Step(
@@ -77,7 +93,7 @@ class VerdictTest {
                                 Covariance2d.ofDeviations(0.1, 0.1, 0.1),
                                 List.of(),
                                 1,
-                                Quality.LOCALIZED),
+                                quality),
                         1,
                         0,
                         true))
