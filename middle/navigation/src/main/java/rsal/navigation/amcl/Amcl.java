@@ -18,10 +18,23 @@ import rsal.data.PoseEstimate.Quality;
 /// * A scan counts as [Settings#independentBeams] beams, however many it has, since beams side by side see the
 ///   same wall; else the belief would be far too sure.
 /// * It resamples only when the weights have become uneven, with low variance (table 4.4).
-/// * Whether it is lost is not told by the mean weight (w_fast, w_slow) but by beams that went through walls,
-///   soon, or that ended short of them, late: other robots that stand around must not scatter the particles. New
-///   particles come from where on the map the scan fits ([GlobalSearch]), not from anywhere, and only if it fits
-///   better there.
+/// * Whether it is lost is not told by the mean weight (w_fast, w_slow) but by what became of the beams at the one
+///   pose that is believed ([Evidence]): beams that went through walls speak against it, soon; those that ended short
+///   of them late, as other robots that stand around must not scatter the particles. New particles come from where on
+///   the map the scan fits ([GlobalSearch]), not from anywhere, and only if it fits better there.
+/// * Where it is sure, and a few more beams than usual end where they should not, it looks whether all of them would
+///   elsewhere: a robot that was carried to the room next door is refuted by little, but finds a rival ([Rivals]).
+///
+/// What it tells:
+/// * [Quality#LOCALIZED]: scans have spoken for the pose since it was first believed (20 to 1), no other place was as
+///   good, nine tenths of the belief are here, within half a meter.
+/// * [Quality#LOST]: scans have spoken against the pose (7 to 1) and not for it since, when it searches; or of the
+///   newest scan's beams that reach walls more than seven of ten go through; or 30 updates have seen nothing.
+/// * [Quality#AMBIGUOUS]: all else.
+///
+/// Confidence is the share of the belief that is here times how likely scans make the pose, and 0.97 for each update in
+/// a row that has seen nothing; half of that where it is ambiguous, a tenth where it is lost. So it is 0.75 to 1 for
+/// localized, up to 0.5 for ambiguous and up to 0.1 for lost: whoever has more of it has the better word.
 ///
 /// Not safe for several threads at once; the map is shared.
 public final class Amcl {
@@ -30,10 +43,11 @@ public final class Amcl {
     private static final int MOST_UPDATES_BETWEEN_SEARCHES = 10;
     private static final double ANYWHERE_SHARE = 0.1;
     private static final double INJECTED_SHARE = 0.2;
-    private static final double SLOW = 0.02; // share of the newest scan, as α_slow in the book
-    private static final double FAST = 0.2; // as α_fast in the book
-    private static final double LEAST_FIT = 0.6; // share of hits among the beams that tell
-    private static final double MOST_SHORT = 0.7; // of all beams
+    private static final double NEWEST = 0.1; // share of the newest scan in what is followed
+    private static final double NO_MISFIT = 0.03; // share of beams; as many may end anywhere
+    private static final double MOST_MISFIT = 0.2; // likewise, of one scan, or a moment would do
+    private static final double DOUBTFUL = 0.5; // sum of misfits
+    private static final double USUAL_FOR = 0.99; // share of what is usual that is left by each update
     private static final double ABOUT_THE_SAME = 0.25; // mean logarithm of a beam's likelihood
     private static final double DOUBT = -2; // logarithm of how likely a rival is that was not there before
     private static final int UPDATES_BEFORE_TRUST = 3;
@@ -46,6 +60,8 @@ public final class Amcl {
     private static final int BLIND_AND_SURE = 5; // updates in a row without anything seen
     private static final int BLIND_AND_LOST = 30; // likewise
     private static final double BLIND_TRUST = 0.97; // that is left by each of them
+    private static final double MOST_AMBIGUOUS = 0.5; // of confidence
+    private static final double MOST_LOST = 0.1; // likewise
 
     /// @param minParticles tracked with at least
     /// @param maxParticles never more than
@@ -108,6 +124,7 @@ public final class Amcl {
     private final GlobalSearch search;
     private final Refinement refinement;
     private final Rivals rivals;
+    private final Evidence evidence;
     private final PoseBins bins;
     private final Clusters clusters = new Clusters();
     private final PoseBlock block = new PoseBlock();
@@ -121,12 +138,12 @@ public final class Amcl {
     private boolean lost = true;
     private int updatesSinceSearch;
     private int searchAfter;
-    private double fit = 1;
-    private boolean fitKnown;
     private double fitNow = 1;
+    private double misfit; // share of the beams that did not end where they should, of the last scans
+    private double usualMisfit; // as many did when nothing elsewhere fitted better
+    private double doubt; // sum of what misfits were above that
     private int outlasted; // rivals that were found in so many searches have all been ruled out
     private boolean trusted; // no other place has been as good since it was last lost
-    private double shortShare;
     private int blind; // updates in a row in which nothing was seen
     private @Nullable Hypothesis newest; // where it was at the last update
 
@@ -138,6 +155,7 @@ public final class Amcl {
         this.search = new GlobalSearch(map);
         this.refinement = new Refinement(map.toFace, map.deviation, settings.independentBeams());
         this.rivals = new Rivals(search, refinement, settings.independentBeams());
+        this.evidence = new Evidence(settings.independentBeams());
         this.particles = new Particles(settings.maxParticles());
         this.spare = new Particles(settings.maxParticles());
         this.bins = new PoseBins(0.5, 36);
@@ -153,6 +171,9 @@ public final class Amcl {
         }
         restart(false);
         trusted = isSingle(belief);
+        if (trusted) {
+            evidence.trust();
+        }
         List<Hypothesis> hypotheses = belief.hypotheses();
         bins.clear();
         particles.count = 0;
@@ -207,7 +228,14 @@ public final class Amcl {
         }
         PoseEstimate clustered = seen(clusters.estimate(particles), way, beams.count() > 0);
         Pose2d pose = refinement.refine(beams, clustered.mapFromBase(), clustered.covariance());
-        lost = beams.count() > 0 ? !fits(beams, pose) : lost;
+        if (newest != null && !newest.mapFromBase().compose(way).isNear(pose, NEAR, NEARLY)) {
+            evidence.restart(); // what spoke for the other place says nothing of this one
+            trusted = false;
+        }
+        if (beams.count() > 0) {
+            judge(beams, pose);
+            lost = lost ? !evidence.speaksFor() : evidence.isRefuted();
+        }
         trusted &= !lost;
         if (rivals.count() > 0) {
             rivals.follow(way, settings.odometry().covariance(way), beams);
@@ -230,21 +258,24 @@ public final class Amcl {
         return estimate;
     }
 
-    /// Soon when it is lost, then less and less often; when it is about to be sure for the first time since; and now
-    /// and then when it is not.
+    /// Soon when it is lost, then less and less often; when it is about to be sure for the first time since; now and
+    /// then when it is not; and when it is sure but scans have become worse.
     private boolean searchIsDue() {
         if (lost) {
             return updatesSinceSearch >= searchAfter;
         }
-        return !trusted && rivals.count() <= 1 && updatesSinceSearch >= Math.min(searchAfter, UPDATES_BEFORE_TRUST);
+        if (rivals.count() > 1) {
+            return false;
+        }
+        return trusted ? doubt > DOUBTFUL : updatesSinceSearch >= Math.min(searchAfter, UPDATES_BEFORE_TRUST);
     }
 
-    /// Takes up as rivals where else on the map the scan fits as well as here, or better. Where it is not lost, they
-    /// have to be better for a while.
+    /// Takes up as rivals where else on the map the scan fits as well as here, or better; where it is sure, only
+    /// better. Where it is not lost, they have to be better for a while.
     private void lookElsewhere(Beams beams, Pose2d pose) {
         updatesSinceSearch = 0;
         searchAfter = Math.min(searchAfter + 1, MOST_UPDATES_BETWEEN_SEARCHES);
-        double least = search.score(beams, pose) - ABOUT_THE_SAME;
+        double least = search.score(beams, pose) - (trusted ? 0 : ABOUT_THE_SAME);
         rivals.add(pose, 0);
         int before = rivals.count();
         for (GlobalSearch.Candidate candidate : search.candidates(beams, CANDIDATES)) {
@@ -252,12 +283,17 @@ public final class Amcl {
                 rivals.add(candidate.mapFromBase(), lost ? 0 : DOUBT);
             }
         }
+        doubt = 0;
+        usualMisfit = misfit;
+        boolean alone = !lost && rivals.count() == before;
+        if (alone) {
+            rivals.clear();
+        }
         outlasted = lost ? 0 : outlasted + 1;
-        if (!lost && (rivals.count() == before || outlasted > ENOUGH_OUTLASTED)) {
+        if (alone || outlasted > ENOUGH_OUTLASTED) {
             trusted = true;
             searchAfter = 1;
             outlasted = 0;
-            rivals.clear();
         }
     }
 
@@ -284,13 +320,19 @@ public final class Amcl {
         clusters.set(0, new Hypothesis(first.weight(), pose, first.covariance()));
         List<Hypothesis> hypotheses = rivals.join(clusters, NEAR, NEARLY);
         double share = hypotheses.getFirst().weight();
-        double confidence = Math.clamp(share * fit * Math.pow(BLIND_TRUST, blind), 0, 1);
+        double likely = Math.clamp(share, 0, 1) * evidence.probability() * Math.pow(BLIND_TRUST, blind);
         boolean sure = trusted
+                && evidence.isPlausible()
                 && blind < BLIND_AND_SURE
                 && share >= SURE
                 && first.covariance().positionDeviation() <= PRECISE;
         boolean astray = lost || fitNow < LEAST_FIT_NOW || blind >= BLIND_AND_LOST;
         Quality quality = astray ? Quality.LOST : sure ? Quality.LOCALIZED : Quality.AMBIGUOUS;
+        double confidence = switch (quality) {
+            case LOCALIZED -> likely;
+            case AMBIGUOUS -> MOST_AMBIGUOUS * likely;
+            case LOST -> MOST_LOST * likely;
+        };
         return new PoseEstimate(pose, first.covariance(), hypotheses, confidence, quality);
     }
 
@@ -310,12 +352,13 @@ public final class Amcl {
         lost = anywhere;
         updatesSinceSearch = 0;
         searchAfter = 1;
-        fit = 1;
-        fitKnown = !anywhere; // who starts somewhere is believed at first
         trusted = !anywhere;
         outlasted = 0;
         fitNow = 1;
-        shortShare = 0;
+        misfit = 0;
+        usualMisfit = 0;
+        doubt = 0;
+        evidence.restart();
         blind = 0;
         newest = null;
         rivals.clear();
@@ -422,10 +465,8 @@ public final class Amcl {
         }
     }
 
-    /// Follows how well scans fit the estimate. Beams that end short of the map's walls do not count, since
-    /// something may stand there, unless most do so for long; beams that left the map never do; beams that went
-    /// through walls can't be explained at all.
-    private boolean fits(Beams beams, Pose2d mapFromBase) {
+    /// Takes up what became of the beams at the estimate. What left the map says nothing.
+    private void judge(Beams beams, Pose2d mapFromBase) {
         double cos = Math.cos(mapFromBase.theta());
         double sin = Math.sin(mapFromBase.theta());
         int hits = 0;
@@ -439,16 +480,17 @@ public final class Amcl {
                 case OUTSIDE -> {}
             }
         }
+        evidence.add(hits, through, shorter);
         int told = hits + through;
-        if (told + shorter > 0) {
-            shortShare += SLOW * ((double) shorter / (told + shorter) - shortShare);
-        }
         if (told >= FEWEST_BEAMS) {
             fitNow = (double) hits / told;
-            fit = fitKnown ? fit + FAST * (fitNow - fit) : fitNow;
-            fitKnown = true;
         }
-        return fitKnown && fit >= LEAST_FIT && shortShare <= MOST_SHORT;
+        if (told + shorter > 0) {
+            double now = (double) (through + shorter) / (told + shorter);
+            misfit += NEWEST * (now - misfit);
+            usualMisfit *= USUAL_FOR;
+            doubt = Math.max(0, doubt + Math.min(MOST_MISFIT, now - usualMisfit - NO_MISFIT));
+        }
     }
 
     private boolean wrongSize() {
