@@ -268,9 +268,9 @@ describe.skipIf(!chromium)('looking back', () => {
     await eventually(async () => (await time()) > 8, 'it has run a while');
     await page.locator('tr[data-robot="hunter-1"]').click();
     const odometry = () => page.locator('[data-reading="base"]').innerText();
-    const wants = page.getByRole('list', { name: 'Wants' }).first();
+    const agent = page.locator('.inside').getByText('What changed in it');
     await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
-    await wants.waitFor();
+    await agent.waitFor();
     const told: Record<number, string> = {};
     for (const seconds of [3, 7]) {
       await cursor().fill(String(seconds));
@@ -282,7 +282,7 @@ describe.skipIf(!chromium)('looking back', () => {
       const { value } = base.facts.find(({ name }) => name === 'odometry')!;
       await eventually(async () => (await odometry()).includes(value), 'the base told what it had');
       await page.locator('[data-reading="laser"]').getByText('nearest').waitFor();
-      await wants.waitFor();
+      await agent.waitFor();
       told[seconds] = value;
     }
     expect(told[3]).not.toEqual(told[7]);

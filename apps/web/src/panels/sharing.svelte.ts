@@ -8,8 +8,8 @@ export type Axis = 'rows' | 'columns';
 /** The least that a panel keeps [px]. */
 const LEAST: Record<Layout, Partial<Record<Axis, readonly number[]>>> = {
   rows: { rows: [150, 120, 120] },
-  columns: { columns: [240, 220, 220] },
-  corner: { columns: [280, 240], rows: [220, 160] },
+  columns: { columns: [320, 220, 340] },
+  corner: { columns: [320, 240], rows: [220, 160] },
 };
 
 /** Where somebody has moved the borders between the panels, for each way in which they lie; it is remembered. */

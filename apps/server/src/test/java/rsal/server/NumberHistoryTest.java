@@ -37,17 +37,18 @@ class NumberHistoryTest {
 
     @Test
     void tellsWhatANumberWasAndWhereItWasNone() {
-        history.keep("r1", numbers(0, device("base", 1, 2)));
-        history.keep("r1", numbers(0.5, device("base", 3, Double.NaN)));
-        history.keep("r1", numbers(1, device("laser", 7), device("base", 4, 5)));
-        history.keep("r2", numbers(1, device("base", 8)));
-        assertThat(history.past("r1", "base", "n0"))
+        var large = new NumberHistory();
+        large.keep("r1", numbers(0, device("base", 1, 2)));
+        large.keep("r1", numbers(0.5, device("base", 3, Double.NaN)));
+        large.keep("r1", numbers(1, device("laser", 7), device("base", 4, 5)));
+        large.keep("r2", numbers(1, device("base", 8)));
+        assertThat(large.past("r1", "base", "n0"))
                 .isEqualTo(new PastNumbers(List.of(0.0, 0.5, 1.0), values(1.0, 3.0, 4.0)));
-        assertThat(history.past("r1", "base", "n1").values())
+        assertThat(large.past("r1", "base", "n1").values())
                 .containsExactly(Optional.of(2.0), Optional.empty(), Optional.of(5.0));
-        assertThat(history.past("r1", "laser", "n0").values())
+        assertThat(large.past("r1", "laser", "n0").values())
                 .containsExactly(Optional.empty(), Optional.empty(), Optional.of(7.0));
-        assertThat(history.past("nobody", "base", "n0")).isEqualTo(new PastNumbers(List.of(), List.of()));
+        assertThat(large.past("nobody", "base", "n0")).isEqualTo(new PastNumbers(List.of(), List.of()));
     }
 
     @Test

@@ -35,6 +35,9 @@ import rsal.scenario.run.Reading;
 import rsal.server.Messages.ReadingInfo;
 
 class ReadingWordsTest {
+    /// Of a device that nobody here knows.
+    public record Weather(double temperature, int drops, double wind) {}
+
     private static final Pose2d AHEAD = new Pose2d(0, 0, 0);
 
     private static List<ReadingInfo> told(Object value) {
@@ -177,7 +180,6 @@ class ReadingWordsTest {
 
     @Test
     void ofOthersTheNumbersAreTold() {
-        record Weather(double temperature, int drops, double wind) {}
         assertThat(words(new Weather(21.123456, 3, Double.NaN)))
                 .containsExactly("temperature: 21.12", "drops: 3", "wind: none");
     }
