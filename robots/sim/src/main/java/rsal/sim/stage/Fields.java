@@ -39,6 +39,8 @@ final class Fields {
             Map.entry("interval_real", "A run's pace is chosen when it is started."),
             Map.entry("size", "A world is as large as what is in it."));
 
+    private static final Set<String> OF_SENSORS = Set.of("range", "noise");
+
     private final Entity entity;
     private final String what;
     private final Units units;
@@ -321,7 +323,9 @@ final class Fields {
             if (families.add(family)) {
                 String remedy = OBSOLETE.containsKey(family)
                         ? "Older versions of Stage knew it. " + OBSOLETE.get(family)
-                        : findings.maybe(family, known(), "");
+                        : entity.type().equals("ranger") && OF_SENSORS.contains(family)
+                                ? "Put it into a sensor ( ... ) of this ranger."
+                                : findings.maybe(family, known(), "");
                 findings.warn(
                         setting.location(),
                         "(%s) is not known in %s and has no effect."

@@ -268,13 +268,33 @@ final class Lexer {
                 next = text.charAt(next) == '[' ? text.indexOf(']', next) + 1 : next + 1;
             }
             String word = text.substring(start, next);
-            if (word.equals("include")) {
+            if (isPath()) {
+                path(at, start);
+            } else if (word.equals("include")) {
                 include(at);
             } else if (dialect.player() && FLAGS.contains(word)) {
                 add(new Token.Literal(at, word.equals("true") || word.equals("yes")));
             } else {
                 add(new Token.Word(at, word));
             }
+        }
+
+        /// Whether a slash goes on that begins no comment.
+        private boolean isPath() {
+            return next + 1 < text.length() && text.charAt(next) == '/' && isWordPart(text.charAt(next + 1));
+        }
+
+        /// A path without quotes.
+        private void path(Location at, int start) {
+            while (next < text.length() && (isWordPart(text.charAt(next)) || text.charAt(next) == '/')) {
+                next++;
+            }
+            String path = text.substring(start, next);
+            findings.error(
+                    at,
+                    "(%s) stands without quotes.".formatted(Findings.shortened(path)),
+                    "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(Findings.shortened(path)));
+            add(new Token.Literal(at, path));
         }
 
         private boolean isColon() {

@@ -124,7 +124,15 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
                 }
             } else if (after != null && Token.isBracket(after, '[')) {
                 next++;
-                settings.put(word.text(), new Setting(word.text(), word.location(), tuple(word, after)));
+                Value.Sequence tuple = tuple(word, after);
+                if (tuple.items().size() == 1
+                        && next < tokens.size()
+                        && Token.isBracket(tokens.get(next), '[')
+                        && onLine(tokens.get(next), word)) {
+                    indexed(settings, word, Units.text(tuple));
+                } else {
+                    settings.put(word.text(), new Setting(word.text(), word.location(), tuple));
+                }
             } else {
                 findings.error(
                         word.location(),
@@ -132,6 +140,17 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
                         after instanceof Token.Word value && onLine(after, word) ? meant(word, value) : "");
                 skipLine(word);
             }
+        }
+
+        /// A name and its index with a blank between.
+        private void indexed(Map<String, Setting> settings, Token.Word word, String index) {
+            String name = "%s[%s]".formatted(word.text(), index);
+            findings.error(
+                    word.location(),
+                    "A blank stands between (%s) and its index.".formatted(Findings.shortened(word.text())),
+                    "Maybe %s was meant?".formatted(Findings.shortened(name)));
+            Token opening = tokens.get(next++);
+            settings.put(name, new Setting(name, word.location(), tuple(word, opening)));
         }
 
         /// What a word may have been meant to be that stands where a value should.

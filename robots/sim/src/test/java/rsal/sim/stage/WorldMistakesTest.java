@@ -208,6 +208,10 @@ class WorldMistakesTest {
                 "include \"a.inc\\na ( ) | 1:1: (include) does not close the name of its file. "
                         + "| Maybe include \"a.inc\"?",
                 "include\\na ( ) | 1:1: (include) names no file in quotes. | Write include \"FILE\" on one line.",
+                "model ( name lab/desk size [1 1 1] ) | 1:14: (lab/desk) stands without quotes. "
+                        + "| Maybe \"lab/desk\" was meant? Texts stand in \" \".",
+                "model ( block ( points 2 point [0] [0 0] point[1] [1 1] ) ) | 1:26: A blank stands between (point) and its "
+                        + "index. | Maybe point[0] was meant?",
                 "Define a model ( ) | 1:1: (Define) has no value. | Maybe (define) was meant?",
                 "model ( name \"a )\\nmodel ( ) | 1:14: The text that begins here is not closed. "
                         + "| Close it with \" on the same line.",
@@ -375,6 +379,8 @@ class WorldMistakesTest {
                 "ranger ( spose[0] [0 0 0] spose[1] [0 0 0] ) | 10 | (spose[0]) is not known in a ranger and has no "
                         + "effect. | Older versions of Stage knew it. Write one sensor ( pose [X Y Z A] ) for each "
                         + "transducer.",
+                "ranger ( range [0 8] )   | 10 | (range) is not known in a ranger and has no effect. "
+                        + "| Put it into a sensor ( ... ) of this ranger.",
                 "interval_real 100        | 1 | (interval_real) is not known in a world and has no effect. "
                         + "| Older versions of Stage knew it. A run's pace is chosen when it is started.",
                 "window ( zoom 3 )        | 10 | (zoom) is not known in a window and has no effect. | ``",
