@@ -280,7 +280,10 @@ class ScenarioTest {
                 List.of("A good scenario", "A $way scenario", "never inside other text"),
                 List.of("count: $hunters", "count: 5000", "must be a whole number from 1 to 1000, not (5000)"),
                 List.of("count: $hunters", "count: 2.5", "must be a whole number"),
-                List.of("\"#123456\"", "rde", "Maybe (red) was meant?"),
+                List.of(
+                        "\"#123456\"",
+                        "\"#12345\"",
+                        "(robots.hunter.color) must be a color, \"#rrggbb\" or a name, not (#12345)"),
                 List.of(
                         "type: wanderer, robot: prey",
                         "type: wanderrer, robot: prey",
