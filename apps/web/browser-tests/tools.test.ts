@@ -302,7 +302,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     it('share their room as somebody wants it, by a pointer, a finger and keys', async () => {
       await page.setViewportSize({ width, height });
       const border = page.getByRole('separator', { name, exact: true });
-      await border.waitFor();
+      await border.scrollIntoViewIfNeeded();
       const panel = page.locator('.panels > .place').first();
       const size = async () => (await panel.boundingBox())![upright ? 'width' : 'height'];
       const becomes = (wanted: number, what: string) =>
@@ -310,7 +310,7 @@ describe.skipIf(!chromium)('what people work with', () => {
       const before = await size();
       expect(Number(await border.getAttribute('aria-valuenow'))).toBe(Math.round(before));
       const { x, y, width: w, height: h } = (await border.boundingBox())!;
-      const middle = upright ? [x + w / 2, y + 90] : [x + 200, y + h / 2];
+      const middle = upright ? [x + w / 2, y + 30] : [x + 200, y + h / 2];
       const by = (pixels: number) =>
         upright ? ([middle[0]! + pixels, middle[1]!] as const) : ([middle[0]!, middle[1]! + pixels] as const);
       await page.mouse.move(...by(0));
@@ -326,8 +326,9 @@ describe.skipIf(!chromium)('what people work with', () => {
       await page.reload();
       await page.locator('tr[data-robot][data-x]').first().waitFor();
       await becomes(before - 16, 'as it was left');
+      await border.scrollIntoViewIfNeeded();
       const now = (await border.boundingBox())!;
-      const touched = upright ? [now.x + w / 2, now.y + 90] : [now.x + 200, now.y + h / 2];
+      const touched = upright ? [now.x + w / 2, now.y + 30] : [now.x + 200, now.y + h / 2];
       await border.evaluate(
         (node, [fromX, fromY, toX, toY]) => {
           const touch = (type: string, clientX: number, clientY: number) =>
@@ -344,7 +345,7 @@ describe.skipIf(!chromium)('what people work with', () => {
           : [touched[0]!, touched[1]!, touched[0]!, touched[1]! + 30],
       );
       await becomes(before + 14, 'larger by what a finger dragged');
-      await border.dblclick({ position: upright ? { x: w / 2, y: 90 } : { x: 200, y: h / 2 } });
+      await border.dblclick({ position: upright ? { x: w / 2, y: 30 } : { x: 200, y: h / 2 } });
       await becomes(before, 'as it was at first');
       await page.setViewportSize({ width: 1400, height: 900 });
     });
