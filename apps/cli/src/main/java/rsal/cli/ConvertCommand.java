@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -113,6 +114,10 @@ final class ConvertCommand extends Subcommand {
 
     private void checkFree(Map<Path, byte[]> contents) {
         for (Path path : contents.keySet()) {
+            Path folder = Objects.requireNonNullElse(path.toAbsolutePath().getParent(), path);
+            if (!Files.isDirectory(folder)) {
+                throw new InvalidSettings(Location.of(folder.toString()), "There is no such folder.", "Make it first.");
+            }
             if (!force && Files.exists(path)) {
                 throw new InvalidSettings(
                         Location.of(path.toString()), "This file is there already.", "Say --force to overwrite it.");

@@ -1136,6 +1136,14 @@ class CommandLineIT {
     }
 
     @Test
+    void convertNamesTheFolderThatIsNotThere() throws Exception {
+        Files.writeString(folder.resolve("hall.world"), "position ( )");
+        Ended refused = rsal.run("convert", "hall.world", "--out", "nowhere/hall.world.yaml");
+        assertThat(refused.code()).isEqualTo(Exit.INVALID);
+        assertThat(refused.err()).contains("nowhere: There is no such folder.").doesNotContain("Exception");
+    }
+
+    @Test
     void convertSaysWhatOfAWorldYamlHasNoPlaceFor() throws Exception {
         Files.writeString(folder.resolve("far.world"), "position ( joules 100 take_watts 1500 )");
         assertThat(rsal.run("convert", "far.world").code()).isZero();

@@ -290,7 +290,10 @@ final class PartReader {
     private List<double[]> rows(String key, String what, int count, int least) {
         Optional<List<Value>> listed = part.list(key);
         List<Value> items = listed.orElse(List.of());
-        if (!part.has(key) || (listed.isPresent() && (items.size() < least || items.size() > MAX_SENSORS))) {
+        if (!part.has(key)) {
+            part.problem(
+                    key, "(%s) is missing: a list of %s.".formatted(key, what), least == 0 ? "[] is for none." : "");
+        } else if (listed.isPresent() && (items.size() < least || items.size() > MAX_SENSORS)) {
             part.problem(
                     key,
                     "(%s) must list %d to %d of %s, not %d.".formatted(key, least, MAX_SENSORS, what, items.size()),

@@ -226,6 +226,15 @@ class PartReaderTest {
         assertRefused(good.replace(from, to), message);
     }
 
+    @Test
+    void listsThatAreMissingAreToldToBe() {
+        String bumpers = BUMPER.lines()
+                .filter(line -> line.startsWith("bumpers"))
+                .findFirst()
+                .orElseThrow();
+        assertRefused(BUMPER.replace(bumpers, ""), "(bumpers) is missing: a list of [x, y, heading, length].");
+    }
+
     private void assertRefused(String text, String message) {
         assertThatExceptionOfType(InvalidSettings.class)
                 .as(text)

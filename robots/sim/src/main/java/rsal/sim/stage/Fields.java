@@ -101,7 +101,7 @@ final class Fields {
 
     /// A number that must be above 0.
     double positive(String name, Units.Kind kind, double fallback) {
-        return within(new Interval(Double.MIN_VALUE, Form.ANY.max()), name, kind, fallback);
+        return within(new Interval(Form.ABOVE_0, Form.ANY.max()), name, kind, fallback);
     }
 
     /// A number, checked.
@@ -136,8 +136,9 @@ final class Fields {
         if (scaled < 0 && bounds.min() >= 0 && Double.isFinite(number)) {
             remedy = "Maybe %s, without the minus?".formatted(Units.plain(-number));
         } else if (kind != Units.Kind.NUMBER && scaled != 0) {
-            remedy = "Maybe (unit_%s) is wrong; it is %s."
-                    .formatted(kind == Units.Kind.LENGTH ? "length" : "angle", units.name(kind));
+            remedy = kind == Units.Kind.LENGTH
+                    ? "Lengths are in %s here; maybe (unit_length) is wrong.".formatted(units.name(kind))
+                    : "Angles are in %s here; maybe (unit_angle) is wrong.".formatted(units.name(kind));
         }
         return Optional.of(new Wrong(
                 "must be %s, not %s.".formatted(range(bounds, kind, scaled < bounds.min()), read.describe()), remedy));
@@ -145,7 +146,7 @@ final class Fields {
 
     /// @param below whether a number was too small, which is all that is told where they may be as large as can be
     private String range(Interval bounds, Units.Kind kind, boolean below) {
-        boolean positive = bounds.min() == Double.MIN_VALUE;
+        boolean positive = bounds.min() == Form.ABOVE_0;
         if (below && bounds.max() == Form.ANY.max() && bounds.min() >= 0) {
             return positive ? "positive" : "at least 0";
         }

@@ -15,6 +15,9 @@ record Form(String shape, String meaning, Interval bounds, List<Part> parts) {
     /// Coordinates beyond are mistakes [m].
     static final double FARTHEST = 1e6;
 
+    /// The least number that is positive.
+    static final double ABOVE_0 = Double.MIN_VALUE;
+
     /// Numbers beyond are mistakes: lengths in m, angles in the unit that the world has.
     static final Interval ANY = new Interval(-1e9, 1e9);
 

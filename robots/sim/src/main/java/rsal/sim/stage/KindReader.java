@@ -98,8 +98,8 @@ final class KindReader {
         if (range.min() < 0) {
             fields.problem(
                     "range",
-                    "(range) must not begin below 0, not at (%s).".formatted(Units.plain(range.min())),
-                    "Maybe [0 %s]?".formatted(Units.plain(Math.abs(range.max()))));
+                    "(range) must not begin below 0, not at (%s).".formatted(asWritten(range.min())),
+                    "Maybe [0 %s]?".formatted(asWritten(Math.abs(range.max()))));
         }
         RangeNoise noise = noise(fields);
         var transducer = new Transducer(
@@ -114,14 +114,19 @@ final class KindReader {
         return transducer;
     }
 
-    private static RangeNoise noise(Fields fields) {
+    /// A length [m] in the unit of the world.
+    private String asWritten(double length) {
+        return Units.plain(length / units.scale(Units.Kind.LENGTH));
+    }
+
+    private RangeNoise noise(Fields fields) {
         double[] noise = fields.tuple("noise", Form.NOISE).orElseGet(() -> new double[3]);
         if (noise[0] < 0) {
             fields.problem(
                     "noise",
                     "The first value of (noise) is a variance and must not be negative, not (%s)."
-                            .formatted(Units.plain(noise[0])),
-                    "Maybe it was meant to be (%s)?".formatted(Units.plain(-noise[0])));
+                            .formatted(asWritten(noise[0])),
+                    "Maybe it was meant to be (%s)?".formatted(asWritten(-noise[0])));
         }
         return new RangeNoise(noise[0], noise[1], noise[2]);
     }

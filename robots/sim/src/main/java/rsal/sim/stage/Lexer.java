@@ -330,7 +330,7 @@ final class Lexer {
             }
             int start = Math.min(begun ? next + 1 : next, text.length());
             skipLine();
-            String name = text.substring(start, next).strip();
+            String name = text.substring(start, next).split("#", 2)[0].strip();
             missing = true;
             findings.error(
                     at,

@@ -57,6 +57,11 @@ final class Macros {
         }
     }
 
+    /// Whether models can be of it: a type, or a macro that is defined by now.
+    boolean isKnown(String name) {
+        return macros.containsKey(name) || dialect.types().contains(name);
+    }
+
     /// The first definition of a name counts, as in Stage.
     ///
     /// @param body named after what the macro builds upon

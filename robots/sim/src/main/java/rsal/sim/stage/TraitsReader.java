@@ -158,8 +158,10 @@ final class TraitsReader implements KindReader.Paint {
                 }
                 findings.warn(
                         fields.locationOf("ctrl"),
-                        "Controller (%s) is a program for Stage and can't be loaded here."
-                                .formatted(Findings.shortened(parts[0])),
+                        parts[0].equals("wander")
+                                ? "Controller (wander) is for robots that have a ranger."
+                                : "Controller (%s) is a program for Stage and can't be loaded here."
+                                        .formatted(Findings.shortened(parts[0])),
                         kind instanceof Kind.Position ? instead(fields.entity()) : "");
             }
         }

@@ -157,6 +157,9 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
         private String meant(Token.Word name, Token.Word value) {
             String word = value.text();
             Token third = next + 1 < tokens.size() ? tokens.get(next + 1) : null;
+            if (macros.isKnown(name.text())) {
+                return "Models are written as %s ( ... ).".formatted(Findings.shortened(name.text()));
+            }
             if (Suggestion.closest(name.text(), List.of("define")).isPresent() && third instanceof Token.Word) {
                 return "Maybe (define) was meant?";
             }
@@ -273,6 +276,9 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             var items = new ArrayList<Value>();
             while (next < tokens.size() && tokens.get(next) instanceof Token.Literal literal) {
                 items.add(literal.scalar());
+                if (findings.isSpoiled(literal.location())) {
+                    findings.spoil(name.location());
+                }
                 next++;
             }
             if (next < tokens.size() && Token.isBracket(tokens.get(next), ']')) {

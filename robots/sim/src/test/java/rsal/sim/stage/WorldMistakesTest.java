@@ -93,6 +93,11 @@ class WorldMistakesTest {
                 "position ( drive \"omin\" )  | Maybe (omni) was meant?",
                 "laser ( )                   | Write ranger ( sensor ( range [0 8] fov 180 samples 180 ) ), with the "
                         + "values that this one has.",
+                "unit_length \"cm\" ranger ( sensor ( range [-5 500] ) ) | Maybe [0 500]?",
+                "unit_length \"mm\" ranger ( sensor ( noise [-10 0 0] ) ) | Maybe it was meant to be (10)?",
+                "include map.inc # the map   | Maybe include \"map.inc\"?",
+                "define puck model ( ) puck pose [0 0 0 0] | Models are written as puck ( ... ).",
+                "position pose [0 0 0 0]     | Models are written as position ( ... ).",
                 "model ( wifi ( ) )          | Nothing simulates radios; take it out if its robots can do without."
             })
     void whatWasMeantIsGuessed(String text, String remedy) {
@@ -105,13 +110,13 @@ class WorldMistakesTest {
             quoteCharacter = '`',
             value = {
                 "model ( pose [1e300 0 0 0] ) | Value 1 of (pose) must be from -1000000 to 1000000 m, not (1.0E300). "
-                        + "| Maybe (unit_length) is wrong; it is m.",
+                        + "| Lengths are in m here; maybe (unit_length) is wrong.",
                 "unit_length \"mm\" model ( pose [0 2e9 0 0] ) | Value 2 of (pose) must be from -1000000 to 1000000 m, "
-                        + "not (2000000000). | Maybe (unit_length) is wrong; it is mm.",
+                        + "not (2000000000). | Lengths are in mm here; maybe (unit_length) is wrong.",
                 "model ( pose [0 0 0 -1e300] ) | Value 4 of (pose) must be from -1000000000 to 1000000000 degrees, not "
-                        + "(-1.0E300). | Maybe (unit_angle) is wrong; it is degrees.",
+                        + "(-1.0E300). | Angles are in degrees here; maybe (unit_angle) is wrong.",
                 "model ( size [1 1e300 1] ) | Value 2 of (size) must be from 0 to 1000000 m, not (1.0E300). "
-                        + "| Maybe (unit_length) is wrong; it is m.",
+                        + "| Lengths are in m here; maybe (unit_length) is wrong.",
                 "model ( size [1 1 -2] ) | Value 3 of (size) must be from 0 to 1000000 m, not (-2). "
                         + "| Maybe 2, without the minus?",
                 "model ( mass 1e300 ) | (mass) must be from 0 to 1000000000, not (1.0E300). | ``",
@@ -123,9 +128,9 @@ class WorldMistakesTest {
                 "ranger ( sensor ( samples 2000000000 ) ) | (samples) must be a whole number from 1 to 100000, not "
                         + "(2000000000). | ``",
                 "ranger ( sensor ( range [0 1e300] ) ) | Value 2 of (range) must be from -1000000000 to 1000000000 m, "
-                        + "not (1.0E300). | Maybe (unit_length) is wrong; it is m.",
+                        + "not (1.0E300). | Lengths are in m here; maybe (unit_length) is wrong.",
                 "unit_angle \"radians\" ranger ( sensor ( fov 180 ) ) | (fov) must be from 0 to 6.28319 rad, not (180). "
-                        + "| Maybe (unit_angle) is wrong; it is rad.",
+                        + "| Angles are in rad here; maybe (unit_angle) is wrong.",
                 "model ( block ( points 2000000000 ) ) | (points) must be a whole number from 2 to 10000, not "
                         + "(2000000000). | ``"
             })
@@ -180,7 +185,7 @@ class WorldMistakesTest {
             quoteCharacter = '`',
             value = {
                 "model ( pose [1e999 0 0 0] ) | 1:15: Value 1 of (pose) must be from -1000000 to 1000000 m, not (1e999). "
-                        + "| Maybe (unit_length) is wrong; it is m.",
+                        + "| Lengths are in m here; maybe (unit_length) is wrong.",
                 "model ( mass 5kg ) | 1:14: (5kg) is not a number. "
                         + "| Units are not written here; unit_length and unit_angle tell those of all numbers.",
                 "model ( size [1m 1 1] ) | 1:15: (1m) is not a number. "
@@ -389,8 +394,8 @@ class WorldMistakesTest {
                         + "| Stage would take red.",
                 "position ( ctrl \"hunt 3\" ranger ( ) ) | 12 | Controller (hunt) is a program for Stage and can't be "
                         + "loaded here. | The robot wanders instead. Give it a behavior or an agent in a scenario.",
-                "position ( ctrl \"wander\" ) | 12 | Controller (wander) is a program for Stage and can't be loaded "
-                        + "here. | The robot stands still: it has no ranger to wander by. Give it one, or an agent in a "
+                "position ( ctrl \"wander\" ) | 12 | Controller (wander) is for robots that have a ranger. "
+                        + "| The robot stands still: it has no ranger to wander by. Give it one, or an agent in a "
                         + "scenario.",
                 "position ( camera ( ) )  | 12 | A camera gives no images here. "
                         + "| A blobfinder sees colors, a fiducial markers.",
