@@ -22,8 +22,9 @@ import rsal.data.PoseEstimate.Quality;
 ///   pose that is believed ([Evidence]): beams that went through walls speak against it, soon; those that ended short
 ///   of them late, as other robots that stand around must not scatter the particles. New particles come from where on
 ///   the map the scan fits ([GlobalSearch]), not from anywhere, and only if it fits better there.
-/// * Where it is sure, and a few more beams than usual end where they should not, it looks whether all of them would
+/// * Where it is sure, and a few more beams than usual go through walls, it looks whether the scan fits better
 ///   elsewhere: a robot that was carried to the room next door is refuted by little, but finds a rival ([Rivals]).
+///   Short beams are no reason: to a robot among others, many a place seems to fit better than its own.
 ///
 /// What it tells:
 /// * [Quality#LOCALIZED]: scans have spoken for the pose since it was first believed (20 to 1), no other place was as
@@ -44,7 +45,7 @@ public final class Amcl {
     private static final double ANYWHERE_SHARE = 0.1;
     private static final double INJECTED_SHARE = 0.2;
     private static final double NEWEST = 0.1; // share of the newest scan in what is followed
-    private static final double NO_MISFIT = 0.03; // share of beams; as many may end anywhere
+    private static final double NO_MISFIT = 0.02; // share of beams; as many may go through walls anywhere
     private static final double MOST_MISFIT = 0.2; // likewise, of one scan, or a moment would do
     private static final double DOUBTFUL = 0.5; // sum of misfits
     private static final double USUAL_FOR = 0.99; // share of what is usual that is left by each update
@@ -139,7 +140,7 @@ public final class Amcl {
     private int updatesSinceSearch;
     private int searchAfter;
     private double fitNow = 1;
-    private double misfit; // share of the beams that did not end where they should, of the last scans
+    private double misfit; // share of the beams that went through walls, of the last scans
     private double usualMisfit; // as many did when nothing elsewhere fitted better
     private double doubt; // sum of what misfits were above that
     private int outlasted; // rivals that were found in so many searches have all been ruled out
@@ -486,7 +487,7 @@ public final class Amcl {
             fitNow = (double) hits / told;
         }
         if (told + shorter > 0) {
-            double now = (double) (through + shorter) / (told + shorter);
+            double now = (double) through / (told + shorter);
             misfit += NEWEST * (now - misfit);
             usualMisfit *= USUAL_FOR;
             doubt = Math.max(0, doubt + Math.min(MOST_MISFIT, now - usualMisfit - NO_MISFIT));

@@ -59,7 +59,7 @@ class EvidenceTest {
     @Test
     void whatIsSeenAllTheTimeBeforeWallsIsNotEverybody() {
         evidence.trust();
-        for (int i = 0; i < 30; i++) {
+        for (int i = 0; i < 60; i++) {
             evidence.add(BEAMS / 10, 0, BEAMS * 9 / 10);
         }
         assertThat(evidence.isRefuted()).isTrue();
