@@ -1138,7 +1138,7 @@ class CommandLineIT {
     @Test
     void convertNamesTheFolderThatIsNotThere() throws Exception {
         Files.writeString(folder.resolve("hall.world"), "position ( )");
-        Ended refused = rsal.run("convert", "hall.world", "--out", "nowhere/hall.world.yaml");
+        Ended refused = rsal.run("convert", "hall.world", "nowhere/hall.world.yaml");
         assertThat(refused.code()).isEqualTo(Exit.INVALID);
         assertThat(refused.err()).contains("nowhere: There is no such folder.").doesNotContain("Exception");
     }
@@ -1218,7 +1218,7 @@ class CommandLineIT {
             convert broken.world                 | 3 | broken.world:1:
             convert guard.yaml                   | 3 | no world that can be converted
             convert good.world out.yaml          | 2 | must end with .world.yaml
-            convert good.world no/out.world.yaml | 5 | can't be written
+            convert good.world no/out.world.yaml | 3 | There is no such folder
             """)
     void convertLeavesNothingBehindWhenItFails(String typed, int code, String expected) throws Exception {
         Files.writeString(folder.resolve("broken.world"), "model ( size [1 2] )");

@@ -160,7 +160,7 @@ class PlaybackTest {
     void robotsMayBeCalledAsTopicsAre() throws Exception {
         var names = List.of("devices", "agents", "minds", "robots", "things", "agent", "messages");
         String robots = names.stream()
-                .map(name -> "%s: {model: pioneer2dx, pose: [0, %d, 0], devices: {laser: urg04lx}}"
+                .map(name -> "%s: {model: pioneer2dx, pose: [0, %d, 0], devices: {laser: urg04lx, pilot: {}}}"
                         .formatted(name, names.indexOf(name) - 3))
                 .collect(Collectors.joining(", "));
         Path scenario = Files.writeString(folder.resolve("own.yaml"), """
