@@ -479,7 +479,7 @@ final class Api {
                         topic,
                         said.stream()
                                 .filter(one -> one.time().compareTo(time) <= 0
-                                        && one.time().compareTo(time.minus(ReplayApi.SHORTLY)) > 0)
+                                        && one.time().compareTo(time.minus(Past.SHORTLY)) > 0)
                                 .toList()));
         return new Answer.Repeated(some);
     }

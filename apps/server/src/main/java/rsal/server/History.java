@@ -1,25 +1,20 @@
 package rsal.server;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import rsal.scenario.run.RunEvent;
 import rsal.server.Messages.Trails;
 
 /// The moments of a live run that viewers were or could have been shown, to look back on. At most [#MOST_BYTES] are
-/// kept: when it has more, every second moment is let go and half as many are kept from then on, so that it reaches
-/// back to the beginning, ever more coarsely. For one thread, but for [#trails].
+/// kept, [thinned][Thinned] so that it reaches back to the beginning. For one thread, but for [#trails].
 final class History implements Past {
     static final long MOST_BYTES = 64L << 20;
 
     private static final Duration FIRST_SPACING = Duration.ofMillis(100); // of the run
 
     private final Feed feed;
-    private final long most;
-    private List<Moment> moments = new ArrayList<>();
-    private Duration spacing = FIRST_SPACING;
-    private long bytes;
+    private final Thinned<Moment> moments;
 
     /// @param feed of the run
     History(Feed feed) {
@@ -29,7 +24,7 @@ final class History implements Past {
     /// @param most bytes that it keeps
     History(Feed feed, long most) {
         this.feed = feed;
-        this.most = most;
+        this.moments = new Thinned<>(most, FIRST_SPACING, History::bytes);
     }
 
     /// Keeps what the feed shows now, unless that is hardly newer than the last, or as old.
@@ -37,38 +32,20 @@ final class History implements Past {
     /// @param time of the feed's frame, since the run's start
     /// @param last whether there will be none after it
     synchronized void keep(Duration time, boolean last) {
-        Duration newest = moments.isEmpty() ? null : moments.getLast().time();
-        boolean due =
-                newest == null || time.compareTo(newest.plus(spacing)) >= 0 || (last && time.compareTo(newest) > 0);
         var moment = new Moment(time, feed.things(), feed.details(0), feed.frame());
-        if (last && time.equals(newest) && !moments.getLast().details().equals(moment.details())) {
-            bytes -= bytes(moments.size() > 1 ? moments.get(moments.size() - 2) : null, moments.removeLast());
-            due = true; // how it ended is known a little later
+        boolean known = moments.endsAt(time);
+        if (known ? last && !newest().details().equals(moment.details()) : last || moments.isDue(time)) {
+            moments.keep(time, moment); // how it ended is known a little later
         }
-        if (!due) {
-            return;
-        }
-        bytes += bytes(moments.isEmpty() ? null : moments.getLast(), moment);
-        moments.add(moment);
-        while (bytes > most && moments.size() > 2) {
-            thin();
-        }
+    }
+
+    private Moment newest() {
+        return moments.all().getLast().value();
     }
 
     /// Of all moments together.
     long bytes() {
-        return bytes;
-    }
-
-    private void thin() {
-        spacing = spacing.multipliedBy(2);
-        var some = new ArrayList<Moment>(moments.size() / 2 + 1);
-        bytes = 0;
-        for (int i = 0; i < moments.size(); i += 2) { // the first stays, so that it reaches back to there
-            bytes += bytes(some.isEmpty() ? null : some.getLast(), moments.get(i));
-            some.add(moments.get(i));
-        }
-        moments = some;
+        return moments.bytes();
     }
 
     /// What it takes beyond the one before.
@@ -96,16 +73,22 @@ final class History implements Past {
     }
 
     private synchronized List<Moment> recent(Duration until) {
-        if (moments.isEmpty() || until.compareTo(moments.getFirst().time()) < 0) {
+        if (moments.all().isEmpty() || until.compareTo(from()) < 0) {
             return List.of();
         }
-        int last = newest(until);
+        int last = moments.newest(until);
         int first = last;
-        Duration begin = moments.get(last).time().minus(TrailMaker.SECONDS);
-        while (first > 0 && moments.get(first - 1).time().compareTo(begin) >= 0) {
+        Duration begin = time(last).minus(TrailMaker.SECONDS);
+        while (first > 0 && time(first - 1).compareTo(begin) >= 0) {
             first--;
         }
-        return List.copyOf(moments.subList(first, last + 1));
+        return moments.all().subList(first, last + 1).stream()
+                .map(Thinned.Entry::value)
+                .toList();
+    }
+
+    private Duration time(int moment) {
+        return moments.all().get(moment).time();
     }
 
     @Override
@@ -130,12 +113,12 @@ final class History implements Past {
 
     @Override
     public Duration from() {
-        return moments.isEmpty() ? Duration.ZERO : moments.getFirst().time();
+        return moments.all().isEmpty() ? Duration.ZERO : time(0);
     }
 
     @Override
     public Duration until() {
-        return moments.isEmpty() ? Duration.ZERO : moments.getLast().time();
+        return moments.all().isEmpty() ? Duration.ZERO : moments.all().getLast().time();
     }
 
     @Override
@@ -145,28 +128,13 @@ final class History implements Past {
 
     @Override
     public Moment at(Duration time) {
-        return moments.get(newest(time));
+        return moments.at(time).orElseThrow().value();
     }
 
     @Override
     public Duration near(Duration time, int after) {
-        return moments.get(Math.clamp((long) newest(time) + after, 0, moments.size() - 1))
-                .time();
-    }
-
-    /// Index of the newest by then; of the first when there is none.
-    private int newest(Duration time) {
-        int low = 0;
-        int high = moments.size() - 1;
-        while (low < high) {
-            int middle = (low + high + 1) / 2;
-            if (moments.get(middle).time().compareTo(time) <= 0) {
-                low = middle;
-            } else {
-                high = middle - 1;
-            }
-        }
-        return low;
+        return time(
+                Math.clamp((long) moments.newest(time) + after, 0, moments.all().size() - 1));
     }
 
     @Override

@@ -8,6 +8,9 @@ import rsal.scenario.run.RunEvent;
 
 /// What has been of a run: moments to look back on. For one thread.
 interface Past {
+    /// Before a time that is looked at: for as long, what agents say all the time is told.
+    Duration SHORTLY = Duration.ofSeconds(10);
+
     /// Of the run, from 1.
     int number();
 

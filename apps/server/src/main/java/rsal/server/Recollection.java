@@ -38,8 +38,8 @@ final class Recollection {
     private static final Duration SPACING_OF_MINDS = Duration.ofSeconds(1);
     private static final Mind.View NOTHING = new Mind.View(Map.of(), List.of());
 
-    private final Thinned<Moment> moments = new Thinned<>(MOST_BYTES - MOST_OF_MINDS, SPACING);
-    private final Thinned<Map<String, Mind.View>> minds = new Thinned<>(MOST_OF_MINDS, SPACING_OF_MINDS);
+    private final Thinned<Moment> moments = new Thinned<>(MOST_BYTES - MOST_OF_MINDS, SPACING, Bytes::beyond);
+    private final Thinned<Map<String, Mind.View>> minds = new Thinned<>(MOST_OF_MINDS, SPACING_OF_MINDS, Bytes::beyond);
     private final SequencedSet<String> wanted = new LinkedHashSet<>(); // agents
     private final AtomicBoolean asking = new AtomicBoolean();
     private @Nullable Snapshot seen;
@@ -147,8 +147,7 @@ final class Recollection {
     }
 
     /// What devices of a robot had told last; nothing of one that was not there. Of what they have told since the
-    /// moment
-    /// that is kept, nothing: it is so much older.
+    /// moment that is kept, nothing: it is so much older.
     Answer.Read readings(String robot, Duration time) {
         Thinned.Entry<Moment> then;
         Duration asked;

@@ -34,9 +34,6 @@ import rsal.server.Messages.Trails;
 final class ReplayApi {
     private static final String OVER = "This is a recording: what it shows is over, and can't be changed.";
 
-    /// For which what agents say all the time is told.
-    static final Duration SHORTLY = Duration.ofSeconds(10);
-
     private final Playback playback;
     private final RunInfo run;
     private final RecordedNumbers numbers;
@@ -137,10 +134,10 @@ final class ReplayApi {
     private void routine(Context request) throws IOException {
         Duration until = Past.asked(request);
         Set<Said> known = said(until)
-                .filter(said -> said.time().compareTo(until.minus(SHORTLY)) > 0)
+                .filter(said -> said.time().compareTo(until.minus(Past.SHORTLY)) > 0)
                 .collect(Collectors.toSet());
         var byTopic = new TreeMap<String, List<Said>>();
-        for (Said said : playback.said(until.minus(SHORTLY), until)) {
+        for (Said said : playback.said(until.minus(Past.SHORTLY), until)) {
             if (said.conversation().isEmpty() && !known.contains(said)) { // an act that is said again is one event
                 byTopic.computeIfAbsent(said.topic(), _ -> new ArrayList<>()).add(said);
             }

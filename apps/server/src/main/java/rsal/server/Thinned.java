@@ -2,6 +2,7 @@ package rsal.server;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -11,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 /// are kept from then on, so that it reaches back to the beginning, ever more coarsely. For one thread.
 final class Thinned<T> {
     private final long most;
+    private final Size<T> size;
     private List<Entry<T>> entries = new ArrayList<>();
     private Duration spacing;
     private long bytes;
@@ -18,11 +20,19 @@ final class Thinned<T> {
     /// @param time since the run's start
     record Entry<T>(Duration time, T value) {}
 
+    /// How many bytes a value takes beyond the one before it, of which it may share parts.
+    @FunctionalInterface
+    interface Size<T> {
+        /// @param before null for none
+        long beyond(@Nullable T before, T value);
+    }
+
     /// @param most bytes that it keeps, but for the first and the last
     /// @param spacing between two that are kept, at least, until there are too many
-    Thinned(long most, Duration spacing) {
+    Thinned(long most, Duration spacing, Size<T> size) {
         this.most = most;
         this.spacing = spacing;
+        this.size = size;
     }
 
     /// Whether something of then would be kept.
@@ -37,11 +47,11 @@ final class Thinned<T> {
 
     /// Keeps it, in place of the newest when that is of the same time. It must not be older.
     ///
-    /// @param value of which nothing changes; what it shares with the one before is kept once
+    /// @param value of which nothing changes
     void keep(Duration time, T value) {
         if (endsAt(time)) {
             Entry<T> replaced = entries.removeLast();
-            bytes -= Bytes.beyond(newest(), replaced.value());
+            bytes -= size.beyond(last(), replaced.value());
         }
         add(new Entry<>(time, value));
         while (bytes > most && entries.size() > 2) {
@@ -50,11 +60,11 @@ final class Thinned<T> {
     }
 
     private void add(Entry<T> entry) {
-        bytes += Bytes.beyond(newest(), entry.value());
+        bytes += size.beyond(last(), entry.value());
         entries.add(entry);
     }
 
-    private @Nullable T newest() {
+    private @Nullable T last() {
         return entries.isEmpty() ? null : entries.getLast().value();
     }
 
@@ -68,8 +78,18 @@ final class Thinned<T> {
         }
     }
 
+    /// All that are kept, as they are until the next is.
+    List<Entry<T>> all() {
+        return Collections.unmodifiableList(entries);
+    }
+
     /// The newest by then; the first when all came later.
     Optional<Entry<T>> at(Duration time) {
+        return entries.isEmpty() ? Optional.empty() : Optional.of(entries.get(newest(time)));
+    }
+
+    /// Index of the newest by then; of the first when there is none.
+    int newest(Duration time) {
         int low = 0;
         int high = entries.size() - 1;
         while (low < high) {
@@ -80,7 +100,7 @@ final class Thinned<T> {
                 high = middle - 1;
             }
         }
-        return entries.isEmpty() ? Optional.empty() : Optional.of(entries.get(low));
+        return low;
     }
 
     /// What they were by then, each but where it is the same as before.

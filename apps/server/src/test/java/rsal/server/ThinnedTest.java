@@ -11,7 +11,7 @@ import rsal.server.Thinned.Entry;
 class ThinnedTest {
     private static final Duration SPACING = Duration.ofMillis(500);
 
-    private final Thinned<float[]> series = new Thinned<>(10_000, SPACING);
+    private final Thinned<float[]> series = new Thinned<>(10_000, SPACING, Bytes::beyond);
 
     private static Duration seconds(double seconds) {
         return Duration.ofMillis(Math.round(1000 * seconds));
@@ -67,7 +67,7 @@ class ThinnedTest {
 
     @Test
     void tellsWhatBecameAnother() {
-        var words = new Thinned<Optional<String>>(10_000, SPACING);
+        var words = new Thinned<Optional<String>>(10_000, SPACING, Bytes::beyond);
         words.keep(seconds(1), Optional.of("a"));
         words.keep(seconds(2), Optional.empty());
         words.keep(seconds(3), Optional.of("a"));
