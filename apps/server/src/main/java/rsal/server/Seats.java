@@ -69,7 +69,8 @@ final class Seats implements Viewing {
     ///
     /// @throws Refusal when there is none of that number (any more)
     Seat find(Context request) {
-        return look(request).orElseThrow(() -> gone(numberIn(request)));
+        String number = numberIn(request);
+        return number.isEmpty() ? first : present(number);
     }
 
     /// Whose address was asked for, if there is one of that number (still).
@@ -88,6 +89,10 @@ final class Seats implements Viewing {
                 .filter(seat ->
                         !seat.isFirst() && Integer.toString(seat.number()).equals(number))
                 .findFirst();
+    }
+
+    private Seat present(String number) {
+        return beside(number).orElseThrow(() -> gone(number));
     }
 
     private static Refusal gone(String number) {
@@ -168,7 +173,7 @@ final class Seats implements Viewing {
         if (number.equals(Integer.toString(first.number()))) {
             throw new Refusal(409, "The first run can't be closed. Stop it instead.");
         }
-        Seat seat = beside(number).orElseThrow(() -> gone(number));
+        Seat seat = present(number);
         all = all.stream().filter(other -> other != seat).toList();
         seat.close();
     }
@@ -231,8 +236,7 @@ final class Seats implements Viewing {
         try {
             gate.admit(request.getHeader("Host"), request.getHeader("Origin"));
             Matcher path = LIVE.matcher(request.getRequestURI().getPath());
-            String number = path.matches() ? path.group(1) : "";
-            return beside(number).orElseThrow(() -> gone(number)).live().open(request, response);
+            return present(path.matches() ? path.group(1) : "").live().open(request, response);
         } catch (Refusal refusal) {
             response.sendError(refusal.status(), refusal.sentence());
             return null;
