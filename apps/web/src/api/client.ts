@@ -83,10 +83,9 @@ export const api = {
   readings: (robot: string, time: number | null = null) => about<Readings>('readings', robot, time),
   numbers: (robot: string, time: number | null = null) => about<PlottedNumbers>('numbers', robot, time),
   pastNumbers: (robot: string, device: string, number: string) =>
-    found<PastNumbers>(`numbers/past?${new URLSearchParams({ robot, device, number }).toString()}${ofRun()}`),
+    ofRun<PastNumbers>('numbers/past', { robot, device, number }),
   /** @param time of what has been [s of the run]; null for the present */
-  agent: (name: string, time: number | null = null) =>
-    found<AgentInside>(`agent?name=${encodeURIComponent(name)}${at(time)}${ofRun()}`),
+  agent: (name: string, time: number | null = null) => ofRun<AgentInside>('agent', { name }, time),
   /** @param robot that is chosen, of many; empty for none */
   links: (robot: string) => about<Links>('links', robot),
   sayable: () => found<Sayables>('sayable'),
@@ -98,9 +97,8 @@ export const api = {
   stopAgent: (name: string) => post('stop-agent', { name }),
   /** @param topic of which what was said is told; empty for none
    * @param time of what has been [s of the run]; null for the present */
-  routine: (topic: string, time: number | null = null) =>
-    found<Routine>(`routine?topic=${encodeURIComponent(topic)}${at(time)}${ofRun()}`),
-  topics: () => found<Topics>(`topics?${ofRun().slice(1)}`),
+  routine: (topic: string, time: number | null = null) => ofRun<Routine>('routine', { topic }, time),
+  topics: () => ofRun<Topics>('topics'),
   scenarios: () => found<Scenarios>('scenarios'),
   scenarioPicture: (id: string) => `api/scenarios/picture?scenario=${encodeURIComponent(id)}`,
   /** @param id of another than the present one */
@@ -147,7 +145,7 @@ export const api = {
   /** What a robot's cameras make out. @param time of what has been [s of the run]; null for the present */
   blobs: (robot: string, time: number | null = null) => about<Cameras>('blobs', robot, time),
   /** What places cost a robot's navigator, of 100; null when it tells none. */
-  costs: (robot: string) => grid(`costs?robot=${encodeURIComponent(robot)}${ofRun()}`, robot),
+  costs: (robot: string) => grid(`costs?${query({ robot })}`, robot),
   drawnFiles: (run: number, robot: string) =>
     `api/drawn/${String(run)}/files?robot=${encodeURIComponent(robot)}`,
 };
@@ -255,11 +253,24 @@ export function askAbout(number: number): void {
   run = number;
 }
 
-const ofRun = () => (run === null ? '' : `&run=${String(run)}`);
+/** What is asked, and of which run and time. */
+function query(asked: Record<string, string>, time: number | null = null): string {
+  const all = new URLSearchParams(asked);
+  if (time !== null) {
+    all.set('time', String(time));
+  }
+  if (run !== null) {
+    all.set('run', String(run));
+  }
+  return all.toString();
+}
+
+/** Something about the run that is shown; null when nobody knows any more. */
+const ofRun = <T>(what: string, asked: Record<string, string> = {}, time: number | null = null) =>
+  found<T>(`${what}?${query(asked, time)}`);
 
 /** Something about a robot; null when nobody knows any more. */
-const about = <T>(what: string, robot: string, time: number | null = null) =>
-  found<T>(`${what}?robot=${encodeURIComponent(robot)}${at(time)}${ofRun()}`);
+const about = <T>(what: string, robot: string, time: number | null = null) => ofRun<T>(what, { robot }, time);
 
 /** Something to look at; null when nobody knows any more. */
 async function found<T>(what: string, home = ''): Promise<T | null> {
