@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Collections;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -48,6 +49,13 @@ public final class ColorNames {
                             .orElse("Names are those of X11, such as red, orange or gray30."));
         }
         return color;
+    }
+
+    /// Those that a setting lists; none when it is left out.
+    public static List<Rgb> list(Section section, String key) {
+        return section.list(key).orElse(List.of()).stream()
+                .flatMap(item -> read(section, key, item).stream())
+                .toList();
     }
 
     private static String normal(String name) {

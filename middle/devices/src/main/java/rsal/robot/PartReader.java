@@ -8,7 +8,6 @@ import rsal.data.ActuatorState.Joint;
 import rsal.data.Interval;
 import rsal.data.LightState.Signal;
 import rsal.data.Pose2d;
-import rsal.data.Rgb;
 import rsal.device.Canvas;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
@@ -136,16 +135,8 @@ final class PartReader {
                 (int) image[1],
                 fieldOfView(),
                 Numbers.positive(part, "range"),
-                colors(),
+                ColorNames.list(part, "colors"),
                 period());
-    }
-
-    private List<Rgb> colors() {
-        var colors = new ArrayList<Rgb>();
-        for (Value item : part.list("colors").orElse(List.of())) {
-            ColorNames.read(part, "colors", item).ifPresent(colors::add);
-        }
-        return colors;
     }
 
     private Part fiducialFinder() {

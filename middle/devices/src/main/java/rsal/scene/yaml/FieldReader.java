@@ -136,10 +136,7 @@ final class FieldReader {
                     ? List.of(rsal.robot.BodyReader.color(section, "color"))
                     : List.of(Surface.PLAIN.color());
         }
-        var colors = new ArrayList<Rgb>();
-        for (Value item : section.list("colors").orElse(List.of())) {
-            ColorNames.read(section, "colors", item).ifPresent(colors::add);
-        }
+        List<Rgb> colors = ColorNames.list(section, "colors");
         return colors.isEmpty() ? List.of(Surface.PLAIN.color()) : colors;
     }
 
