@@ -3,7 +3,6 @@ package rsal.sim.stage;
 import java.time.Duration;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -158,11 +157,8 @@ final class Fields {
 
     /// What may have been meant by a text where a number should be.
     private static String meant(Value read) {
-        return switch (Units.text(read).toLowerCase(Locale.ROOT)) {
-            case "yes", "true", "on" -> "Maybe 1, for yes?";
-            case "no", "false", "off" -> "Maybe 0, for no?";
-            default -> "Numbers are written like 0.4; unit_length and unit_angle say in which units.";
-        };
+        return Units.flag(Units.text(read))
+                .orElse("Numbers are written like 0.4; unit_length and unit_angle say in which units.");
     }
 
     /// Read as a whole number, what is behind the point cut off.

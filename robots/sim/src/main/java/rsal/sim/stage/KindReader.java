@@ -98,8 +98,9 @@ final class KindReader {
         if (range.min() < 0) {
             fields.problem(
                     "range",
-                    "(range) must not begin below 0, not at (%s).".formatted(asWritten(range.min())),
-                    "Maybe [0 %s]?".formatted(asWritten(Math.abs(range.max()))));
+                    "(range) must not begin below 0, not at (%s)."
+                            .formatted(units.written(Units.Kind.LENGTH, range.min())),
+                    "Maybe [0 %s]?".formatted(units.written(Units.Kind.LENGTH, Math.abs(range.max()))));
         }
         RangeNoise noise = noise(fields);
         var transducer = new Transducer(
@@ -114,19 +115,14 @@ final class KindReader {
         return transducer;
     }
 
-    /// A length [m] in the unit of the world.
-    private String asWritten(double length) {
-        return Units.plain(length / units.scale(Units.Kind.LENGTH));
-    }
-
     private RangeNoise noise(Fields fields) {
         double[] noise = fields.tuple("noise", Form.NOISE).orElseGet(() -> new double[3]);
         if (noise[0] < 0) {
             fields.problem(
                     "noise",
                     "The first value of (noise) is a variance and must not be negative, not (%s)."
-                            .formatted(asWritten(noise[0])),
-                    "Maybe it was meant to be (%s)?".formatted(asWritten(-noise[0])));
+                            .formatted(units.written(Units.Kind.LENGTH, noise[0])),
+                    "Maybe it was meant to be (%s)?".formatted(units.written(Units.Kind.LENGTH, -noise[0])));
         }
         return new RangeNoise(noise[0], noise[1], noise[2]);
     }

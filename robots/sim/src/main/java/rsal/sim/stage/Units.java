@@ -2,6 +2,8 @@ package rsal.sim.stage;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.Locale;
+import java.util.Optional;
 import rsal.settings.Value;
 
 /// What a file's lengths and angles are in.
@@ -75,6 +77,15 @@ record Units(double length, double angle) {
                 tuple.items().isEmpty() ? "" : text(tuple.items().getFirst());
             case Value.Scalar scalar -> scalar.value().toString();
             case Value.Mapping _ -> "";
+        };
+    }
+
+    /// What a word may have been meant to be that stands where a number should; empty when it is neither yes nor no.
+    static Optional<String> flag(String word) {
+        return switch (word.toLowerCase(Locale.ROOT)) {
+            case "true", "yes", "on" -> Optional.of("Maybe 1, for yes?");
+            case "false", "no", "off" -> Optional.of("Maybe 0, for no?");
+            default -> Optional.empty();
         };
     }
 

@@ -52,6 +52,8 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
 
     /// Recursive descent; on a mistake it tells and goes on behind it.
     private static final class Parser {
+        private static final String FINITE = "Only finite numbers can be written.";
+
         private final List<Token> tokens;
         private final Findings findings;
         private final Macros macros;
@@ -163,15 +165,18 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             if (Suggestion.closest(name.text(), List.of("define")).isPresent() && third instanceof Token.Word) {
                 return "Maybe (define) was meant?";
             }
-            return switch (word.toLowerCase(Locale.ROOT)) {
-                case "true", "yes", "on" -> "Maybe 1, for yes?";
-                case "false", "no", "off" -> "Maybe 0, for no?";
-                case "nan", "inf", "infinity" -> "Only finite numbers can be written.";
-                default ->
-                    third instanceof Token.Literal || (third != null && Token.isBracket(third, '['))
-                            ? "Write one before (%s).".formatted(Findings.shortened(word))
-                            : "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(word);
-            };
+            return Units.flag(word).orElseGet(() -> {
+                if (isInfinite(word)) {
+                    return FINITE;
+                }
+                return third instanceof Token.Literal || (third != null && Token.isBracket(third, '['))
+                        ? "Write one before (%s).".formatted(Findings.shortened(word))
+                        : "Maybe \"%s\" was meant? Texts stand in \" \".".formatted(word);
+            });
+        }
+
+        private static boolean isInfinite(String word) {
+            return Set.of("nan", "inf", "infinity").contains(word.toLowerCase(Locale.ROOT));
         }
 
         /// Several values stand in a tuple.
@@ -284,13 +289,11 @@ public record WorldFile(Entity root, Set<String> known, boolean complete) {
             if (next < tokens.size() && Token.isBracket(tokens.get(next), ']')) {
                 next++;
             } else if (next < tokens.size() && tokens.get(next) instanceof Token.Word word && onLine(word, opening)) {
-                boolean infinite =
-                        Set.of("nan", "inf", "infinity").contains(word.text().toLowerCase(Locale.ROOT));
                 findings.error(
                         word.location(),
                         "(%s) can't stand in a tuple.".formatted(Findings.shortened(word.text())),
-                        infinite
-                                ? "Only finite numbers can be written."
+                        isInfinite(word.text())
+                                ? FINITE
                                 : "Maybe \"%s\" was meant, or a ] is missing before it.".formatted(word.text()));
                 findings.spoil(name.location());
                 skipTuple(opening);
