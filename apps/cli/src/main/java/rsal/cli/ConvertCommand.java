@@ -114,10 +114,7 @@ final class ConvertCommand extends Subcommand {
 
     private void checkFree(Map<Path, byte[]> contents) {
         for (Path path : contents.keySet()) {
-            Path folder = Objects.requireNonNullElse(path.toAbsolutePath().getParent(), path);
-            if (!Files.isDirectory(folder)) {
-                throw new InvalidSettings(Location.of(folder.toString()), "There is no such folder.", "Make it first.");
-            }
+            Destination.require(Objects.requireNonNullElse(path.toAbsolutePath().getParent(), path));
             if (!force && Files.exists(path)) {
                 throw new InvalidSettings(
                         Location.of(path.toString()), "This file is there already.", "Say --force to overwrite it.");

@@ -65,10 +65,15 @@ final class Destination {
 
     /// The same for a folder that must be there.
     Destination prepareExisting() {
+        require(folder);
+        return prepare();
+    }
+
+    /// @throws InvalidSettings when the folder is not there
+    static void require(Path folder) {
         if (!Files.isDirectory(folder)) {
             throw new InvalidSettings(Location.of(folder.toString()), "There is no such folder.", "Make it first.");
         }
-        return prepare();
     }
 
     /// Makes the folder, unless it is there, and writes the files.
