@@ -1,4 +1,4 @@
-package rsal.experiment.example;
+package rsal.testkit.fake;
 
 import java.time.Duration;
 import rsal.agent.Agent;
