@@ -81,19 +81,24 @@ class StuckTest {
     @ValueSource(strings = {"vfh", "nd", "snd", "dwa", "mpc"})
     void drivesBackIntoNobodyWhomItDidNotSeeCome(String planner) {
         Pose2d start = HALL.pose('r', 0);
-        NavigationRun run = new NavigationRun(
-                        HALL.grid(),
-                        1,
-                        Runnable::run,
-                        List.of(NavigationRun.robot("r", NavigationRun.pioneer("urg04lx"), start)))
-                .with(new AmclDriver(), Map.of())
-                .with(new NavigatorDriver(), Map.of("local", planner));
+        NavigationRun run = alone(HALL, planner);
         add(run, "board", new Pose2d(start.x() + 0.6, start.y(), 0), 0.05, 0.82);
         run.navigator("r").goTo(HALL.pose('g', 0));
         run.advance(6);
         add(run, "person", run.truth("r").compose(new Pose2d(-0.5, 0, 0)), 0.1, 0.1);
         run.advance(25);
         assertThat(run.simulation.contacts()).isEmpty();
+    }
+
+    /// One robot whose laser does not look behind it.
+    private static NavigationRun alone(DrawnMap map, String planner) {
+        return new NavigationRun(
+                        map.grid(),
+                        1,
+                        Runnable::run,
+                        List.of(NavigationRun.robot("r", NavigationRun.pioneer("urg04lx"), map.pose('r', 0))))
+                .with(new AmclDriver(), Map.of())
+                .with(new NavigatorDriver(), Map.of("local", planner));
     }
 
     private static void add(NavigationRun run, String name, Pose2d mapFromMiddle, double halfLength, double halfWidth) {
@@ -145,14 +150,7 @@ class StuckTest {
     @ParameterizedTest
     @ValueSource(strings = {"vfh", "nd", "snd", "dwa", "mpc"})
     void saysWhatKeptItAndTouchesNothing(String planner) {
-        var model = NavigationRun.pioneer("urg04lx");
-        NavigationRun run = new NavigationRun(
-                        CORRIDOR.grid(),
-                        1,
-                        Runnable::run,
-                        List.of(NavigationRun.robot("r", model, CORRIDOR.pose('r', 0))))
-                .with(new AmclDriver(), Map.of())
-                .with(new NavigatorDriver(), Map.of("local", planner));
+        NavigationRun run = alone(CORRIDOR, planner);
         var board = Prism.standing(
                 new Shape.Polygon(List.of(
                         new Point2d(0, -0.62), new Point2d(0.1, -0.62), new Point2d(0.1, 0.62), new Point2d(0, 0.62))),
