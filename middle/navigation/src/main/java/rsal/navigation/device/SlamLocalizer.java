@@ -31,8 +31,10 @@ import rsal.time.Phase;
 import rsal.time.Scheduler;
 
 /// A localizer that needs no map, as it makes its own ([Slam]). Each odometry reading gives an estimate:
-/// where the newest scan was taken, moved as the wheels moved since. Scans are looked at beside the other
-/// robots' work ([Scheduler#compute]); those that come meanwhile are skipped. When a loop closes, estimates
+/// where the newest scan was taken that was looked at, moved as the wheels moved since. Scans are looked at beside the
+/// other robots' work ([Scheduler#compute]); those that come meanwhile are skipped, and so are those that tell nothing
+/// new: of places less than 5 cm and 2° from where one matched less than half a second ago. When a loop closes,
+/// estimates
 /// jump. How sure an estimate is, is told against what was mapped around it ([Tracking]): it errs more the
 /// farther the wheels led it since a scan matched, and is lost when they don't match for long. When a loop has bent
 /// the map by more than anything that was told of the way errs ([Strain#tooMuch]), one of the two is probably wrong:
@@ -45,6 +47,9 @@ import rsal.time.Scheduler;
 final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private static final Logger LOG = System.getLogger(SlamLocalizer.class.getName());
     private static final Duration PATIENCE = Duration.ofSeconds(2);
+    private static final double SAME_METERS = 0.05; // a cell of the map
+    private static final double SAME_RADIANS = Math.toRadians(2);
+    private static final Duration SAME_TIME = Duration.ofMillis(500); // somebody may push a robot that stands
 
     private final Slam.Settings settings;
     private final Scheduler scheduler;
@@ -71,8 +76,15 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             @Nullable List<PosedScan> map,
             @Nullable Strain strain) {}
 
-    /// Where the robot was and how sure that is.
-    private record Known(Pose2d mapFromBase, Pose2d odomFromBase, Tracking tracking) {
+    /// Where the robot was when a scan was taken, and how sure that is.
+    private record Known(Instant taken, Pose2d mapFromBase, Pose2d odomFromBase, Tracking tracking) {
+        /// Whether a scan would show what the one before did, which matched.
+        boolean isOf(Instant time, Pose2d odomFromBaseThen) {
+            return tracking.seeing()
+                    && time.isBefore(taken.plus(SAME_TIME))
+                    && odomFromBase.isNear(odomFromBaseThen, SAME_METERS, SAME_RADIANS);
+        }
+
         /// Moved as the wheels moved since.
         PoseEstimate at(Pose2d odomFromBaseNow) {
             Pose2d way = odomFromBase.inverse().compose(odomFromBaseNow);
@@ -187,7 +199,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     private void look(Stamped<LaserScan> scan) {
         Optional<Pose2d> taken = odometry.odomFromBase(scan.time());
-        if (taken.isEmpty()) {
+        if (taken.isEmpty() || (known != null && known.isOf(scan.time(), taken.get()))) {
             busy = false;
             return;
         }
@@ -207,7 +219,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
                 fail(error);
             } else if (found.slam().equals(slam)) { // else someone knows better by now
                 failed = false;
-                known = new Known(found.mapFromBase(), odomFromBase, found.tracking());
+                known = new Known(scan.time(), found.mapFromBase(), odomFromBase, found.tracking());
                 if (found.map() != null) {
                     map = found.map();
                 }

@@ -3,12 +3,14 @@ package rsal.navigation.device;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.lang.reflect.Proxy;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.random.RandomGenerator;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -27,6 +29,7 @@ import rsal.testkit.fake.FakeDriveBase;
 import rsal.testkit.fake.FakeLaserScanner;
 import rsal.testkit.fake.FakeSystem;
 import rsal.time.LockstepScheduler;
+import rsal.time.Scheduler;
 
 /// Software devices when what they stand on fails, and when it is back.
 class SilenceTest {
@@ -136,6 +139,10 @@ class SilenceTest {
     }
 
     private Localizer mapper() {
+        return mapper(scheduler);
+    }
+
+    private Localizer mapper(Scheduler scheduler) {
         var slam = new SlamDriver();
         return (Localizer) slam.create(
                 new DeviceDriver.Context(
@@ -152,9 +159,7 @@ class SilenceTest {
         assertThat(seeing.confidence()).isGreaterThan(0.7);
 
         var laser = robot.require(FakeLaserScanner.class);
-        var nothing = new float[laser.latest().orElseThrow().value().count()];
-        Arrays.fill(nothing, Float.POSITIVE_INFINITY);
-        laser.show(nothing);
+        laser.show(blind(laser));
         drive(5);
         PoseEstimate blind = mapper.latest().orElseThrow().value();
         assertThat(blind.covariance().positionDeviation())
@@ -163,6 +168,54 @@ class SilenceTest {
         PoseEstimate lost = mapper.latest().orElseThrow().value();
         assertThat(lost.quality()).isEqualTo(PoseEstimate.Quality.LOST);
         assertThat(lost.confidence()).isLessThan(0.3);
+    }
+
+    @Test
+    void aMapperLooksAtScansThatTellSomethingNew() {
+        var looks = new AtomicInteger();
+        Localizer mapper = mapper(counting(looks));
+        drive(1);
+        looks.set(0);
+        drive(10, Twist2d.drive(0.3, 0));
+        assertThat(looks).as("every second of 3 cm").hasValueBetween(45, 55);
+        drive(10, Twist2d.drive(0, 0.3));
+        looks.set(0);
+        drive(10, Twist2d.drive(0, 0.3));
+        assertThat(looks).as("every third of 1.7°, or every second").hasValueBetween(33, 55);
+        drive(1, Twist2d.STOP);
+        looks.set(0);
+        drive(10, Twist2d.STOP);
+        assertThat(looks).as("two a second while it stands").hasValueBetween(19, 21);
+
+        base.resetOdometry(base.latest().orElseThrow().value().odomFromBase().compose(new Pose2d(0.1, 0, 0)));
+        looks.set(0);
+        drive(1, Twist2d.STOP);
+        assertThat(looks).as("and at once where the wheels lead it on").hasValueBetween(2, 4);
+        assertThat(mapper.latest().orElseThrow().value().mapFromBase().distanceTo(base.mapFromBase()))
+                .isLessThan(0.1);
+
+        robot.require(FakeLaserScanner.class).show(blind(robot.require(FakeLaserScanner.class)));
+        drive(1, Twist2d.STOP);
+        looks.set(0);
+        drive(10, Twist2d.STOP);
+        assertThat(looks).as("at each while none matches").hasValueBetween(95, 101);
+    }
+
+    private static float[] blind(FakeLaserScanner laser) {
+        var nothing = new float[laser.latest().orElseThrow().value().count()];
+        Arrays.fill(nothing, Float.POSITIVE_INFINITY);
+        return nothing;
+    }
+
+    /// The test's scheduler, which counts what is computed.
+    private Scheduler counting(AtomicInteger works) {
+        return (Scheduler) Proxy.newProxyInstance(
+                Scheduler.class.getClassLoader(), new Class<?>[] {Scheduler.class}, (_, method, arguments) -> {
+                    if (method.getName().equals("compute")) {
+                        works.incrementAndGet();
+                    }
+                    return method.invoke(scheduler, arguments);
+                });
     }
 
     @Test
