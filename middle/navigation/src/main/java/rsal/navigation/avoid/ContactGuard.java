@@ -25,6 +25,7 @@ public final class ContactGuard {
     private final double step; // s
     private final DriveLimits limits;
     private final double margin;
+    private final double behind;
     private final double reaction;
     private int near;
     private double[] nearX = new double[256];
@@ -34,6 +35,12 @@ public final class ContactGuard {
     /// @param margin how near obstacles may come to the outline [m]
     /// @param reaction how long a command lasts before the next one can take effect [s]
     public ContactGuard(Footprint footprint, DriveLimits limits, double margin, double reaction) {
+        this(footprint, limits, margin, REMEMBERED, reaction);
+    }
+
+    /// @param behind how much nearer yet what lies behind may not come [m]
+    ContactGuard(Footprint footprint, DriveLimits limits, double margin, double behind, double reaction) {
+        this.behind = behind;
         this.outline = new Outline(footprint, 0);
         this.step = Math.min(LONGEST_STEP, LONGEST_WAY / limits.speed());
         this.radius = footprint.circumscribedRadius();
@@ -80,7 +87,7 @@ public final class ContactGuard {
     private void gather(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
         double speed = Math.max(Math.abs(wanted.vx()), Math.abs(velocity.vx()));
         double reach =
-                radius + margin + REMEMBERED + speed * (reaction + step) + speed * speed / (2 * limits.acceleration());
+                radius + margin + behind + speed * (reaction + step) + speed * speed / (2 * limits.acceleration());
         near = 0;
         if (nearX.length < obstacles.count()) {
             nearX = new double[obstacles.count()];
@@ -92,7 +99,7 @@ public final class ContactGuard {
             double y = obstacles.y(i);
             double farthest = reach + obstacles.room(i);
             if (x * x + y * y <= farthest * farthest) {
-                double kept = margin + obstacles.room(i) + (x < 0 && wanted.vx() < 0 ? REMEMBERED : 0);
+                double kept = margin + obstacles.room(i) + (x < 0 && wanted.vx() < 0 ? behind : 0);
                 nearX[near] = x;
                 nearY[near] = y;
                 nearMargin[near] = Math.min(kept, outline.distance(x, y) - ROUNDING);

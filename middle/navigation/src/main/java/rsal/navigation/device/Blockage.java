@@ -10,8 +10,9 @@ import rsal.navigation.avoid.Obstacles;
 ///
 /// @param patience for how long it got no nearer
 /// @param backedOff how often
+/// @param shunted how often it turned to and fro
 /// @param detours ways that it took because of what is not on the map
-record Blockage(Duration patience, int backedOff, int detours) {
+record Blockage(Duration patience, int backedOff, int shunted, int detours) {
     /// @param left of the way [m]
     String onTheWay(double left, Obstacles around, Predicate<Point2d> onMap) {
         return sentence("%.1f m of way are left".formatted(left), around, onMap);
@@ -25,12 +26,17 @@ record Blockage(Duration patience, int backedOff, int detours) {
     private String sentence(String left, Obstacles around, Predicate<Point2d> onMap) {
         return String.format(
                 Locale.ROOT,
-                "It got no nearer for %d s: backed off %s, took %d detours; %s. %s",
+                "It got no nearer for %d s: backed off %s,%s took %d detours; %s. %s",
                 patience.toSeconds(),
-                backedOff == 1 ? "once" : "%d times".formatted(backedOff),
+                times(backedOff),
+                shunted == 0 ? "" : " turned to and fro %s,".formatted(times(shunted)),
                 detours,
                 left,
                 nearest(around, onMap));
+    }
+
+    private static String times(int count) {
+        return count == 1 ? "once" : "%d times".formatted(count);
     }
 
     private static String nearest(Obstacles around, Predicate<Point2d> onMap) {

@@ -17,6 +17,7 @@ import rsal.device.SonarArray;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.Outline;
+import rsal.navigation.avoid.Shunting;
 import rsal.navigation.dwa.Dwa;
 import rsal.navigation.mpc.Mpc;
 import rsal.navigation.nd.Nd;
@@ -33,6 +34,7 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final double LOOKAHEAD_TIME = 2.0; // s
     private static final double LEAST_LOOKAHEAD = 0.6; // m
     private static final double VIEW = 5; // m
+    private static final double REACTION = 2 * PathNavigator.BEAT_SECONDS;
 
     private final Ways ways = new Ways();
 
@@ -140,6 +142,7 @@ public final class NavigatorDriver implements DeviceDriver {
                         laser,
                         sonars,
                         avoidance(arguments, model.footprint(), limits, lookahead),
+                        new Shunting(model.footprint(), limits, REACTION),
                         ways.of(context.map(), model.footprint(), arguments),
                         ways.field(context.map())),
                 new PathNavigator.Settings(
@@ -166,15 +169,14 @@ public final class NavigatorDriver implements DeviceDriver {
 
     private static LocalPlanner avoidance(
             Arguments arguments, Footprint footprint, DriveLimits limits, double lookahead) {
-        double reaction = 2 * PathNavigator.BEAT_SECONDS;
         return switch (arguments.text("local")) {
-            case "dwa" -> new Dwa(footprint, limits, Dwa.Settings.of(0.25, lookahead), reaction);
+            case "dwa" -> new Dwa(footprint, limits, Dwa.Settings.of(0.25, lookahead), REACTION);
             case "nd" ->
                 new Nd(
                         footprint,
                         limits,
                         new Nd.Settings(arguments.number("avoidDist"), arguments.number("safetyDist")),
-                        reaction);
+                        REACTION);
             case "snd" ->
                 new Snd(
                         footprint,
@@ -185,9 +187,9 @@ public final class NavigatorDriver implements DeviceDriver {
                                         : Outline.radius(footprint),
                                 arguments.number("minGapWidth"),
                                 arguments.number("obstacleAvoidDist")),
-                        reaction);
-            case "mpc" -> new Mpc(footprint, limits, Mpc.Settings.DEFAULT, reaction, PathNavigator.BEAT_SECONDS);
-            default -> new Vfh(footprint, limits, VfhOptions.settings(arguments, lookahead), reaction);
+                        REACTION);
+            case "mpc" -> new Mpc(footprint, limits, Mpc.Settings.DEFAULT, REACTION, PathNavigator.BEAT_SECONDS);
+            default -> new Vfh(footprint, limits, VfhOptions.settings(arguments, lookahead), REACTION);
         };
     }
 }

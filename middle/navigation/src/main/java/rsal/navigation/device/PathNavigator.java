@@ -30,6 +30,7 @@ import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.LocalPlanner;
 import rsal.navigation.avoid.LocalPlanner.Motion;
 import rsal.navigation.avoid.Obstacles;
+import rsal.navigation.avoid.Shunting;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.Wavefront;
 import rsal.time.Phase;
@@ -62,6 +63,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Optional<LaserScanner> laser,
             Optional<SonarArray> sonars,
             LocalPlanner avoidance,
+            Shunting shunting,
             Wavefront ways,
             DistanceField toNotFree) {}
 
@@ -123,7 +125,14 @@ final class PathNavigator extends DeviceCore implements Navigator {
     /// Gives it another map, from its next goal on.
     void on(Wavefront ways, DistanceField toNotFree) {
         parts = new Parts(
-                parts.base(), parts.localizer(), parts.laser(), parts.sonars(), parts.avoidance(), ways, toNotFree);
+                parts.base(),
+                parts.localizer(),
+                parts.laser(),
+                parts.sonars(),
+                parts.avoidance(),
+                parts.shunting(),
+                ways,
+                toNotFree);
     }
 
     @Override

@@ -22,6 +22,8 @@ import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
 import rsal.navigation.avoid.LocalPlanner.Target;
 import rsal.navigation.avoid.Obstacles;
+import rsal.navigation.avoid.Shunt;
+import rsal.navigation.avoid.Shunting.Leg;
 import rsal.navigation.device.PathNavigator.Parts;
 import rsal.navigation.device.PathNavigator.Settings;
 import rsal.navigation.device.PathNavigator.Situation;
@@ -32,7 +34,7 @@ import rsal.time.Scheduler;
 /// One goal of a [PathNavigator], from its start to its one ending. When the robot gets no nearer, it first plans
 /// again with what it sees in the way, then drives back a bit and turns to it again, and in the end gives up. Who does
 /// not see behind turns about to drive back, as somebody may stand there; only where it has no room for that it backs
-/// off.
+/// off. Where it stands between walls and nobody is near, it turns to and fro to where it has to go ([Shunting]).
 final class Trip {
     private static final double NEARER = 0.1; // m or rad; less is no progress
     private static final double OFF_ROUTE = 0.8; // m
@@ -51,6 +53,12 @@ final class Trip {
     private static final double ABOUT = Math.toRadians(45); // turned so far that it sees where it drives
     private static final Duration TURNING_ABOUT = Duration.ofSeconds(12);
     private static final Duration TURNING = Duration.ofSeconds(3);
+    private static final double COMPANY = 1.5; // m
+    private static final double STANDING = 0.15; // m; less is no way at all
+    private static final double ONWARD = 0.3; // m that it must be able to go on when it has turned
+    private static final Duration SEARCHING = Duration.ofSeconds(5);
+    private static final double SLOWLY = 2; // times the time that shunting should take
+    private static final int MOST_REFUSED = 6; // beats in a row
 
     private final Parts parts;
     private final Settings settings;
@@ -70,22 +78,27 @@ final class Trip {
     private boolean arrived;
     private double yardstick = Double.POSITIVE_INFINITY; // what was left, when last nearer
     private Instant nearer;
+    private Pose2d mapFromNearer = Pose2d.ORIGIN; // where it was then
     private double best = Double.POSITIVE_INFINITY; // least that was ever left
     private Instant giveUp;
     private int detours;
     private int backedOff;
+    private int shunted;
     private int bumps; // since it got on
     private double leftAtBump = Double.POSITIVE_INFINITY; // least that was left at one of these
     private Manoeuvre manoeuvre = Manoeuvre.NONE;
     private double back; // heading that leads back where it came from [rad], on the map
     private Instant manoeuvreEnds;
+    private @Nullable Shunt shunt;
+    private int refused; // beats in a row in which it did not go on, as that was not safe
 
     private enum Manoeuvre {
         NONE,
         TURN_ABOUT,
         DRIVE_BACK,
         BACK_OFF,
-        TURN
+        TURN,
+        SHUNT
     }
 
     /// Something in the way that is not on the map.
@@ -184,6 +197,7 @@ final class Trip {
             return turnToGoal(now);
         }
         if (route == null) {
+            mapFromNearer = mapFromBase;
             plan(now);
             return Twist2d.STOP;
         }
@@ -195,7 +209,7 @@ final class Trip {
         if (isPlanDue(now, route)) {
             plan(now);
         }
-        Point2d target = route.target(mapFromBase.position(), parts.ways().map(), settings.lookahead());
+        Point2d target = target(route);
         source.tell(new Stamped<>(
                 now.now(),
                 "map",
@@ -206,7 +220,12 @@ final class Trip {
             case DRIVE_BACK -> driveBack(now);
             case BACK_OFF -> backOff(now);
             case TURN -> turnTo(target, now);
+            case SHUNT -> shunt(now);
         };
+    }
+
+    private Point2d target(Route way) {
+        return way.target(mapFromBase.position(), parts.ways().map(), settings.lookahead());
     }
 
     private Twist2d driveTo(Point2d target, Point2d end, Situation now) {
@@ -229,9 +248,11 @@ final class Trip {
         if (source.ended()) {
             return Twist2d.STOP;
         }
-        return manoeuvre == Manoeuvre.BACK_OFF
-                ? backOff(now)
-                : parts.avoidance().turn(now.obstacles(), angle, now.motion());
+        return switch (manoeuvre) {
+            case BACK_OFF -> backOff(now);
+            case SHUNT -> shunt(now);
+            default -> parts.avoidance().turn(now.obstacles(), angle, now.motion());
+        };
     }
 
     // Where am I?
@@ -279,13 +300,14 @@ final class Trip {
         if (left < yardstick - NEARER) {
             yardstick = left;
             nearer = now.now();
+            mapFromNearer = mapFromBase;
         }
         if (left < best - NEARER) {
             best = left;
             giveUp = now.now().plus(settings.patience());
         }
         if (now.now().isAfter(giveUp)) {
-            var blockage = new Blockage(settings.patience(), backedOff, detours);
+            var blockage = new Blockage(settings.patience(), backedOff, shunted, detours);
             Predicate<Point2d> onMap = place -> !isStrange(place);
             giveUp(
                     now,
@@ -305,12 +327,16 @@ final class Trip {
                                 .formatted(MOST_BUMPS, mapFromBase.x(), mapFromBase.y()));
                 return;
             }
+            if (!now.stalled() && isWedged(now)) {
+                beginShunting(now);
+                return;
+            }
             backedOff++;
             if (now.seesBehind() || now.stalled() || arrived) {
-                begin(Manoeuvre.BACK_OFF, settings.escapeTime(), now);
+                begin(Manoeuvre.BACK_OFF, settings.escapeTime());
             } else {
                 back = mapFromBase.theta() + Math.PI;
-                begin(Manoeuvre.TURN_ABOUT, TURNING_ABOUT, now);
+                begin(Manoeuvre.TURN_ABOUT, TURNING_ABOUT);
             }
         }
     }
@@ -331,29 +357,90 @@ final class Trip {
     }
 
     /// Takes a random part of the time: two robots in each other's way should not do the same.
-    private void begin(Manoeuvre next, Duration atMost, Situation now) {
+    private void begin(Manoeuvre next, Duration atMost) {
         manoeuvre = next;
-        manoeuvreEnds = now.now().plusMillis((long) (atMost.toMillis() * random.nextDouble(0.3, 1)));
+        manoeuvreEnds = scheduler.instant().plusMillis((long) (atMost.toMillis() * random.nextDouble(0.3, 1)));
     }
 
     private void endManoeuvre(Situation now) {
         if (manoeuvre == Manoeuvre.BACK_OFF || manoeuvre == Manoeuvre.DRIVE_BACK) {
-            begin(Manoeuvre.TURN, TURNING, now);
+            begin(Manoeuvre.TURN, TURNING);
         } else {
             manoeuvre = Manoeuvre.NONE;
             nearer = now.now();
+            mapFromNearer = mapFromBase;
             parts.avoidance().reset();
             planned = now.now().minus(settings.replanPeriod());
         }
+    }
+
+    /// Whether it is walls that hold it up: nobody is near whom it could wait for.
+    private boolean isWedged(Situation now) {
+        Obstacles around = now.obstacles();
+        for (int i = 0; i < around.count(); i++) {
+            if (around.room(i) > 0 && Math.hypot(around.x(i), around.y(i)) < COMPANY) {
+                return false;
+            }
+        }
+        return mapFromBase.distanceTo(mapFromNearer) < STANDING;
+    }
+
+    /// Looks for a way to turn to and fro to where it has to go on.
+    private void beginShunting(Situation now) {
+        manoeuvre = Manoeuvre.SHUNT;
+        manoeuvreEnds = now.now().plus(SEARCHING);
+        shunt = null;
+        Pose2d odomFromBase = now.motion().odomFromBase();
+        scheduler
+                .compute(parts.shunting().search(now.obstacles(), toTurn(), arrived ? 0 : ONWARD))
+                .thenAccept(legs -> {
+                    if (manoeuvre == Manoeuvre.SHUNT && shunt == null) {
+                        legs.ifPresentOrElse(found -> shuntAlong(found, odomFromBase), this::backOffInstead);
+                    }
+                });
+    }
+
+    private void backOffInstead() {
+        backedOff++;
+        begin(Manoeuvre.BACK_OFF, settings.escapeTime());
+    }
+
+    /// By what angle, to go on from here [rad].
+    private double toTurn() {
+        Route way = route;
+        return arrived || way == null
+                ? Angles.difference(mapFromBase.theta(), mapFromGoal.theta())
+                : mapFromBase.bearingTo(target(way));
+    }
+
+    private void shuntAlong(List<Leg> legs, Pose2d odomFromBase) {
+        var next = new Shunt(legs, settings.escapeSpeed(), odomFromBase);
+        shunt = next;
+        shunted++;
+        refused = 0;
+        manoeuvreEnds = scheduler.instant().plusMillis((long) (SLOWLY * next.seconds() * 1000));
+    }
+
+    private Twist2d shunt(Situation now) {
+        if (shunt == null) {
+            return Twist2d.STOP;
+        }
+        Twist2d wanted = shunt.drive(now.motion());
+        Twist2d safe = parts.shunting().guarded(wanted, now.motion().velocity(), now.obstacles());
+        refused = safe.equals(Twist2d.STOP) ? refused + 1 : 0;
+        if (shunt.done() || refused == MOST_REFUSED) {
+            endManoeuvre(now);
+        }
+        return safe;
     }
 
     private Twist2d turnAbout(Situation now) {
         double angle = Angles.difference(mapFromBase.theta(), back);
         Twist2d turn = parts.avoidance().turn(now.obstacles(), angle, now.motion());
         if (Math.abs(angle) < ABOUT) {
-            begin(Manoeuvre.DRIVE_BACK, settings.escapeTime(), now);
+            begin(Manoeuvre.DRIVE_BACK, settings.escapeTime());
         } else if (turn.equals(Twist2d.STOP)) {
-            begin(Manoeuvre.BACK_OFF, settings.escapeTime(), now);
+            begin(Manoeuvre.BACK_OFF, settings.escapeTime());
         }
         return turn;
     }

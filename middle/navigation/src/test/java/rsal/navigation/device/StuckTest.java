@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -16,8 +17,12 @@ import rsal.data.Rgb;
 import rsal.data.Shape;
 import rsal.data.Solid;
 import rsal.device.Navigator.Result;
+import rsal.device.Navigator.Tolerance;
 import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Thing;
+import rsal.map.Maps;
+import rsal.settings.FileSource;
+import rsal.settings.Location;
 import rsal.testkit.DrawnMap;
 
 /// A robot before something across its way that the map does not know. Behind it is a pillar, which its laser does
@@ -87,6 +92,33 @@ class StuckTest {
         run.advance(6);
         add(run, "person", run.truth("r").compose(new Pose2d(-0.5, 0, 0)), 0.1, 0.1);
         run.advance(25);
+        assertThat(run.simulation.contacts()).isEmpty();
+    }
+
+    /// Near walls of the office where its corners would touch if it turned in place.
+    @ParameterizedTest
+    @CsvSource({
+        "27.633, 5.165, -0.245, 25.997, -1.219",
+        "-14.895, 7.222, -0.432, -17.705, 6.761",
+        "28.687, -2.109, -0.342, 27.568, 0.868",
+        "-25.696, -4.495, 2.803, -18.161, -4.115",
+        "-3.817, -2.882, 0.336, -1.000, -4.717"
+    })
+    void turnsToAndFroWhereItHasNoRoomToTurn(double x, double y, double theta, double goalX, double goalY) {
+        OccupancyGrid office = new Maps(FileSource.resources(StuckTest.class, "/")).read("office", Location.of("test"));
+        var spec = NavigationRun.robot("r", NavigationRun.pioneer("urg04lx"), new Pose2d(x, y, theta));
+        NavigationRun run = new NavigationRun(office, 1, Runnable::run, List.of(spec))
+                .with(new AmclDriver(), Map.of())
+                .with(new NavigatorDriver(), Map.of());
+        var results = new ArrayList<Result>();
+        run.navigator("r")
+                .goTo(new Pose2d(goalX, goalY, 0), Tolerance.position(0.4))
+                .result()
+                .thenAccept(results::add);
+        for (int second = 0; second < 200 && results.isEmpty(); second++) {
+            run.advance(1);
+        }
+        assertThat(results).singleElement().isInstanceOf(Result.Reached.class);
         assertThat(run.simulation.contacts()).isEmpty();
     }
 
