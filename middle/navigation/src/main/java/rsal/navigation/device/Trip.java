@@ -374,8 +374,12 @@ final class Trip {
         }
     }
 
-    /// Whether it is walls that hold it up: nobody is near whom it could wait for.
+    /// Whether it is walls that hold it up, all of which it knows: nobody is near whom it could wait for. Sonars that
+    /// look ahead leave unknown what is behind.
     private boolean isWedged(Situation now) {
+        if (parts.laser().isEmpty() && !now.seesBehind()) {
+            return false;
+        }
         Obstacles around = now.obstacles();
         for (int i = 0; i < around.count(); i++) {
             if (around.room(i) > 0 && Math.hypot(around.x(i), around.y(i)) < COMPANY) {
