@@ -10,7 +10,7 @@ import java.util.Optional;
 /// @param width of the image [px]
 /// @param height of the image [px]
 /// @param fieldOfView from the left edge of the image to its right [rad]
-/// @param blobs from left to right
+/// @param blobs from left to right, by their first columns
 public record Blobs(Pose2d baseFromCamera, int width, int height, double fieldOfView, List<Blob> blobs) {
     public Blobs {
         blobs = List.copyOf(blobs);
@@ -25,7 +25,7 @@ public record Blobs(Pose2d baseFromCamera, int width, int height, double fieldOf
     /// @param x of its middle [px]; the first column reaches from 0 to 1
     /// @param y of its middle [px]
     /// @param area number of its pixels
-    /// @param range how far it is [m]; NaN when the camera can't tell
+    /// @param range how far it is, as seen from above [m]; NaN when the camera can't tell
     public record Blob(
             Rgb color, int left, int top, int right, int bottom, double x, double y, int area, double range) {}
 

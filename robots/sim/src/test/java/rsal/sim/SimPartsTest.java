@@ -24,8 +24,11 @@ import rsal.data.BatteryState.Charging;
 import rsal.data.Blobs;
 import rsal.data.Blobs.Blob;
 import rsal.data.Interval;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
+import rsal.data.Shape;
+import rsal.data.Solid;
 import rsal.data.Twist2d;
 import rsal.device.Actuator;
 import rsal.device.Battery;
@@ -33,6 +36,7 @@ import rsal.device.BlobFinder;
 import rsal.device.Gripper;
 import rsal.device.LaserScanner;
 import rsal.device.Sensor;
+import rsal.device.SimulationControl.Thing;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotModel.Part;
 import rsal.robot.RobotSpec;
@@ -70,12 +74,29 @@ class SimPartsTest {
         Blob blob = blobs(run).getFirst();
         double up = Math.toDegrees(Math.atan(0.3 / 1.9)); // to what is 0.3 m above the camera
         double down = Math.toDegrees(Math.atan(0.5 / 1.9));
-        assertThat(blob.top()).isEqualTo((int) Math.floor(30 - up));
-        assertThat(blob.bottom()).isEqualTo((int) Math.ceil(30 + down));
+        assertThat(blob.top()).isEqualTo((int) Math.round(30 - up));
+        assertThat(blob.bottom()).isEqualTo((int) Math.round(30 + down));
         double half = Math.toDegrees(Math.asin(0.1 / 2));
         assertThat(blob.left()).isEqualTo((int) Math.round(40 - half));
         assertThat(blob.right()).isEqualTo((int) Math.round(40 + half));
         assertThat(blob.range()).isBetween(1.9, 1.95);
+    }
+
+    @Test
+    void whatIsHigherShowsAboveWhatIsNearer() {
+        var run = looking(0.1, List.of());
+        run.simulation.add(Thing.of(
+                "puck",
+                new Pose2d(2.5, 2, 0),
+                Solid.standing(new Shape.Disc(new Point2d(0, 0), 0.05), 0.1),
+                new Rgb(0, 0, 255)));
+        run.simulation.add(can("box", 5, 2, 0.2, 0.6));
+        assertThat(blobs(run)).extracting(Blob::color).containsExactlyInAnyOrder(new Rgb(0, 0, 255), RED);
+        run.simulation.place("puck", new Pose2d(3.5, 2, 0)); // now it hides a notch of the box
+        assertThat(blobs(run)).extracting(Blob::color).containsExactly(RED, new Rgb(0, 0, 255));
+        Blob box = blobs(run).getFirst();
+        assertThat(box.area()).isLessThan((box.right() - box.left()) * (box.bottom() - box.top()));
+        assertThat(box.range()).isBetween(2.75, 2.9);
     }
 
     @Test

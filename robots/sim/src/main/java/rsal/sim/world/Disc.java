@@ -96,4 +96,12 @@ final class Disc extends Piece {
         double square = along * along - outside;
         return along < 0 || square < 0 ? Double.POSITIVE_INFINITY : along - Math.sqrt(square);
     }
+
+    @Override
+    double rayOut(double fromX, double fromY, double dx, double dy) {
+        double toX = x - fromX;
+        double toY = y - fromY;
+        double along = toX * dx + toY * dy;
+        return along + Math.sqrt(Math.max(0, along * along - (toX * toX + toY * toY - radius * radius)));
+    }
 }

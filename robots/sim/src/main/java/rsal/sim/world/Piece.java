@@ -48,6 +48,9 @@ abstract sealed class Piece permits Polygon, Disc {
     /// @param dx direction; (dx, dy) has length 1
     abstract double ray(double x, double y, double dx, double dy);
 
+    /// Way of a ray that does not miss it to where it leaves [m].
+    abstract double rayOut(double x, double y, double dx, double dy);
+
     /// How far this is from another [m]: at most the true distance, 0 or less when they overlap.
     final double separation(Piece other) {
         return switch (this) {

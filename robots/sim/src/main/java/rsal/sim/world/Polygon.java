@@ -163,4 +163,16 @@ final class Polygon extends Piece {
         }
         return enters <= leaves ? enters : Double.POSITIVE_INFINITY;
     }
+
+    @Override
+    double rayOut(double fromX, double fromY, double dx, double dy) {
+        double leaves = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < count; i++) {
+            double along = normalX[i] * dx + normalY[i] * dy;
+            if (along > 0) {
+                leaves = Math.min(leaves, (offset[i] - normalX[i] * fromX - normalY[i] * fromY) / along);
+            }
+        }
+        return leaves;
+    }
 }
