@@ -28,7 +28,17 @@ final class ValidateCommand extends Subcommand {
     /// Problems are flat, for those who read JSON line by line.
     ///
     /// @param problems mistakes, or warnings when it is valid all the same
-    record Checked(String file, boolean valid, List<Mistake> problems) {}
+    /// @param besides what of a file with mistakes is only warned of
+    record Checked(String file, boolean valid, List<Mistake> problems, List<Mistake> besides) {
+        /// @param warnings what is only warned of
+        static Checked right(String file, List<Problem> warnings) {
+            return new Checked(file, true, Mistake.of(warnings), List.of());
+        }
+
+        static Checked wrong(String file, InvalidSettings why) {
+            return new Checked(file, false, Mistake.of(why.problems()), Mistake.of(why.warnings()));
+        }
+    }
 
     record Mistake(String file, int line, int column, String message, String remedy) {
         static List<Mistake> of(List<Problem> problems) {
@@ -60,7 +70,7 @@ final class ValidateCommand extends Subcommand {
             return Scenario.isWorld(file) ? checkWorld(file) : checkScenario(file);
         } catch (InvalidSettings mistakes) {
             tell(String.valueOf(mistakes.getMessage()));
-            return new Checked(file, false, Mistake.of(mistakes.problems()));
+            return Checked.wrong(file, mistakes);
         }
     }
 
@@ -80,7 +90,7 @@ final class ValidateCommand extends Subcommand {
         }
         var notes = List.copyOf(found);
         notes.forEach(note -> tell(note(note)));
-        return new Checked(file, true, Mistake.of(notes));
+        return Checked.right(file, notes);
     }
 
     /// As people read it: with where it is written, when that is more than the file.
@@ -105,7 +115,7 @@ final class ValidateCommand extends Subcommand {
                             default -> scene.robots().size() + " robots";
                         }));
         scene.warnings().forEach(warning -> tell(ShownWorld.line(warning)));
-        return new Checked(file, true, Mistake.of(scene.warnings()));
+        return Checked.right(file, scene.warnings());
     }
 
     private void tell(String text) {

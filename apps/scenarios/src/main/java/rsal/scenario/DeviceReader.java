@@ -128,7 +128,7 @@ final class DeviceReader {
         try {
             return Optional.of(models.read(name, robot.locationOf("model"), parts));
         } catch (InvalidSettings e) {
-            e.problems().forEach(problems::add);
+            problems.addAll(e);
             return Optional.empty();
         }
     }

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
-import rsal.settings.Problem;
 import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
@@ -81,9 +80,7 @@ final class JoinReader {
                     Suggestion.among(name, Scenario.builtInNames())
                             + " One of your own goes by its file's name, and lies in this one's folder.");
         } catch (InvalidSettings e) {
-            for (Problem problem : e.problems()) {
-                problems.add(problem);
-            }
+            problems.addAll(e);
         }
         return Optional.empty();
     }

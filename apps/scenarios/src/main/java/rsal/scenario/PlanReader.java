@@ -408,7 +408,7 @@ final class PlanReader {
         try {
             return Optional.of(language.get().read(file, files, at));
         } catch (InvalidSettings e) {
-            e.problems().forEach(problems::add);
+            problems.addAll(e);
             return Optional.empty();
         }
     }

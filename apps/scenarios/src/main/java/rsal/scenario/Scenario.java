@@ -371,7 +371,7 @@ public final class Scenario {
         try {
             return planned(options);
         } catch (InvalidSettings e) {
-            throw new InvalidSettings(new Blame(options, this::mistakes).of(e.problems()));
+            throw new InvalidSettings(new Blame(options, this::mistakes).of(e.problems()), e.warnings());
         }
     }
 
@@ -392,15 +392,17 @@ public final class Scenario {
     /// @throws InvalidSettings with every mistake of the scenario
     public void check(Consumer<RunPlan> planned) {
         var mistakes = new LinkedHashSet<Problem>();
+        var warnings = new LinkedHashSet<Problem>();
         for (Configuration configuration : configurations) {
             try {
                 planned.accept(planned(RunOptions.NONE.withConfiguration(configuration.name())));
             } catch (InvalidSettings e) {
                 mistakes.addAll(e.problems());
+                warnings.addAll(e.warnings());
             }
         }
         if (!mistakes.isEmpty()) {
-            throw new InvalidSettings(List.copyOf(mistakes));
+            throw new InvalidSettings(List.copyOf(mistakes), List.copyOf(warnings));
         }
     }
 

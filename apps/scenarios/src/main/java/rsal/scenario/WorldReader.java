@@ -70,9 +70,10 @@ final class WorldReader {
         try {
             Scene read = map ? Scene.of(new Maps(files).read(name, at)) : scene(name, at);
             Scene scene = touch.map(read::with).orElse(read);
+            scene.warnings().forEach(problems::warn);
             return new World(name, Optional.of(scene));
         } catch (InvalidSettings e) {
-            e.problems().forEach(problems::add);
+            problems.addAll(e);
             return new World(name, Optional.empty());
         }
     }

@@ -1,12 +1,16 @@
 package rsal.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
 class NotesTest {
@@ -37,6 +41,34 @@ class NotesTest {
         String moving = world("rsal: 1\nrobots: {r: {model: pioneer2dx, pose: [0, 0, 0]}}\n");
         assertThat(Scenario.scene(moving).warnings()).isEmpty();
         assertThat(Scenario.load(moving).plan(RunOptions.NONE).notes()).isEmpty();
+    }
+
+    @Test
+    void mistakesDoNotHideWarningsOfTheWorld() throws IOException {
+        String world = world("rsal: 1\nwals: []\nrobots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}\n");
+        for (ThrowingCallable read : List.<ThrowingCallable>of(
+                () -> Scenario.scene(world),
+                () -> Scenario.load(world).check(),
+                () -> Scenario.load(world).plan(RunOptions.NONE))) {
+            assertThatExceptionOfType(InvalidSettings.class).isThrownBy(read).satisfies(e -> {
+                assertThat(e.problems()).singleElement().asString().contains("(wals)");
+                assertThat(e.warnings()).singleElement().asString().contains("(dance)");
+            });
+        }
+    }
+
+    @Test
+    void mistakesOfAScenarioDoNotHideWarningsOfItsWorld() throws IOException {
+        world("rsal: 1\nrobots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}\n");
+        Path file = Files.writeString(
+                folder.resolve("some.yaml"),
+                "rsal: 1\nscenario: some\ntitle: Some\nworld: {file: some.world.yaml}\nrun: {stp: 1}\n");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Scenario.load(file.toString()).plan(RunOptions.NONE))
+                .satisfies(e -> {
+                    assertThat(e.problems()).extracting(Problem::message).anyMatch(m -> m.contains("(stp)"));
+                    assertThat(e.warnings()).singleElement().asString().contains("(dance)");
+                });
     }
 
     private static RunPlan teleop(String configuration, RunOptions options) {

@@ -2,16 +2,28 @@ package rsal.settings;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
-/// What a person wrote can't be used. The message lists every mistake, a line or two each, ready to be shown.
+/// What a person wrote can't be used. The message lists every mistake, a line or two each, and then what is only warned
+/// of, ready to be shown.
 public final class InvalidSettings extends RuntimeException {
     private static final long serialVersionUID = 1;
 
     private final transient List<Problem> problems;
+    private final transient List<Problem> warnings;
 
     public InvalidSettings(List<Problem> problems) {
-        super(problems.stream().map(Problem::toString).collect(Collectors.joining("\n")));
+        this(problems, List.of());
+    }
+
+    /// @param warnings what was found besides, and would not be in the way
+    public InvalidSettings(List<Problem> problems, List<Problem> warnings) {
+        super(Stream.concat(
+                        problems.stream().map(Problem::toString),
+                        warnings.stream().map(warning -> "Warning: " + warning))
+                .collect(Collectors.joining("\n")));
         this.problems = List.copyOf(problems);
+        this.warnings = List.copyOf(warnings);
     }
 
     public InvalidSettings(Location location, String message, String remedy) {
@@ -20,5 +32,10 @@ public final class InvalidSettings extends RuntimeException {
 
     public List<Problem> problems() {
         return problems;
+    }
+
+    /// What was found besides the mistakes, and would not be in the way.
+    public List<Problem> warnings() {
+        return warnings;
     }
 }

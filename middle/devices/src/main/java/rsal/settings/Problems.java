@@ -2,12 +2,14 @@ package rsal.settings;
 
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
 /// Collects the mistakes of a document, so that its author hears of all of them at once.
 public final class Problems {
     private final List<Problem> problems = new ArrayList<>();
+    private final Set<Problem> warnings = new LinkedHashSet<>();
     private final Set<Location> settled = new HashSet<>();
     private final int most;
 
@@ -34,6 +36,17 @@ public final class Problems {
         }
     }
 
+    /// Adds those of something that was read on the way, with what is only warned of there.
+    public void addAll(InvalidSettings mistakes) {
+        warnings.addAll(mistakes.warnings());
+        mistakes.problems().forEach(this::add);
+    }
+
+    /// Notes what is no mistake, to be told together with those that are.
+    public void warn(Problem warning) {
+        warnings.add(warning);
+    }
+
     /// What was noted turned out to follow from something else that is told.
     void withdraw(Problem problem) {
         problems.remove(problem);
@@ -52,10 +65,16 @@ public final class Problems {
         return List.copyOf(problems);
     }
 
+    /// What is only warned of.
+    public List<Problem> warnings() {
+        return List.copyOf(warnings);
+    }
+
     /// @throws InvalidSettings when there is any
     public void throwIfAny() {
         if (!problems.isEmpty()) {
-            throw new InvalidSettings(problems.stream().distinct().toList()); // many may have read the same place
+            List<Problem> mistakes = problems.stream().distinct().toList(); // many may have read the same place
+            throw new InvalidSettings(mistakes, List.copyOf(warnings));
         }
     }
 }

@@ -215,7 +215,7 @@ final class CrewReader {
             own.throwIfAny();
             return Optional.of(new Model(model, Optional.of(figure)));
         } catch (InvalidSettings e) {
-            e.problems().forEach(problems::add);
+            problems.addAll(e);
             return Optional.empty();
         }
     }

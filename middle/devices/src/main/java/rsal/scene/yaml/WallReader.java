@@ -182,7 +182,7 @@ final class WallReader {
             count(wall, map.width(), map.height());
             rasters.add(Raster.of(map));
         } catch (InvalidSettings e) {
-            e.problems().forEach(wall.problems()::add);
+            wall.problems().addAll(e);
         }
     }
 
@@ -243,7 +243,7 @@ final class WallReader {
             count(wall, bitmap.width(), bitmap.height());
             return Optional.of(bitmap);
         } catch (InvalidSettings e) {
-            e.problems().forEach(wall.problems()::add);
+            wall.problems().addAll(e);
         } catch (BitmapReader.Unreadable e) {
             wall.problem("image", "Image (%s) can't be read: %s.".formatted(name, e.why()), e.remedy());
         }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
@@ -71,11 +72,38 @@ final class WorldReader {
         var crew = new CrewReader(files, names, problems);
         crew.read(root.section("parts"), root.section("models"), root.section("robots"));
         root.done();
+        crew.members().forEach(this::warn);
         problems.throwIfAny();
         try {
             return new Assembly(title, step, end, touch, area, walls, things, crew.members()).scene(fields);
         } catch (MapPainter.TooLarge e) {
             throw new InvalidSettings(Location.of(path), String.valueOf(e.getMessage()), "Maybe a (pose) is wrong.");
+        }
+    }
+
+    /// Robots of worlds that are converted may have such.
+    private void warn(Member member) {
+        if (member.program().filter(program -> !program.equals(PROGRAM)).isPresent()) {
+            warn(
+                    member.location(),
+                    "There is no program (%s) here; the robot wanders instead."
+                            .formatted(member.program().get()),
+                    "{program: %s}".formatted(PROGRAM));
+        }
+        member.model().sensors().forEach((name, part) -> {
+            if (part instanceof Part.Bumper bumper && bumper.pads().isEmpty()) {
+                warn(
+                        member.location(),
+                        "Bumper (%s) of the model (%s) feels nothing: it has no (bumpers)."
+                                .formatted(name, member.model().name()),
+                        "{bumpers: [[0.25, 0, 0, 0.4]]}");
+            }
+        });
+    }
+
+    private void warn(Location location, String message, String remedy) {
+        if (problems.warnings().size() < MOST_WARNINGS) {
+            problems.warn(new Problem(location, message, remedy));
         }
     }
 
@@ -225,8 +253,7 @@ final class WorldReader {
                     odometry.put(member.id(), body.mapFromEntity());
                 }
                 member.odometry().ifPresent(pose -> odometry.put(member.id(), pose));
-                member.program().ifPresent(program -> program(member, program, programs));
-                bumpers(member);
+                member.program().ifPresent(program -> programs.put(member.id(), program));
                 count(member.role(), 1);
             }
             return new Scene(
@@ -243,37 +270,8 @@ final class WorldReader {
                     programs,
                     contents,
                     List.of(),
-                    warnings);
-        }
-
-        /// Robots of worlds that are converted may have such.
-        private void bumpers(Member member) {
-            member.model().sensors().forEach((name, part) -> {
-                if (part instanceof Part.Bumper bumper && bumper.pads().isEmpty()) {
-                    warn(new Problem(
-                            member.location(),
-                            "Bumper (%s) of the model (%s) feels nothing: it has no (bumpers)."
-                                    .formatted(name, member.model().name()),
-                            "{bumpers: [[0.25, 0, 0, 0.4]]}"));
-                }
-            });
-        }
-
-        private void warn(Problem warning) {
-            if (!warnings.contains(warning) && warnings.size() < MOST_WARNINGS) {
-                warnings.add(warning);
-            }
-        }
-
-        private void program(Member member, String program, Map<String, String> programs) {
-            programs.put(member.id(), program);
-            var warning = new Problem(
-                    member.location(),
-                    "There is no program (%s) here; the robot wanders instead.".formatted(program),
-                    "{program: %s}".formatted(PROGRAM));
-            if (!program.equals(PROGRAM)) {
-                warn(warning);
-            }
+                    Stream.concat(problems.warnings().stream(), warnings.stream())
+                            .toList());
         }
     }
 }

@@ -51,7 +51,7 @@ public final class Findings {
     /// Nothing more can be read.
     public InvalidSettings fatal(Location location, String message, String remedy) {
         errors.add(new Problem(location, message, remedy));
-        return new InvalidSettings(errors);
+        return new InvalidSettings(errors, warnings(location.file()));
     }
 
     public void warn(Location location, String message, String remedy) {
@@ -90,19 +90,21 @@ public final class Findings {
         return text.length() <= 80 ? text : text.substring(0, 77) + "...";
     }
 
-    /// @throws InvalidSettings with all errors, those of a file in the order of its lines
+    /// @throws InvalidSettings with all errors, those of a file in the order of its lines, and all warnings so far
     public void throwIfAny() {
         if (!errors.isEmpty()) {
             List<String> files = errors.stream()
                     .map(error -> error.location().file())
                     .distinct()
                     .toList();
-            throw new InvalidSettings(errors.stream()
-                    .sorted(Comparator.comparingInt((Problem error) ->
-                                    files.indexOf(error.location().file()))
-                            .thenComparingInt(error -> error.location().line())
-                            .thenComparingInt(error -> error.location().column()))
-                    .toList());
+            throw new InvalidSettings(
+                    errors.stream()
+                            .sorted(Comparator.comparingInt((Problem error) ->
+                                            files.indexOf(error.location().file()))
+                                    .thenComparingInt(error -> error.location().line())
+                                    .thenComparingInt(error -> error.location().column()))
+                            .toList(),
+                    warnings(files.getFirst()));
         }
     }
 
