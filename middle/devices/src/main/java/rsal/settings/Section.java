@@ -18,8 +18,9 @@ public final class Section {
     private final Value.Mapping mapping;
     private final Problems problems;
     private final boolean given;
+    private boolean absent; // the whole group is left out
     private final Set<String> asked = new LinkedHashSet<>();
-    private final Map<String, Problem> missing = new HashMap<>(); // what was noted to be, by key
+    private final Map<String, Problem> missing = new LinkedHashMap<>(); // what was noted to be, by key
     private final Map<String, List<Section>> leftOut = new HashMap<>(); // groups that are not given, by key
 
     /// @param name how messages call the group, `robots.prey`; empty at the top of a file
@@ -167,6 +168,7 @@ public final class Section {
                 problems,
                 given && (value.isEmpty() || group.isPresent()));
         if (value.isEmpty()) {
+            section.absent = true;
             leftOut.computeIfAbsent(key, _ -> new ArrayList<>()).add(section);
         }
         return section;
@@ -192,6 +194,7 @@ public final class Section {
 
     /// Everything known has been asked for: what is left over is a mistake.
     public void done() {
+        mergeMissing();
         for (String key : mapping.entries().keySet()) {
             if (!asked.contains(key)) {
                 Suggestion.closest(key, asked).ifPresent(this::forgive);
@@ -220,6 +223,30 @@ public final class Section {
             noteMissing(key, what, "");
         }
         return value;
+    }
+
+    /// Of a group that is left out whole, what it lacks is one mistake, groups that it would have included.
+    private void mergeMissing() {
+        if (!absent) {
+            return;
+        }
+        var names = new ArrayList<>(missing.keySet());
+        var told = new ArrayList<>(missing.values());
+        leftOut.forEach((key, groups) -> groups.forEach(group -> {
+            if (!group.missing.isEmpty()) {
+                names.add(key);
+                told.addAll(group.missing.values());
+            }
+        }));
+        if (names.size() > 1) {
+            told.forEach(problems::withdraw);
+            leftOut.clear();
+            missing.clear();
+            var whole = new Problem(
+                    location(), "(%s) is missing: a group with (%s).".formatted(name, String.join("), (", names)), "");
+            missing.put("", whole);
+            problems.add(whole);
+        }
     }
 
     private void noteMissing(String key, String what, String remedy) {
