@@ -18,6 +18,8 @@ import rsal.robot.RobotSpec;
 import rsal.scene.Entity;
 import rsal.scene.MapPainter;
 import rsal.scene.NamedSeed;
+import rsal.scene.Overlaps;
+import rsal.scene.Overlaps.Overlap;
 import rsal.scene.Scene;
 import rsal.scene.Touch;
 import rsal.scene.yaml.CrewReader.Member;
@@ -256,6 +258,7 @@ final class WorldReader {
                 member.program().ifPresent(program -> programs.put(member.id(), program));
                 count(member.role(), 1);
             }
+            warnOfOverlaps();
             return new Scene(
                     title,
                     map(),
@@ -272,6 +275,16 @@ final class WorldReader {
                     List.of(),
                     Stream.concat(problems.warnings().stream(), warnings.stream())
                             .toList());
+        }
+
+        private void warnOfOverlaps() {
+            var locations = new HashMap<String, Location>();
+            members.forEach(member -> locations.put(member.id(), member.location()));
+            List<Entity> robots = members.stream().map(this::body).toList();
+            for (Overlap overlap : Overlaps.of(walls.rasters(), things, robots)) {
+                Location at = locations.getOrDefault(overlap.robot().name(), Location.of(path));
+                warn(at, overlap.message(), Overlap.REMEDY);
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 package rsal.scene.yaml;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
@@ -30,6 +31,7 @@ import rsal.scene.Scene;
 import rsal.scene.SceneFormat;
 import rsal.scene.Touch;
 import rsal.settings.FileSource;
+import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problem;
 
@@ -558,6 +560,36 @@ class YamlFormatTest {
     }
 
     @Test
+    void robotsThatStartInsideSomethingAreToldOf() {
+        Scene scene = scene("""
+                walls: [{line: [[-5, 0], [5, 0]], thickness: 0.1}]
+                things: {box: {pose: [2, 2, 0], body: {length: 1, width: 1, height: 1}}}
+                robots:
+                  r: {model: pioneer2dx, pose: [[0, 0.1, 0], [2.2, 2, 0], [-2, 2, 0]]}
+                  late: {model: pioneer2dx, pose: [-2, 2.1, 0]}
+                """);
+        assertThat(scene.warnings())
+                .extracting(Problem::toString)
+                .satisfiesExactly(
+                        wall -> assertThat(wall).startsWith("hall.world.yaml:5:6: Robot (r-1) starts inside (wall-1)."),
+                        box -> assertThat(box).contains("Robot (r-2) starts inside (box)."),
+                        robot -> assertThat(robot).contains("Robot (late) starts inside (r-3)."));
+    }
+
+    @Test
+    void mistakesDoNotHideWarnings() {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> scene("""
+                        robots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}
+                        wals: []
+                        """))
+                .satisfies(e -> {
+                    assertThat(e.problems()).singleElement().asString().contains("wals");
+                    assertThat(e.warnings()).singleElement().asString().contains("(dance)");
+                });
+    }
+
+    @Test
     void otherProgramsAreToldOf() {
         Scene scene = scene("robots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}");
         assertThat(scene.programs()).containsEntry("r", "dance");
@@ -610,7 +642,7 @@ class YamlFormatTest {
             robots: {r: {model: pioneer2dx, pose: {free: true, within: [50, 50, 51, 51]}}} | 2:13 | no free place for robot (r)
             robots: {r: {model: pioneer2dx, pose: {free: true, within: [5, 0, 1, 1]}}} | 2:60 | (robots.r.pose.within) must be [left, bottom
             robots: {r: {model: pioneer2dx, pose: {free: true, within: [0, 0, 1e7, 1]}}} | 2:60 | (robots.r.pose.within) must be within
-            models: {m: {body: {radius: 1}}}               | 2:13  | (models.m.drive.maxSpeed) is missing
+            models: {m: {body: {radius: 1}}}               | 2:13  | (models.m.drive) is missing: a group with (maxSpeed)
             models: {m: {body: {radius: 1, actuator: arn}, mounts: {arm: [0, 0, 0]}}} | 2:42 | Maybe (arm) was meant?
             things: {a: {body: {radius: 1, actuator: arm}}} | 2:32 | (actuator) is not known
             things: {a: {pose: [900000, 0, 0], body: {radius: 1}}, b: {body: {radius: 1}}} | | at most 100000 m
@@ -669,7 +701,9 @@ class YamlFormatTest {
                 "odometryNoise: {distancePerMetre: 0, headingPerMeter: 0, headingPerDegree: 0} "
                         + "| Maybe (distancePerMeter) was meant?",
                 "odometryNoise: {distancePerMeter: -1, headingPerMeter: 0, headingPerDegree: 0} | from 0.0 to 1000000000",
-                "odometryNoise: {distancePerMeter: 0, headingPerMeter: 0} | headingPerDegree) is missing"
+                "odometryNoise: {distancePerMeter: 0, headingPerMeter: 0} | headingPerDegree) is missing",
+                "type: differential          | drive.odometryNoise) is missing: a group with (distancePerMeter), (headingPerMeter), "
+                        + "(headingPerDegree)."
             })
     void aMistakeInADriveIsToldOnce(String noise, String expected) {
         assertThat(Worlds.of("""

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
@@ -16,6 +17,8 @@ import rsal.scene.Block;
 import rsal.scene.Entity;
 import rsal.scene.MapPainter;
 import rsal.scene.NamedSeed;
+import rsal.scene.Overlaps;
+import rsal.scene.Overlaps.Overlap;
 import rsal.scene.Raster;
 import rsal.scene.Scene;
 import rsal.scene.Surface;
@@ -44,6 +47,7 @@ final class SceneMaker {
     private final List<Entity> things = new ArrayList<>();
     private final List<RobotSpec> robots = new ArrayList<>();
     private final Map<String, Entity> robotBodies = new HashMap<>();
+    private final Map<String, Location> starts = new HashMap<>(); // where robots are written, by id
     private final Map<String, Pose2d> odomFromBase = new HashMap<>();
     private final Map<String, String> programs = new HashMap<>();
     private final TreeMap<String, Integer> contents = new TreeMap<>();
@@ -62,6 +66,7 @@ final class SceneMaker {
     Scene scene() {
         world.forEach(model -> contents.merge(model.macro(), 1, Integer::sum));
         world.models().forEach(this::add);
+        warnOfOverlaps();
         var warnings = new ArrayList<>(world.warnings());
         warnings.addAll(findings.warnings(path));
         try {
@@ -83,6 +88,16 @@ final class SceneMaker {
         } catch (MapPainter.TooLarge e) {
             throw new InvalidSettings(
                     Location.of(path), String.valueOf(e.getMessage()), "Maybe a (pose) or a (unit_length) is wrong.");
+        }
+    }
+
+    private void warnOfOverlaps() {
+        List<Entity> bodies = robots.stream()
+                .map(robot -> Objects.requireNonNull(robotBodies.get(robot.id())))
+                .toList();
+        for (Overlap overlap : Overlaps.of(walls, things, bodies)) {
+            Location at = Objects.requireNonNull(starts.get(overlap.robot().name()));
+            findings.warn(at, overlap.message(), Overlap.REMEDY);
         }
     }
 
@@ -182,6 +197,7 @@ final class SceneMaker {
         robots.add(new RobotSpec(id, base.macro(), made.model(), Optional.of(pose), rgb.toString()));
         robotBodies.put(
                 id, new Entity(id, made.blocks(rgb), pose, base.worldFromModel().z()));
+        starts.put(id, base.location());
         boolean knows = position.localization() == Kind.Localization.GPS;
         odomFromBase.put(
                 id,

@@ -92,8 +92,25 @@ final class TraitsReader implements KindReader.Paint {
                 fields.flag("alwayson", false),
                 interval(fields),
                 controllers(fields, kind));
+        boolean device = !(type.equals("model") || type.equals("position"));
+        if (!device && traits.body().isEmpty() && fields.has("size")) {
+            warnOfNothing(fields.locationOf("size"), size);
+        }
         fields.done();
         return traits;
+    }
+
+    private void warnOfNothing(Location at, Size size) {
+        if (size.x() == 0 || size.y() == 0) {
+            findings.warn(
+                    at,
+                    "What has this (size) has no body: nothing runs into it or sees it.",
+                    "Give it a length and a width, as [%s %s %s]."
+                            .formatted(
+                                    units.written(Units.Kind.LENGTH, 0.4),
+                                    units.written(Units.Kind.LENGTH, 0.4),
+                                    units.written(Units.Kind.LENGTH, 1)));
+        }
     }
 
     private static String article(String type) {

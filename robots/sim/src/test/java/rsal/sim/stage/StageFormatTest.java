@@ -54,6 +54,31 @@ class StageFormatTest {
         return scene.warnings().stream().map(Problem::toString).toList();
     }
 
+    @Test
+    void robotsThatStartInsideSomethingAreToldOf() {
+        Scene scene = scene(Worlds.of("""
+                        define cart position ( size [0.4 0.4 0.3] )
+                        model ( name "plan" bitmap "plan.pgm" size [10 10 1] pose [0 0 0 0] )
+                        model ( name "box" pose [2 0 0 0] )
+                        cart ( name "in-wall" pose [-4.9 0 0 0] )
+                        cart ( name "in-box" pose [2.3 0 0 0] )
+                        cart ( name "beside" pose [1.6 0 0 0] )
+                        cart ( name "above" pose [2 0 1 0] )
+                        cart ( name "first" pose [0 3 0 0] )
+                        cart ( name "second" pose [0.1 3.1 0 0] )
+                        """).andImage("plan.pgm", RING), 1);
+        assertThat(warnings(scene))
+                .satisfiesExactly(
+                        wall -> assertThat(wall)
+                                .startsWith("test.world:4:1: Robot (in-wall) starts inside a wall.\n    Give"),
+                        box -> assertThat(box).startsWith("test.world:5:1: Robot (in-box) starts inside (box)."),
+                        robot -> assertThat(robot).startsWith("test.world:9:1: Robot (second) starts inside (first)."));
+    }
+
+    /// Too large to be told in rectangles.
+    private static final String RING =
+            "#".repeat(120) + "\n" + ("#" + ".".repeat(118) + "#\n").repeat(118) + "#".repeat(120);
+
     /// A picture of a raster, the uppermost row first.
     private static String drawn(Raster raster) {
         return IntStream.range(0, raster.height())

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.settings.InvalidSettings;
+import rsal.settings.Problem;
 
 /// What is told of worlds that can't be read, or not all of them.
 class WorldMistakesTest {
@@ -399,6 +400,8 @@ class WorldMistakesTest {
                         + "scenario.",
                 "position ( camera ( ) )  | 12 | A camera gives no images here. "
                         + "| A blobfinder sees colors, a fiducial markers.",
+                "model ( size [0 0 0] )   | 9 | What has this (size) has no body: nothing runs into it or sees it. "
+                        + "| Give it a length and a width, as [0.4 0.4 1].",
                 "sensor ( )               | 1 | (sensor) has no effect here. | Put it into a ranger ( ... ).",
                 "model ( window ( ) )     | 9 | (window) has no effect here. "
                         + "| It belongs to the world, outside of models.",
@@ -419,6 +422,32 @@ class WorldMistakesTest {
                         window ( size [600 400] scale 30 center [0 0] rotate [0 0] show_data 1 show_trailrise 0 )
                         model ( gui_nose 1 gui_grid 0 gui_move 1 gui_outline 0 trail_length 3 map_resolution 0.1 friction 1 )
                         """).warnings()).isEmpty();
+    }
+
+    @Test
+    void mistakesDoNotHideWarnings() {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Worlds.of("""
+                                model ( xyzzy 1 )
+                                model ( name "a" mass "x" ) model ( name "a" )
+                                """).read())
+                .satisfies(e -> {
+                    assertThat(e.problems()).hasSize(1);
+                    assertThat(e.warnings())
+                            .extracting(Problem::toString)
+                            .satisfiesExactly(
+                                    first -> assertThat(first).startsWith("test.world:1:9: (xyzzy)"),
+                                    second -> assertThat(second).contains("There is more than one model (a)"));
+                    assertThat(e).hasMessageContaining("\nWarning: test.world:1:9: (xyzzy)");
+                });
+    }
+
+    @Test
+    void whatIsTooMuchDoesNotHideWarnings() {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Worlds.of("model ( xyzzy 1 )\n" + "model ( mass \"x\" )\n".repeat(60))
+                        .read())
+                .satisfies(e -> assertThat(e.warnings()).hasSize(1));
     }
 
     @Test
