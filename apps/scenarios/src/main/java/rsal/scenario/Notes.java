@@ -68,7 +68,7 @@ final class Notes {
                         : new Problem(
                                 at,
                                 "There is no robot in this world, so that nothing moves.",
-                                "Put robots into its file, or add them on the page."));
+                                "Put robots into its file, or run it without --headless and add them on the page."));
     }
 
     static Problem nothingIn(Location world) {
