@@ -23,7 +23,8 @@ import rsal.settings.Parameter;
 /// fetches. Needs no robot.
 public final class BlobAgent extends Kind {
     static final Parameter PLACES = Parameter.places("places", "Where they lie.");
-    static final Parameter COLOR = Parameter.text("color", "#2ca02c", "Their color, as cameras see it.");
+    static final Parameter COLOR =
+            Parameter.text("color", "#2ca02c", "Their color, as cameras see it, #rrggbb or a name.");
     static final Parameter PUTS = Parameter.flag(
             "puts", true, "Whether it puts them there, in a simulated world; else they are taken to lie there.");
 
@@ -41,7 +42,7 @@ public final class BlobAgent extends Kind {
     @Override
     void begin(AgentContext self, Arguments arguments) {
         Rgb color = Spotting.color(arguments, COLOR)
-                .orElseThrow(() -> new IllegalArgumentException("(color) must be like #1f77b4."));
+                .orElseThrow(() -> new IllegalArgumentException("(color) must be a color, #rrggbb or a name."));
         List<Point2d> places = arguments.places(PLACES.name());
         if (arguments.flag(PUTS.name())) {
             self.simulation().ifPresent(world -> put(world, self.name(), places, color));

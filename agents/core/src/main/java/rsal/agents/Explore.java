@@ -17,7 +17,7 @@ public final class Explore extends Kind {
     private static final double NARROW = 0; // rad, its view: it turns all around
 
     static final Parameter COLOR =
-            Parameter.text("color", "", "Of the things that it looks for, #rrggbb; any when empty.");
+            Parameter.text("color", "", "Of the things that it looks for, #rrggbb or a name; any when empty.");
     static final Parameter RANGE =
             Parameter.number("range", 2, 0.3, 100, "m", "How far away from its camera things may be to count.");
 

@@ -16,7 +16,7 @@ final class Sentry {
     static final Parameter INTRUDER = Parameter.text(
             "intruder",
             "",
-            "Color by which its camera knows intruders, #rrggbb; it looks for none when empty. Takes a camera.");
+            "Color by which its camera knows intruders, #rrggbb or a name; it looks for none when empty. Takes a camera.");
 
     private static final Duration PERIOD = Duration.ofSeconds(1);
 

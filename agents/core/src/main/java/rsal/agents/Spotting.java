@@ -10,6 +10,7 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
 import rsal.device.BlobFinder;
+import rsal.robot.ColorNames;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -49,9 +50,10 @@ final class Spotting {
         String text = arguments.text(parameter.name());
         return text.isEmpty()
                 ? Optional.empty()
-                : Optional.of(Rgb.parse(text)
-                        .orElseThrow(() -> new IllegalArgumentException(
-                                "(%s) must be like #1f77b4, not (%s).".formatted(parameter.name(), text))));
+                : Optional.of(ColorNames.parse(text)
+                        .orElseThrow(() ->
+                                new IllegalArgumentException("(%s) must be a color, #rrggbb or a name, not (%s). %s"
+                                        .formatted(parameter.name(), text, ColorNames.advice(text)))));
     }
 
     void begin() {

@@ -2,11 +2,14 @@ package rsal.agents;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Society.Status;
 import rsal.data.Pose2d;
+import rsal.data.Rgb;
+import rsal.settings.Arguments;
 
 /// What it asks for is in [CollectTest].
 class BlobAgentTest {
@@ -40,8 +43,16 @@ class BlobAgentTest {
 
     @Test
     void wantsAColor() {
-        start(Map.of("places", "4 0", "color", "green"));
+        start(Map.of("places", "4 0", "color", "gren"));
         assertThat(scene.view("told").status()).isEqualTo(Status.FAILED);
-        assertThat(scene.state("told")).contains("(color)").contains("(green)");
+        assertThat(scene.state("told")).contains("(color)").contains("(gren)").contains("Maybe (green) was meant?");
+    }
+
+    @Test
+    void knowsColorsByName() {
+        start(Map.of("places", "4 0", "color", "Steel Blue"));
+        assertThat(world.things).containsKey("told-1");
+        var arguments = Arguments.of(List.of(BlobAgent.COLOR), Map.of("color", "Steel Blue"));
+        assertThat(Spotting.color(arguments, BlobAgent.COLOR)).contains(new Rgb(0x46, 0x82, 0xb4));
     }
 }

@@ -35,6 +35,7 @@ import java.util.stream.Collectors;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
+import rsal.robot.ColorNames;
 
 /// Values of Java as terms of AgentSpeak, and back. Numbers are numbers in SI units; a text of one word is an atom, in
 /// quotes where it needs them (`prey`, `'hunter-1'`, `'#2ca02c'`), and else a string; a pose is `pose(X,Y,Th)`, a place
@@ -218,9 +219,9 @@ final class Terms {
             return words(term);
         }
         if (kind == Rgb.class) {
-            return Rgb.parse(words(term))
-                    .orElseThrow(
-                            () -> new IllegalArgumentException("(%s) is no color #rrggbb.".formatted(words(term))));
+            return ColorNames.parse(words(term))
+                    .orElseThrow(() -> new IllegalArgumentException("(%s) is no color, #rrggbb or a name. %s"
+                            .formatted(words(term), ColorNames.advice(words(term)))));
         }
         if (kind.isEnum()) {
             return Arrays.stream(kind.getEnumConstants())

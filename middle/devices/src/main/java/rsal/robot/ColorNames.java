@@ -33,20 +33,30 @@ public final class ColorNames {
         return NAMED.keySet();
     }
 
+    /// A color as people write it.
+    public static Optional<Rgb> parse(String text) {
+        return Rgb.parse(text).or(() -> named(text));
+    }
+
+    /// What to try instead of a text that is no color.
+    public static String advice(String text) {
+        return Suggestion.closest(normal(text), all())
+                .map("Maybe (%s) was meant?"::formatted)
+                .orElse("Names are those of X11, such as red, orange or gray30.");
+    }
+
     /// What a setting says; a mistake is noted when that is no color.
     ///
     /// @param read the setting, or one of those that it lists
     public static Optional<Rgb> read(Section section, String key, Value read) {
         String text = read instanceof Value.Scalar scalar ? scalar.value().toString() : "";
-        Optional<Rgb> color = Rgb.parse(text).or(() -> named(text));
+        Optional<Rgb> color = parse(text);
         if (color.isEmpty()) {
             section.problem(
                     read.location(),
                     "(%s) must be a color, \"#rrggbb\" or a name, not %s."
                             .formatted(section.path(key), read.describe()),
-                    Suggestion.closest(normal(text), all())
-                            .map("Maybe (%s) was meant?"::formatted)
-                            .orElse("Names are those of X11, such as red, orange or gray30."));
+                    advice(text));
         }
         return color;
     }
