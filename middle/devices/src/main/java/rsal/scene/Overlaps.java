@@ -10,6 +10,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -59,7 +60,7 @@ public final class Overlaps {
     }
 
     /// From left to right, so that only those side by side are compared.
-    private static void sweep(List<Piece> all, TreeMap<Integer, Overlap> found) {
+    private static void sweep(List<Piece> all, Map<Integer, Overlap> found) {
         var robots = new ArrayList<Piece>(); // that reach as far as we are
         var things = new ArrayList<Piece>();
         for (Piece piece : all) {
@@ -75,7 +76,7 @@ public final class Overlaps {
         }
     }
 
-    private static void compare(Piece robot, Piece other, TreeMap<Integer, Overlap> found) {
+    private static void compare(Piece robot, Piece other, Map<Integer, Overlap> found) {
         Piece later = robot.number > other.number ? robot : other;
         Piece before = later == robot ? other : robot;
         if (later.number != before.number && !found.containsKey(later.number) && later.meets(before)) {

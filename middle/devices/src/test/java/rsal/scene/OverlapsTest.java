@@ -53,7 +53,7 @@ class OverlapsTest {
             var before = new ArrayList<>(things);
             for (Entity robot : robots) {
                 Optional<Overlap> told =
-                        overlaps.stream().filter(o -> o.robot() == robot).findFirst();
+                        overlaps.stream().filter(o -> o.robot().equals(robot)).findFirst();
                 double inWalls = common(robot, walls.getFirst());
                 double most = inWalls;
                 for (Entity other : before) {
@@ -121,7 +121,8 @@ class OverlapsTest {
         Pose2d around = robot.mapFromEntity();
         for (double x = Math.max(-2, around.x() - 0.8); x < Math.min(2, around.x() + 0.8); x += GRAIN) {
             for (double y = Math.max(-2, around.y() - 0.8); y < Math.min(2, around.y() + 0.8); y += GRAIN) {
-                int cell = (int) ((y + 2) / walls.cellY()) * walls.width() + (int) ((x + 2) / walls.cellX());
+                int row = (int) Math.floor((y + 2) / walls.cellY());
+                int cell = row * walls.width() + (int) Math.floor((x + 2) / walls.cellX());
                 double px = x;
                 double py = y;
                 count += walls.solid().get(cell)
