@@ -217,7 +217,7 @@ final class LocalizationBench implements Bench {
                 ticks.getFirst().odomFromBase(), look.apply(ticks.getFirst().mapFromBase()));
         Pose2d odometry = ticks.getFirst().odomFromBase();
         for (Tick tick : ticks) {
-            estimate = amcl.due(tick.odomFromBase())
+            estimate = amcl.due(tick.odomFromBase(), () -> look.apply(tick.mapFromBase()))
                     ? amcl.update(tick.odomFromBase(), look.apply(tick.mapFromBase()))
                     : estimate.moved(odometry.inverse().compose(tick.odomFromBase()));
             odometry = tick.odomFromBase();

@@ -22,6 +22,7 @@ import rsal.data.Covariance2d;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Quality;
 import rsal.map.Maps;
 import rsal.map.RosMap;
 import rsal.navigation.amcl.Amcl;
@@ -55,6 +56,7 @@ import rsal.time.AllowedToReadWallClock;
 @AllowedToReadWallClock("Tells how long updates take.")
 final class LocalizeCommand extends Subcommand {
     private static final int MOST_PARTICLES = 1_000_000;
+    private static final double MOSTLY = 0.3; // share of the scans, at which lost is worth a word
     private static final double OFF_MAP = 5; // m; how far off a map a start may be
 
     @Parameters(index = "0", paramLabel = "LOG", description = "The log's file.")
@@ -194,10 +196,14 @@ final class LocalizeCommand extends Subcommand {
         }
     }
 
+    /// @param localized share of the scans at which that was the word; likewise the next two
     /// @param convergedAfter scans, from 1; null when it never did
     /// @param rmse and the like from there on [m]; null when it never converged
     record RunView(
             int seed,
+            double localized,
+            double ambiguous,
+            double lost,
             int judged,
             @Nullable Integer convergedAfter,
             @Nullable Double rmse,
@@ -213,6 +219,9 @@ final class LocalizeCommand extends Subcommand {
             OptionalInt converged = verdict.converged();
             return new RunView(
                     seed,
+                    share(steps, Quality.LOCALIZED),
+                    share(steps, Quality.AMBIGUOUS),
+                    share(steps, Quality.LOST),
                     verdict.judged(),
                     converged.isPresent() ? converged.getAsInt() : null,
                     known(verdict.rmse()),
@@ -224,6 +233,13 @@ final class LocalizeCommand extends Subcommand {
                     steps.stream().mapToLong(Replay.Step::nanos).average().orElse(0) * 1e-6,
                     steps.stream().mapToLong(Replay.Step::nanos).max().orElse(0) * 1e-6,
                     steps.stream().map(StepView::of).toList());
+        }
+
+        private static double share(List<Replay.Step> steps, Quality word) {
+            long those = steps.stream()
+                    .filter(step -> step.estimate().quality() == word)
+                    .count();
+            return (double) those / steps.size();
         }
     }
 
@@ -269,9 +285,16 @@ final class LocalizeCommand extends Subcommand {
         }
     }
 
+    /// @param untold scans left out since nothing tells where the wheels had brought the robot
     /// @param skipped messages of the log that were not used, by reason
     record Localized(
-            String log, String map, int scans, Map<String, Integer> skipped, Summary summary, List<RunView> runs) {}
+            String log,
+            String map,
+            int scans,
+            int untold,
+            Map<String, Integer> skipped,
+            Summary summary,
+            List<RunView> runs) {}
 
     @Override
     int run() throws IOException {
@@ -310,12 +333,15 @@ final class LocalizeCommand extends Subcommand {
                     file,
                     map.map == null ? "from half" : map.map,
                     course.stops().size(),
+                    course.untold(),
                     log.skipped().counts(),
                     summary,
                     runs));
         } else {
-            tell(log, summary);
+            LogOptions.tellSkipped(err(), file, log);
+            tell(summary);
         }
+        tellDoubts(course, runs);
         return Exit.SUCCESS;
     }
 
@@ -447,6 +473,8 @@ final class LocalizeCommand extends Subcommand {
                                 meters(step.error)));
             }
         }
+        out().println("seed %d: localized at %.0f%%, ambiguous at %.0f%%, lost at %.0f%% of %d scans"
+                .formatted(run.seed, 100 * run.localized, 100 * run.ambiguous, 100 * run.lost, run.steps.size()));
         if (run.judged > 0) {
             out().println(
                             run.convergedAfter == null
@@ -466,8 +494,27 @@ final class LocalizeCommand extends Subcommand {
         out().flush();
     }
 
-    private void tell(CarmenLog log, Summary summary) {
-        LogOptions.tellSkipped(err(), file, log);
+    /// What nobody should miss who looks at the last poses only.
+    private void tellDoubts(Course course, List<RunView> runs) {
+        if (course.untold() > 0) {
+            err().println(
+                            "%s: %d of %d scans were left out: nothing tells where the wheels had brought the robot by then."
+                                    .formatted(
+                                            file,
+                                            course.untold(),
+                                            course.untold() + course.stops().size()));
+        }
+        double lost = runs.stream().mapToDouble(RunView::lost).average().orElse(0);
+        if (lost > MOSTLY) {
+            err().println(
+                            ("It was lost at %.0f%% of the scans. Maybe the map is of another place, or the laser is not where"
+                                            + " the log says, or sees farther around than --field-of-view.")
+                                    .formatted(100 * lost));
+        }
+        err().flush();
+    }
+
+    private void tell(Summary summary) {
         if (summary.seeds > 1 && summary.judged > 0) {
             out().println(("%d runs: %.0f%% converged within 10 scans, %.0f%% at all; from there on rmse %s m, of the"
                             + " worst run %s m, 95%% below %s m, heading %s°; falsely sure at %.2f%% of scans; %.2f ms"

@@ -2,6 +2,7 @@ package rsal.navigation.amcl;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Angles;
@@ -48,6 +49,8 @@ public final class Amcl {
     private static final double NO_MISFIT = 0.02; // share of beams; as many may go through walls anywhere
     private static final double MOST_MISFIT = 0.2; // likewise, of one scan, or a moment would do
     private static final double DOUBTFUL = 0.5; // sum of misfits
+    private static final int SCANS_COMPARED = 5; // while the wheels stand, one of so many
+    private static final double CONTRADICTED = 0.3; // share of beams through walls, by a scan alone
     private static final double USUAL_FOR = 0.99; // share of what is usual that is left by each update
     private static final double ABOUT_THE_SAME = 0.25; // mean logarithm of a beam's likelihood
     private static final double DOUBT = -2; // logarithm of how likely a rival is that was not there before
@@ -145,6 +148,7 @@ public final class Amcl {
     private double doubt; // sum of what misfits were above that
     private int outlasted; // rivals that were found in so many searches have all been ruled out
     private boolean trusted; // no other place has been as good since it was last lost
+    private int scansStanding; // since the last update
     private int blind; // updates in a row in which nothing was seen
     private @Nullable Hypothesis newest; // where it was at the last update
 
@@ -203,9 +207,22 @@ public final class Amcl {
         restart(true);
     }
 
-    /// Whether the robot has moved enough, or started again, to look at a scan.
-    public boolean due(Pose2d odomFromBase) {
-        return fresh || !odomFromBase.isNear(this.odomFromBase, settings.updateDistance(), settings.updateTurn());
+    /// Whether a scan is to be looked at: when the robot has moved enough, or started again. While its wheels stand, a
+    /// laser's scan that can't be from where it is believed to be, as somebody may have carried it: every fifth is
+    /// compared.
+    ///
+    /// @param beams are asked for only when they are compared
+    public boolean due(Pose2d odomFromBase, Supplier<Beams> beams) {
+        if (fresh || !odomFromBase.isNear(this.odomFromBase, settings.updateDistance(), settings.updateTurn())) {
+            return true;
+        }
+        if (newest == null || ++scansStanding % SCANS_COMPARED != 0) {
+            return false;
+        }
+        Beams seen = beams.get();
+        Pose2d way = this.odomFromBase.inverse().compose(odomFromBase);
+        Fates fates = fates(seen, newest.mapFromBase().compose(way));
+        return seen.cone() == 0 && fates.told() >= FEWEST_BEAMS && fates.through() > CONTRADICTED * fates.told();
     }
 
     /// Moves the belief to where odometry says the robot went since the last update, and corrects it by what the
@@ -223,6 +240,7 @@ public final class Amcl {
             settings.odometry().move(this.odomFromBase, odomFromBase, particles, random);
         }
         this.odomFromBase = odomFromBase;
+        scansStanding = 0;
         fresh = false;
         if (beams.count() > 0) {
             weigh(beams);
@@ -234,7 +252,7 @@ public final class Amcl {
             trusted = false;
         }
         if (beams.count() > 0) {
-            judge(beams, pose);
+            judge(fates(beams, pose));
             lost = lost ? !evidence.speaksFor() : evidence.isRefuted();
         }
         trusted &= !lost;
@@ -466,8 +484,14 @@ public final class Amcl {
         }
     }
 
-    /// Takes up what became of the beams at the estimate. What left the map says nothing.
-    private void judge(Beams beams, Pose2d mapFromBase) {
+    /// What became of the beams of a scan; what left the map says nothing.
+    private record Fates(int hits, int through, int shorter) {
+        int told() {
+            return hits + through + shorter;
+        }
+    }
+
+    private Fates fates(Beams beams, Pose2d mapFromBase) {
         double cos = Math.cos(mapFromBase.theta());
         double sin = Math.sin(mapFromBase.theta());
         int hits = 0;
@@ -481,13 +505,18 @@ public final class Amcl {
                 case OUTSIDE -> {}
             }
         }
-        evidence.add(hits, through, shorter);
-        int told = hits + through;
-        if (told >= FEWEST_BEAMS) {
-            fitNow = (double) hits / told;
+        return new Fates(hits, through, shorter);
+    }
+
+    /// Takes up what became of the beams at the estimate.
+    private void judge(Fates fates) {
+        evidence.add(fates.hits(), fates.through(), fates.shorter());
+        int reaching = fates.hits() + fates.through();
+        if (reaching >= FEWEST_BEAMS) {
+            fitNow = (double) fates.hits() / reaching;
         }
-        if (told + shorter > 0) {
-            double now = (double) through / (told + shorter);
+        if (fates.told() > 0) {
+            double now = (double) fates.through() / fates.told();
             misfit += NEWEST * (now - misfit);
             usualMisfit *= USUAL_FOR;
             doubt = Math.max(0, doubt + Math.min(MOST_MISFIT, now - usualMisfit - NO_MISFIT));

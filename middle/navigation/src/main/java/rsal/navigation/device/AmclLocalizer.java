@@ -141,7 +141,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     private void correct(Instant time, Supplier<Beams> beams) {
         Optional<Pose2d> odometry = wheels.odomFromBase(time);
-        if (odometry.isEmpty() || !(restart || amcl.due(odometry.get()))) {
+        if (odometry.isEmpty() || !(restart || amcl.due(odometry.get(), beams))) {
             busy = false;
             return;
         }

@@ -26,6 +26,7 @@ import rsal.navigation.grid.ScanMapper.PosedScan;
 /// @param untold scans left out since nothing tells where the wheels had brought the robot
 public record Course(List<Stop> stops, int untold) {
     private static final double SAME_PLACE = 0.05; // m
+    private static final double LONGEST_AFTER = 1; // s; how old odometry may be when there is none behind a scan
     private static final double SAME_HEADING = 0.02; // rad
 
     /// One scan.
@@ -40,7 +41,7 @@ public record Course(List<Stop> stops, int untold) {
     }
 
     /// As a log tells it: where the robot was is what its author made of the odometry. Where a scan comes without
-    /// odometry, that is taken from the messages before and after it.
+    /// odometry, that is taken from the messages before and after it; a second after the last one it is not known.
     public static Course of(CarmenLog log) {
         var stops = new ArrayList<Stop>();
         for (Scan scan : log.scans()) {
@@ -73,7 +74,8 @@ public record Course(List<Stop> stops, int untold) {
         }
         Motion before = motions.get(low - 1);
         if (low == motions.size()) {
-            return Optional.of(before.odomFromBase());
+            boolean soon = seconds(before.time(), scan.time()) <= LONGEST_AFTER;
+            return soon ? Optional.of(before.odomFromBase()) : Optional.empty();
         }
         Motion after = motions.get(low);
         double span = seconds(before.time(), after.time());

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import rsal.data.Angles;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
@@ -47,9 +48,10 @@ public final class Replay {
         int particles = 0;
         for (Course.Stop stop : course.stops()) {
             long before = nanos.getAsLong();
-            boolean due = estimate == null || amcl.due(stop.odomFromBase());
+            Supplier<Beams> beams = () -> Beams.of(stop.scan(), look.beams(), look.maxRange());
+            boolean due = estimate == null || amcl.due(stop.odomFromBase(), beams);
             if (estimate == null || due) {
-                estimate = amcl.update(stop.odomFromBase(), Beams.of(stop.scan(), look.beams(), look.maxRange()));
+                estimate = amcl.update(stop.odomFromBase(), beams.get());
                 particles = amcl.particleCount();
             } else {
                 estimate = estimate.moved(odomFromBase.inverse().compose(stop.odomFromBase()));

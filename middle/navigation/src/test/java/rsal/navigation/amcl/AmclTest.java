@@ -79,6 +79,32 @@ class AmclTest {
         assertThat(told.getLast().mapFromBase().distanceTo(after(truth, 8))).isLessThan(0.06);
     }
 
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void noticesThatItIsCarriedWhileItsWheelsStand(long seed) {
+        var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
+        Pose2d first = Seen.ROOM.pose('a', 0);
+        amcl.start(PoseEstimate.of(first, Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
+        PoseEstimate estimate = drive(amcl, SEEN, first, Pose2d.ORIGIN, 5).getLast();
+        assertThat(estimate.quality()).isEqualTo(Quality.LOCALIZED);
+        Pose2d standing = after(Pose2d.ORIGIN, 5);
+        for (int scan = 0; scan < 50; scan++) {
+            Beams beams = SEEN.beams(after(first, 5), 60);
+            assertThat(amcl.due(standing, () -> beams)).as("nothing new").isFalse();
+        }
+
+        int looks = 0;
+        Beams elsewhere = SEEN.beams(Seen.ROOM.pose('k', 100), 60);
+        for (int scan = 0; scan < 100; scan++) {
+            if (amcl.due(standing, () -> elsewhere)) {
+                estimate = amcl.update(standing, elsewhere);
+                looks++;
+            }
+        }
+        assertThat(looks).isBetween(3, 20);
+        assertThat(estimate.quality()).isNotEqualTo(Quality.LOCALIZED);
+    }
+
     @Test
     void isLostUntilItHasSeenSomething() {
         var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));

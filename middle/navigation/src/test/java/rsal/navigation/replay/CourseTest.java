@@ -37,6 +37,14 @@ class CourseTest {
     }
 
     @Test
+    void odometryThatEndsEarlyIsNotThatOfLaterScans() throws IOException {
+        Course course = Course.of(log(RAW + "RAWLASER1 0 -1 2 1 20 0.01 0 3 1 2 6 0 3.5 h 0\n"));
+
+        assertThat(course.stops()).hasSize(2);
+        assertThat(course.untold()).isEqualTo(2);
+    }
+
+    @Test
     void anotherLogOfTheSameScansTellsWhereTheyWereTaken() throws IOException {
         Course course = Course.of(log("""
                 FLASER 3 1 2 3 0 0 0 5 5 0 1 h 1
