@@ -1,6 +1,8 @@
 package rsal.agent;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -15,6 +17,9 @@ final class Channel<M> {
     private final Supplier<Listeners<Telling<M>>> none;
     private final Listeners<Telling<M>> all;
     private final Map<String, Listeners<Telling<M>>> byAgent = new HashMap<>();
+    private final List<Place<M>> places = new ArrayList<>(); // of all
+    private List<Telling.Seat<M>> seats = List.of(); // of all, as they were told last
+    private boolean changed; // since then
 
     /// @param none makes a set of listeners without any
     Channel(Topic<M> topic, String firstUser, Supplier<Listeners<Telling<M>>> none) {
@@ -35,10 +40,14 @@ final class Channel<M> {
 
     Subscription add(String agent, Consumer<? super Telling<M>> listener) {
         Listeners<Telling<M>> own = byAgent.computeIfAbsent(agent, _ -> none.get());
-        Subscription amongAll = all.add(listener);
+        var place = new Place<M>(listener);
+        places.add(place);
+        changed = true;
+        Subscription amongAll = all.add(place);
         Subscription amongOwn = own.add(listener);
         return () -> {
             amongAll.cancel();
+            changed |= places.remove(place);
             amongOwn.cancel();
             if (own.isEmpty()) {
                 byAgent.remove(agent, own);
@@ -53,9 +62,38 @@ final class Channel<M> {
     void tell(Telling<M> said) {
         Message<M> message = said.message();
         if (message.isForAll()) {
+            said.begin(seats());
             all.tell(said);
         } else {
             tell(said, message.to());
+        }
+    }
+
+    private List<Telling.Seat<M>> seats() {
+        if (changed) {
+            for (int i = 0; i < places.size(); i++) {
+                places.get(i).number = i;
+            }
+            seats = places.stream().map(place -> place.seat).toList();
+            changed = false;
+        }
+        return seats;
+    }
+
+    /// One of those who listen to all that is said here.
+    private static final class Place<M> implements Consumer<Telling<M>> {
+        private final Consumer<? super Telling<M>> listener;
+        private final Telling.Seat<M> seat = new Telling.Seat<>();
+        private int number; // among all, as they were told last
+
+        Place(Consumer<? super Telling<M>> listener) {
+            this.listener = listener;
+        }
+
+        @Override
+        public void accept(Telling<M> said) {
+            said.tells(number);
+            listener.accept(said);
         }
     }
 

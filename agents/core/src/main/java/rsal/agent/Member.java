@@ -485,7 +485,7 @@ final class Member implements AgentContext {
             }
             draw(message);
             if (copies.size() == 1 && copies.getFirst().isZero()) {
-                atOnce(told, this); // nearly always, so it costs no object
+                atOnce(told); // nearly always, so it costs no object
             } else {
                 takeCopies(told);
             }
@@ -496,7 +496,7 @@ final class Member implements AgentContext {
             arrival = drawn;
             for (Duration late : copies) {
                 if (late.isZero()) {
-                    atOnce(told, at -> hear(at, drawn));
+                    atOnceAs(told, at -> hear(at, drawn));
                 } else {
                     drawn.onTheirWay++;
                     hostLane.after(late, Phase.THINK, () -> hearLate(told, drawn));
@@ -504,9 +504,17 @@ final class Member implements AgentContext {
             }
         }
 
-        private void atOnce(Telling<M> told, Telling.Hearer<M> hearer) {
+        private void atOnce(Telling<M> told) {
             if (isOnRunsLane) {
-                told.add(hearer);
+                told.add(this);
+            } else {
+                hostLane.execute(() -> reach(told));
+            }
+        }
+
+        private void atOnceAs(Telling<M> told, Telling.Hearer<M> hearer) {
+            if (isOnRunsLane) {
+                told.addOnce(hearer);
             } else {
                 hostLane.execute(() -> hearer.reach(told));
             }
