@@ -231,6 +231,8 @@ export const texts = {
     saveMap: 'Save its map',
     saveMapHint:
       'Download the map that it drew, as an image with the YAML of ROS; scenarios can take place on it',
+    drawnBy: 'Map of',
+    drawnByHint: 'The device whose map is drawn and saved',
     follow: 'Follow',
     unfollow: 'Stop following',
     x: 'x [m]',

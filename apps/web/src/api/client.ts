@@ -146,8 +146,9 @@ export const api = {
   blobs: (robot: string, time: number | null = null) => about<Cameras>('blobs', robot, time),
   /** What places cost a robot's navigator, of 100; null when it tells none. */
   costs: (robot: string) => grid(`costs?${query({ robot })}`, robot),
-  drawnFiles: (run: number, robot: string) =>
-    `api/drawn/${String(run)}/files?robot=${encodeURIComponent(robot)}`,
+  /** Where the map that a device of a robot has drawn is, to be saved. */
+  drawnFiles: (run: number, robot: string, device: string, time: number | null = null) =>
+    `api/drawn/${String(run)}/files?${query({ robot, device }, time)}`,
 };
 
 /** What can be asked of each of the runs side by side, from the page that shows them all. */
@@ -243,8 +244,6 @@ const looking = () => AbortSignal.any([patience.signal, AbortSignal.timeout(LONG
 
 const whoAsks = () => ({ 'RSAL-Operator': access.id });
 
-const at = (time: number | null) => (time === null ? '' : `&time=${String(time)}`);
-
 /** Which run is asked about: of one before, nobody is to be told what is so in this one. */
 let run: number | null = null;
 
@@ -283,12 +282,17 @@ async function found<T>(what: string, home = ''): Promise<T | null> {
 }
 
 /**
- * The map that a robot has drawn, with its cells as those of `map`; null when there is none any more.
+ * The map that a device of a robot has drawn, with its cells as those of `map`; null when there is none any more.
  *
  * @param time of what has been [s of the run]; null for the present
  */
-async function drawn(run: number, robot: string, time: number | null = null): Promise<Grid | null> {
-  return grid(`drawn/${String(run)}?robot=${encodeURIComponent(robot)}${at(time)}`, robot);
+async function drawn(
+  run: number,
+  robot: string,
+  device: string,
+  time: number | null = null,
+): Promise<Grid | null> {
+  return grid(`drawn/${String(run)}?${query({ robot, device }, time)}`, robot);
 }
 
 /** @param name that it gets; null when it isn't there */

@@ -179,6 +179,7 @@ export interface DeviceNumbers {
 }
 
 export interface DrawnMap {
+  device: string;
   time: number;
 }
 
@@ -498,7 +499,7 @@ export interface RobotDetails {
   carried: CarriedInfo[];
   real: RealDetails | null;
   devices: DeviceDetails[];
-  map: DrawnMap | null;
+  maps: DrawnMap[];
 }
 
 export interface RobotInfo {

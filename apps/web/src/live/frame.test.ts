@@ -75,6 +75,15 @@ describe('a frame', () => {
     expect(bare?.odom).toBeNull();
   });
 
+  it('has where else a robot may be', () => {
+    expect(full?.elsewhere).toHaveLength(2);
+    expect(full?.elsewhere[0]).toMatchObject({ xx: 1, xy: 0.5, yy: 2 });
+    expect(full?.elsewhere[0]?.pose.x).toBeCloseTo(4, 3);
+    expect(full?.elsewhere[0]?.weight).toBeCloseTo(0.25, 4);
+    expect(full?.elsewhere[1]?.pose.x).toBeCloseTo(5, 3);
+    expect(bare?.elsewhere).toEqual([]);
+  });
+
   it('has things that were moved, and how high they are', () => {
     expect(frame.things.map(({ number }) => number)).toEqual([4, 70000]);
     expect(frame.things[0]?.pose.x).toBeCloseTo(-1.5, 3);

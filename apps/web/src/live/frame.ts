@@ -28,6 +28,7 @@ const PARTICLES = 1 << 8;
 const GRIPPER = 1 << 9;
 const LIT = 1 << 10;
 const ODOM = 1 << 11;
+const ELSEWHERE = 1 << 12;
 
 const HOLDING = 1;
 
@@ -47,6 +48,15 @@ export interface Pose {
 export interface Estimate {
   pose: Pose;
   headingDeviation: number;
+  xx: number;
+  xy: number;
+  yy: number;
+}
+
+/** Where else a robot may be, with its share of the belief, from 0 to 1. */
+export interface Hypothesis {
+  pose: Pose;
+  weight: number;
   xx: number;
   xy: number;
   yy: number;
@@ -108,6 +118,8 @@ export interface RobotState {
   lit: boolean;
   /** Where its localizer, or the truth where nothing localizes it, has the frame of its odometry on the map (REP 105). */
   odom: Pose | null;
+  /** Where else than at the estimate its localizer holds possible that it is, the most likely first. */
+  elsewhere: Hypothesis[];
 }
 
 /** A thing that is elsewhere than the server told when it came. */
@@ -196,6 +208,7 @@ function robotAt(view: DataView, offset: number, blocks: Reader): RobotState {
     gripper: has(GRIPPER) ? gripper(blocks) : null,
     lit: has(LIT),
     odom: has(ODOM) ? aligned(blocks) : null,
+    elsewhere: has(ELSEWHERE) ? elsewhere(blocks) : [],
   };
 }
 
@@ -207,6 +220,20 @@ function estimate(reader: Reader): Estimate {
     xy: reader.float32(),
     yy: reader.float32(),
   };
+}
+
+function elsewhere(reader: Reader): Hypothesis[] {
+  const all = [];
+  for (let left = reader.uint32(); left > 0; left--) {
+    all.push({
+      pose: reader.pose(),
+      weight: reader.uint16() / 0xffff,
+      xx: reader.float32(),
+      xy: reader.float32(),
+      yy: reader.float32(),
+    });
+  }
+  return all;
 }
 
 function aligned(reader: Reader): Pose {

@@ -1,3 +1,4 @@
+import type { DrawnMap } from '../api/messages';
 import { drawAxes } from './layers/axes';
 import { drawBlobs } from './layers/blobs';
 import { drawCones } from './layers/cones';
@@ -91,6 +92,14 @@ class Layers {
     axes: false,
     names: true,
   });
+
+  /** Name of the device whose map is drawn, of a robot with several that draw one; of others the first is. */
+  mapper = $state('');
+
+  /** Of maps that a robot has drawn, the one to be seen. */
+  drawn(maps: DrawnMap[]): DrawnMap | undefined {
+    return maps.find(({ device }) => device === this.mapper) ?? maps[0];
+  }
 
   get lying(): Layer[] {
     return this.visible(lying);

@@ -1,4 +1,4 @@
-import type { Estimate, Pose } from '../../live/frame';
+import type { Estimate, Hypothesis, Pose } from '../../live/frame';
 import type { Layer } from '../scene';
 import { enter } from './frames';
 import { size } from './robots';
@@ -9,9 +9,15 @@ const DEVIATIONS = 2.45;
 /** A robot that is drawn smaller than this [px] would be hidden by an outline. */
 const LEAST_PIXELS = 10;
 
-/** Where localizers believe robots to be: outline, and the ellipse they are in with 95 % certainty. */
+/** The least likely place is drawn so strongly. */
+const FAINTEST = 0.25;
+
+/**
+ * Where localizers believe robots to be: outline, and the ellipse they are in with 95 % certainty. Where else they hold
+ * possible that they are: the same, the fainter the less likely it is, and without the fill.
+ */
 export const drawEstimates: Layer = (context, { info, frame, view, palette }) => {
-  frame.robots.forEach(({ estimate }, i) => {
+  frame.robots.forEach(({ estimate, elsewhere }, i) => {
     if (estimate === null) {
       return;
     }
@@ -19,7 +25,15 @@ export const drawEstimates: Layer = (context, { info, frame, view, palette }) =>
     if (size(footprint) * view.scale > LEAST_PIXELS) {
       drawOutline(context, estimate.pose, footprint, palette.text, view.scale);
     }
-    drawEllipse(context, estimate, color, view.scale);
+    drawEllipse(context, estimate, color, view.scale, 1);
+    for (const other of elsewhere) {
+      const strength = Math.max(FAINTEST, other.weight);
+      context.save();
+      context.globalAlpha = strength;
+      drawOutline(context, other.pose, footprint, color, view.scale);
+      context.restore();
+      drawEllipse(context, other, color, view.scale, strength);
+    }
   });
 };
 
@@ -42,14 +56,23 @@ function drawOutline(
   context.restore();
 }
 
-function drawEllipse(context: CanvasRenderingContext2D, estimate: Estimate, color: string, scale: number) {
+/** @param strength 1 for the most likely place */
+function drawEllipse(
+  context: CanvasRenderingContext2D,
+  estimate: Estimate | Hypothesis,
+  color: string,
+  scale: number,
+  strength: number,
+) {
   const { major, minor, angle } = ellipse(estimate);
   context.beginPath();
   context.ellipse(estimate.pose.x, estimate.pose.y, major, minor, angle, 0, 2 * Math.PI);
-  context.globalAlpha = 0.12;
-  context.fillStyle = color;
-  context.fill();
-  context.globalAlpha = 0.7;
+  if (strength === 1) {
+    context.globalAlpha = 0.12;
+    context.fillStyle = color;
+    context.fill();
+  }
+  context.globalAlpha = 0.7 * strength;
   context.strokeStyle = color;
   context.lineWidth = 1.5 / scale;
   context.stroke();
@@ -57,7 +80,11 @@ function drawEllipse(context: CanvasRenderingContext2D, estimate: Estimate, colo
 }
 
 /** Half axes [m] and direction [rad] of the ellipse of 95 % certainty. */
-export function ellipse({ xx, xy, yy }: Estimate): { major: number; minor: number; angle: number } {
+export function ellipse({ xx, xy, yy }: Estimate | Hypothesis): {
+  major: number;
+  minor: number;
+  angle: number;
+} {
   const mean = (xx + yy) / 2;
   const spread = Math.hypot((xx - yy) / 2, xy);
   return {

@@ -31,7 +31,6 @@ public final class CsvExport {
                     Stream.of(
                             Foxglove.FRAME_TRANSFORMS,
                             Foxglove.POSE_IN_FRAME,
-                            Foxglove.GRID,
                             Foxglove.POINT_CLOUD,
                             Foxglove.SCENE_UPDATE,
                             Foxglove.LOG,

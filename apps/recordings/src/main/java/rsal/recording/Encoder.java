@@ -198,6 +198,7 @@ public final class Encoder {
             out.number(6, belief.covariance().thetaTheta());
             out.number(7, belief.confidence());
             out.string(8, belief.quality().name());
+            Own.hypotheses(out, 9, belief);
             out.end(begun);
         });
         robot.goal().ifPresent(goal -> pose(10, goal));
@@ -383,10 +384,10 @@ public final class Encoder {
         out.string(2, particles.frame());
         foxglovePose(3, Pose2d.ORIGIN);
         out.fixed32(4, 16);
-        field(5, "x", 0, 7);
-        field(5, "y", 4, 7);
-        field(5, "heading", 8, 7);
-        field(5, "weight", 12, 7);
+        Foxglove.field(out, 5, "x", 0, 7);
+        Foxglove.field(out, 5, "y", 4, 7);
+        Foxglove.field(out, 5, "heading", 8, 7);
+        Foxglove.field(out, 5, "weight", 12, 7);
         out.bytes(6, data.toArray());
         write(Topics.of(id, Topics.PARTICLES), Foxglove.POINT_CLOUD, time, taken, Map.of());
     }
@@ -395,24 +396,7 @@ public final class Encoder {
         out.clear();
         timestamp(1, time);
         out.string(2, frame);
-        foxglovePose(3, new Pose2d(map.originX(), map.originY(), 0));
-        out.fixed32(4, map.width());
-        int size = out.begin(5);
-        out.number(1, map.resolution());
-        out.number(2, map.resolution());
-        out.end(size);
-        out.fixed32(6, map.width());
-        out.fixed32(7, 1);
-        field(8, "occupancy", 0, 2);
-        out.bytes(9, map.cells());
-    }
-
-    private void field(int number, String name, int offset, int type) {
-        int begun = out.begin(number);
-        out.string(1, name);
-        out.fixed32(2, offset);
-        out.varint(3, type);
-        out.end(begun);
+        Foxglove.grid(out, map);
     }
 
     /// A line through its points; without any, the one before is taken away.

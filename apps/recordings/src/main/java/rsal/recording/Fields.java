@@ -8,6 +8,7 @@ import java.util.Optional;
 import rsal.data.Covariance2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Hypothesis;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoReader;
 
@@ -82,14 +83,23 @@ record Fields(Map<?, ?> values) {
         return otherwise;
     }
 
-    /// What a localizer believes, but for other hypotheses.
+    /// What a localizer believes. Where several hypotheses were held, an older recording has the best alone.
     PoseEstimate estimate() {
+        Pose2d best = pose("pose").orElse(Pose2d.ORIGIN);
+        List<Hypothesis> several = all("hypotheses").stream()
+                .map(one -> new Hypothesis(
+                        one.number("weight"), one.pose("pose").orElse(Pose2d.ORIGIN), one.covariance()))
+                .toList();
         return new PoseEstimate(
-                pose("pose").orElse(Pose2d.ORIGIN),
-                new Covariance2d(number("xx"), number("xy"), 0, number("yy"), 0, number("headings")),
-                List.of(),
+                best,
+                covariance(),
+                several.isEmpty() ? List.of(new Hypothesis(1, best, covariance())) : several,
                 number("confidence"),
                 word(PoseEstimate.Quality.class, "quality", PoseEstimate.Quality.LOST));
+    }
+
+    private Covariance2d covariance() {
+        return new Covariance2d(number("xx"), number("xy"), 0, number("yy"), 0, number("headings"));
     }
 
     /// One of ours: x, y, heading.

@@ -1,6 +1,7 @@
 package rsal.recording;
 
 import java.util.List;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
@@ -131,6 +132,29 @@ final class Foxglove {
         int begun = out.begin(field);
         out.number(3, Math.sin(heading / 2));
         out.number(4, Math.cos(heading / 2));
+        out.end(begun);
+    }
+
+    /// Writes the fields of a [#GRID] from 3 on.
+    static void grid(ProtoWriter out, OccupancyGrid map) {
+        pose(out, 3, new Pose2d(map.originX(), map.originY(), 0));
+        out.fixed32(4, map.width());
+        int size = out.begin(5);
+        out.number(1, map.resolution());
+        out.number(2, map.resolution());
+        out.end(size);
+        out.fixed32(6, map.width());
+        out.fixed32(7, 1);
+        field(out, 8, "occupancy", 0, 2);
+        out.bytes(9, map.cells());
+    }
+
+    /// Writes a [#PACKED_FIELD].
+    static void field(ProtoWriter out, int field, String name, int offset, int type) {
+        int begun = out.begin(field);
+        out.string(1, name);
+        out.fixed32(2, offset);
+        out.varint(3, type);
         out.end(begun);
     }
 

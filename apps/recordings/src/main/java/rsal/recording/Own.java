@@ -1,6 +1,7 @@
 package rsal.recording;
 
 import rsal.data.Pose2d;
+import rsal.data.PoseEstimate;
 import rsal.data.Twist2d;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.MessageType.Kind;
@@ -12,6 +13,13 @@ final class Own {
             .with(1, "x", Kind.DOUBLE)
             .with(2, "y", Kind.DOUBLE)
             .with(3, "heading", Kind.DOUBLE);
+    static final MessageType HYPOTHESIS = MessageType.named("rsal.Hypothesis")
+            .with(1, "weight", Kind.DOUBLE)
+            .with(2, "pose", POSE)
+            .with(3, "xx", Kind.DOUBLE)
+            .with(4, "xy", Kind.DOUBLE)
+            .with(5, "yy", Kind.DOUBLE)
+            .with(6, "headings", Kind.DOUBLE);
     static final MessageType ESTIMATE = MessageType.named("rsal.Estimate")
             .with(1, "frame_id", Kind.STRING)
             .with(2, "pose", POSE)
@@ -20,7 +28,8 @@ final class Own {
             .with(5, "yy", Kind.DOUBLE)
             .with(6, "headings", Kind.DOUBLE)
             .with(7, "confidence", Kind.DOUBLE)
-            .with(8, "quality", Kind.STRING);
+            .with(8, "quality", Kind.STRING)
+            .withMany(9, "hypotheses", HYPOTHESIS);
     static final MessageType CARRIED = MessageType.named("rsal.Carried")
             .with(1, "pose", POSE)
             .with(2, "rise", Kind.DOUBLE)
@@ -214,6 +223,14 @@ final class Own {
             .with(3, "goal", POSE)
             .with(4, "remaining", Kind.DOUBLE)
             .with(5, "paused", Kind.BOOL);
+    static final MessageType PLANNER_ASKED = reading("rsal.PlannerAsked")
+            .with(3, "start", POSE)
+            .with(4, "goal", POSE)
+            .with(5, "places", Kind.INT64)
+            .with(6, "reachable", Kind.INT64)
+            .with(7, "cost", Kind.DOUBLE)
+            .with(8, "length", Kind.DOUBLE)
+            .with(9, "why", Kind.STRING);
     static final MessageType ODOMETRY = reading("rsal.Odometry")
             .with(3, "pose", POSE)
             .with(4, "twist", TWIST)
@@ -225,7 +242,8 @@ final class Own {
             .with(6, "yy", Kind.DOUBLE)
             .with(7, "headings", Kind.DOUBLE)
             .with(8, "confidence", Kind.DOUBLE)
-            .with(9, "quality", Kind.STRING);
+            .with(9, "quality", Kind.STRING)
+            .withMany(10, "hypotheses", HYPOTHESIS);
     static final MessageType QUANTITY = MessageType.named("rsal.Quantity")
             .with(1, "name", Kind.STRING)
             .with(2, "title", Kind.STRING)
@@ -246,6 +264,23 @@ final class Own {
         out.number(2, pose.y());
         out.number(3, pose.theta());
         out.end(begun);
+    }
+
+    /// Writes [#HYPOTHESIS]: all that are held, of an estimate that holds several.
+    static void hypotheses(ProtoWriter out, int field, PoseEstimate belief) {
+        if (belief.hypotheses().size() < 2) {
+            return;
+        }
+        for (PoseEstimate.Hypothesis one : belief.hypotheses()) {
+            int begun = out.begin(field);
+            out.number(1, one.weight());
+            pose(out, 2, one.mapFromBase());
+            out.number(3, one.covariance().xx());
+            out.number(4, one.covariance().xy());
+            out.number(5, one.covariance().yy());
+            out.number(6, one.covariance().thetaTheta());
+            out.end(begun);
+        }
     }
 
     /// Writes a [#TWIST].

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import rsal.data.ActuatorState;
 import rsal.recording.QuantityNames.Words;
 
@@ -40,6 +41,7 @@ public record Quantities(List<Quantity> all) {
                 case Boolean flag -> add(name, words, flag ? 1 : 0);
                 case Number number -> add(name, words, number.doubleValue());
                 case float[] all when all.length > 0 -> summary(name, words, all);
+                case OptionalDouble number -> add(name, words, number.orElse(Double.NaN));
                 case Optional<?> some -> some.ifPresent(inner -> look(name, words, inner, depth));
                 case List<?> all -> add(name + ".count", words.and("how many").in(""), all.size());
                 case ActuatorState actuator

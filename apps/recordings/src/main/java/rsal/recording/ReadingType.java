@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
@@ -22,6 +23,7 @@ import rsal.data.GripperState;
 import rsal.data.Interval;
 import rsal.data.LaserScan;
 import rsal.data.LightState;
+import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
@@ -29,6 +31,7 @@ import rsal.data.RangeArray;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
+import rsal.device.Planner;
 import rsal.recording.proto.MessageType;
 import rsal.recording.proto.ProtoWriter;
 import rsal.scenario.run.NavigatorState;
@@ -60,10 +63,14 @@ record ReadingType<T>(
             new ReadingType<>(LightState.class, Own.LIGHT_STATE, ReadingType::write, ReadingType::light);
     private static final ReadingType<NavigatorState> NAVIGATOR =
             new ReadingType<>(NavigatorState.class, Own.NAVIGATOR_STATE, ReadingType::write, ReadingType::navigator);
+    private static final ReadingType<Planner.Asked> PLANNER =
+            new ReadingType<>(Planner.Asked.class, Own.PLANNER_ASKED, ReadingType::write, ReadingType::asked);
 
     private static final ReadingType<LaserScan> SCAN = laser(Optional.empty());
     private static final ReadingType<RangeArray> RANGES =
             new ReadingType<>(RangeArray.class, Own.RANGES, ReadingType::write, ReadingType::ranges);
+    private static final ReadingType<OccupancyGrid> MAP =
+            new ReadingType<>(OccupancyGrid.class, Foxglove.GRID, Foxglove::grid, Decoder::grid);
     private static final ReadingType<PoseEstimate> ESTIMATE =
             new ReadingType<>(PoseEstimate.class, Own.POSE_ESTIMATE, ReadingType::write, Fields::estimate);
     private static final ReadingType<Odometry> ODOMETRY =
@@ -85,8 +92,10 @@ record ReadingType<T>(
             GRIPPER,
             LIGHT,
             NAVIGATOR,
+            PLANNER,
             SCAN,
             RANGES,
+            MAP,
             ESTIMATE,
             ODOMETRY,
             QUANTITIES);
@@ -201,6 +210,7 @@ record ReadingType<T>(
         out.number(7, belief.covariance().thetaTheta());
         out.number(8, belief.confidence());
         out.string(9, belief.quality().name());
+        Own.hypotheses(out, 10, belief);
     }
 
     private static void write(ProtoWriter out, Odometry odometry) {
@@ -416,6 +426,31 @@ record ReadingType<T>(
 
     private static NavigatorState navigator(Fields fields) {
         return new NavigatorState(fields.pose("goal"), fields.number("remaining"), fields.flag("paused"));
+    }
+
+    private static void write(ProtoWriter out, Planner.Asked asked) {
+        Own.pose(out, 3, asked.mapFromStart());
+        Own.pose(out, 4, asked.mapFromGoal());
+        out.varint(5, asked.places());
+        out.varint(6, asked.reachable());
+        out.number(7, asked.cost().orElse(Double.NaN));
+        out.number(8, asked.length().orElse(Double.NaN));
+        out.string(9, asked.why());
+    }
+
+    private static Planner.Asked asked(Fields fields) {
+        return new Planner.Asked(
+                fields.pose("start").orElse(Pose2d.ORIGIN),
+                fields.pose("goal").orElse(Pose2d.ORIGIN),
+                (int) fields.count("places"),
+                (int) fields.count("reachable"),
+                known(fields.number("cost")),
+                known(fields.number("length")),
+                fields.text("why"));
+    }
+
+    private static OptionalDouble known(double number) {
+        return Double.isNaN(number) ? OptionalDouble.empty() : OptionalDouble.of(number);
     }
 
     /// Where something is on the base.

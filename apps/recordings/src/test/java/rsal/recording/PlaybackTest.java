@@ -27,6 +27,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
+import rsal.device.Planner;
 import rsal.recording.Playback.Told;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
@@ -83,7 +84,8 @@ class PlaybackTest {
                             .ignoringFieldsMatchingRegexes(
                                     "odometry\\.value\\.(time|frame)",
                                     "gripper.*",
-                                    "estimate\\.value\\.value\\.(hypotheses|covariance\\.(xTheta|yTheta)).*",
+                                    "estimate\\.value\\.value\\.(hypotheses\\.)?covariance\\.(xTheta|yTheta)",
+                                    "estimate\\.value\\.value\\.hypotheses\\.weight",
                                     "(scan|ranges)\\.value\\.frame",
                                     "path\\.points.*")
                             .isEqualTo(then.robots());
@@ -112,7 +114,7 @@ class PlaybackTest {
             }
         }
         assertThat(kinds)
-                .contains(Blobs.class, Decision.class, GripperState.class, NavigatorState.class, LaserScan.class);
+                .contains(Blobs.class, Decision.class, GripperState.class, NavigatorState.class, Planner.Asked.class, LaserScan.class);
     }
 
     /// Of each of the kinds of which one is drawn, with topics of their own.
@@ -138,7 +140,7 @@ class PlaybackTest {
                         .collect(Collectors.toMap(
                                 Reading::device, reading -> reading.value().value()));
                 List<Object> values = MoreDevices.values(tenth / 10.0);
-                for (int i = 0; i < 4; i++) {
+                for (int i = 0; i < 5; i++) {
                     assertThat(told.get(MoreDevices.NAMES.get(i)))
                             .usingRecursiveComparison()
                             .isEqualTo(values.get(i));
@@ -150,6 +152,7 @@ class PlaybackTest {
                                 new Quantity("wind.angle", "wind angle", "rad", 1.5),
                                 new Quantity("pressure", "pressure", "", Double.NaN))));
                 assertThat(told).doesNotContainKey("speech");
+                assertThat(robot.maps()).extracting(RobotView.Drawn::device).containsExactly("chart");
                 assertThat(robot.scan()).map(Stamped::value).isNotEqualTo(Optional.of(told.get("rear")));
             }
         }

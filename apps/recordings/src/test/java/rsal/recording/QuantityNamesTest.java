@@ -24,6 +24,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Twist2d;
+import rsal.device.Planner;
 import rsal.scenario.run.NavigatorState;
 
 class QuantityNamesTest {
@@ -41,6 +42,7 @@ class QuantityNamesTest {
                         LaserScan.class,
                         NavigatorState.class,
                         Odometry.class,
+                        Planner.Asked.class,
                         Point2d.class,
                         Pose2d.class,
                         PoseEstimate.class,

@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -30,13 +31,16 @@ import rsal.data.GripperState;
 import rsal.data.Interval;
 import rsal.data.LaserScan;
 import rsal.data.LightState;
+import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.RangeArray;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
+import rsal.device.Planner;
 import rsal.recording.mcap.ByteSink;
 import rsal.recording.proto.ProtoWriter;
 import rsal.scenario.run.NavigatorState;
@@ -88,7 +92,18 @@ class ReadingTypeTest {
                 new LightState(new Rgb(1, 2, 3), new LightState.Signal(Duration.ofMillis(300), 0.5), true),
                 new Odometry(POSE, TWIST, true),
                 new PoseEstimate(
-                        POSE, new Covariance2d(1, 0.5, 0, 2, 0, 0), List.of(), 0.25, PoseEstimate.Quality.LOCALIZED),
+                        POSE,
+                        new Covariance2d(1, 0.5, 0, 2, 0, 0),
+                        List.of(
+                                new Hypothesis(0.5, POSE, new Covariance2d(1, 0.5, 0, 2, 0, 0)),
+                                new Hypothesis(0.25, Pose2d.ORIGIN, new Covariance2d(3, 0, 0, 4, 0, 0.5))),
+                        0.25,
+                        PoseEstimate.Quality.AMBIGUOUS),
+                PoseEstimate.of(POSE, new Covariance2d(1, 0.5, 0, 2, 0, 0)),
+                new Planner.Asked(
+                        POSE, Pose2d.ORIGIN, 1, 1, OptionalDouble.of(2.5), OptionalDouble.of(2), ""),
+                new Planner.Asked(
+                        POSE, Pose2d.ORIGIN, 7, 0, OptionalDouble.empty(), OptionalDouble.empty(), "Walls."),
                 new Quantities(List.of(
                         new Quantity("wind.speed", "wind speed", "m/s", 3.5),
                         new Quantity("", "", "", 0),
@@ -124,7 +139,8 @@ class ReadingTypeTest {
         float[] ranges = {1.5F, Float.POSITIVE_INFINITY, 0, Float.NEGATIVE_INFINITY};
         return List.of(
                 new LaserScan(POSE, -1, 0.1, 0.02, 5.6, ranges),
-                new RangeArray(List.of(POSE, POSE, Pose2d.ORIGIN, POSE), 0.3, 0.1, 5, ranges));
+                new RangeArray(List.of(POSE, POSE, Pose2d.ORIGIN, POSE), 0.3, 0.1, 5, ranges),
+                new OccupancyGrid(2, 3, 0.05, -1, 2, new byte[] {0, 100, OccupancyGrid.UNKNOWN, 0, 0, 50}));
     }
 
     @Test

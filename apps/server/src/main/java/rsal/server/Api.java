@@ -32,13 +32,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
-import rsal.data.Stamped;
 import rsal.map.RosMap;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Prop;
 import rsal.scenario.run.Said;
+import rsal.scenario.run.Snapshot;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Added;
 import rsal.server.Messages.Addition;
@@ -578,15 +578,22 @@ final class Api {
         Numbered now = seat.now();
         Optional<Duration> time = Past.askedBack(request);
         Optional<OccupancyGrid> drawn = time.isPresent()
-                ? seat.recollection().map(robot, time.get())
-                : now.run().snapshot().robots().stream()
-                        .filter(view -> view.id().equals(robot))
-                        .flatMap(view -> view.map().stream())
-                        .map(Stamped::value)
-                        .findFirst();
+                ? seat.recollection().map(robot, asked(request, "device"), time.get())
+                : drawn(now.run().snapshot(), request);
         return drawn.filter(_ -> request.pathParam("run").equals(Integer.toString(now.number())))
                 .orElseThrow(() -> new Refusal(
                         404, "Robot (%s) has drawn no map in this run.".formatted(Refusal.shortened(robot))));
+    }
+
+    /// A map that the `robot` has drawn: by its `device`, or the first where none is named.
+    static Optional<OccupancyGrid> drawn(Snapshot snapshot, Context request) {
+        String device = asked(request, "device");
+        return snapshot.robots().stream()
+                .filter(view -> view.id().equals(asked(request, "robot")))
+                .flatMap(view -> view.maps().stream())
+                .filter(drawn -> device.isEmpty() || device.equals(drawn.device()))
+                .map(drawn -> drawn.map().value())
+                .findFirst();
     }
 
     static byte[] packed(byte[] bytes) {

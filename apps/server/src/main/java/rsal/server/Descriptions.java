@@ -452,7 +452,7 @@ final class Descriptions {
                 robot.carried().stream().map(Looks::carried).toList(),
                 robot.real().map(Descriptions::real),
                 robot.devices().stream().map(Descriptions::device).toList(),
-                robot.map().map(Descriptions::drawn));
+                robot.maps().stream().map(Descriptions::drawn).toList());
     }
 
     private static RealDetails real(RobotView.Real real) {
@@ -463,8 +463,8 @@ final class Descriptions {
                         .map(silence -> (double) silence.toSeconds()));
     }
 
-    private static DrawnMap drawn(Stamped<OccupancyGrid> map) {
-        return new DrawnMap(map.time().toEpochMilli() / 1e3);
+    private static DrawnMap drawn(RobotView.Drawn drawn) {
+        return new DrawnMap(drawn.device(), drawn.map().time().toEpochMilli() / 1e3);
     }
 
     private static DeviceDetails device(DeviceView device) {

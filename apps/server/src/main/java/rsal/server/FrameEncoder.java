@@ -17,6 +17,7 @@ import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.device.SimulationControl.Standing;
@@ -60,6 +61,7 @@ final class FrameEncoder {
     static final int GRIPPER = 1 << 9;
     static final int LIT = 1 << 10;
     static final int ODOM = 1 << 11;
+    static final int ELSEWHERE = 1 << 12;
 
     static final int HOLDING = 1;
 
@@ -70,6 +72,9 @@ final class FrameEncoder {
 
     /// More would not be seen on a screen; of larger clouds every n-th particle is sent.
     static final int MAX_PARTICLES = 1500;
+
+    /// Of what else localizers hold possible, heaviest first.
+    private static final int MAX_ELSEWHERE = 20;
 
     /// An estimate and odometry that are at most so far apart are of one place.
     private static final Duration SAME_TIME = Duration.ofMillis(200);
@@ -180,7 +185,8 @@ final class FrameEncoder {
                 | (robot.particles().isPresent() ? PARTICLES : 0)
                 | (robot.gripper().isPresent() ? GRIPPER : 0)
                 | (robot.lit() ? LIT : 0)
-                | (mapFromOdom(robot).isPresent() ? ODOM : 0);
+                | (mapFromOdom(robot).isPresent() ? ODOM : 0)
+                | (elsewhere(robot).isEmpty() ? 0 : ELSEWHERE);
     }
 
     /// The truth where there is one, else what its localizer believes, or where its stand-in is.
@@ -211,6 +217,7 @@ final class FrameEncoder {
             pose(odom);
             out.putShort((short) 0);
         });
+        elsewhere(elsewhere(robot));
     }
 
     /// Where its localizer has the frame of odometry on the map (REP 105), or its best pose where nothing localizes it.
@@ -249,6 +256,29 @@ final class FrameEncoder {
         out.putFloat((float) covariance.xx());
         out.putFloat((float) covariance.xy());
         out.putFloat((float) covariance.yy());
+    }
+
+    /// Where else than at its estimate a robot may be.
+    private static List<Hypothesis> elsewhere(RobotView robot) {
+        return estimate(robot).map(PoseEstimate::hypotheses).orElse(List.of()).stream()
+                .skip(1) // the estimate itself
+                .limit(MAX_ELSEWHERE)
+                .toList();
+    }
+
+    private void elsewhere(List<Hypothesis> hypotheses) {
+        if (hypotheses.isEmpty()) {
+            return;
+        }
+        reserve(4 + 24 * hypotheses.size());
+        out.putInt(hypotheses.size());
+        for (Hypothesis one : hypotheses) {
+            pose(one.mapFromBase());
+            out.putShort((short) Math.round(0xffff * Math.clamp(one.weight(), 0, 1)));
+            out.putFloat((float) one.covariance().xx());
+            out.putFloat((float) one.covariance().xy());
+            out.putFloat((float) one.covariance().yy());
+        }
     }
 
     private void path(Path2d path) {

@@ -274,7 +274,7 @@ final class Messages {
     /// @param quality how sure its localizer is: `localized`, `ambiguous`, `lost`; empty when nothing tells
     /// @param carried what its actuators have carried elsewhere
     /// @param real what there is to say of one that is not simulated
-    /// @param map that it has drawn itself so far
+    /// @param maps that it has drawn itself so far, the one that is drawn first
     record RobotDetails(
             String id,
             boolean gone,
@@ -286,7 +286,7 @@ final class Messages {
             List<CarriedInfo> carried,
             Optional<RealDetails> real,
             List<DeviceDetails> devices,
-            Optional<DrawnMap> map) {}
+            List<DrawnMap> maps) {}
 
     /// What stands on one actuator, which is not at home.
     ///
@@ -319,12 +319,13 @@ final class Messages {
     /// @param silence for how long nobody has told where it is, if that is longer than it should be [s]
     record RealDetails(boolean proxy, Optional<Double> silence) {}
 
-    /// Cells are at `/api/drawn/<run>?robot=<id>`, as those of [MapInfo], in which they lie row by row behind
+    /// Cells are at `/api/drawn/<run>?robot=<id>&device=<device>`, as those of [MapInfo], in which they lie row by row behind
     /// five little-endian numbers: width and height (integers of 4 bytes), side of a cell, origin x and y [m]
     /// (of 8 bytes). Robots that explore together draw the same.
     ///
+    /// @param device that drew it; empty where that is not known
     /// @param time when it was drawn [s of the run]
-    record DrawnMap(double time) {}
+    record DrawnMap(String device, double time) {}
 
     /// @param reason why it is not well; else empty
     record DeviceDetails(String name, String driver, String type, Condition health, String reason) {

@@ -30,6 +30,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Twist2d;
+import rsal.device.Planner;
 import rsal.scenario.run.NavigatorState;
 import rsal.scenario.run.Reading;
 import rsal.server.Messages.Fact;
@@ -78,6 +79,7 @@ final class ReadingWords {
             case OccupancyGrid map -> map(map);
             case Decision decision -> decision(decision);
             case NavigatorState navigator -> navigator(navigator);
+            case Planner.Asked asked -> asked(asked);
             default -> Numbers.of(value).stream().map(ReadingWords::number).toList();
         };
     }
@@ -162,6 +164,28 @@ final class ReadingWords {
                                         : String.format(Locale.ROOT, "%.1f m", navigator.remaining())),
                         fact("state", navigator.paused() ? "paused" : "on its way")))
                 .orElse(List.of(fact("goal", "none")));
+    }
+
+    private static List<Fact> asked(Planner.Asked asked) {
+        var facts = new ArrayList<Fact>();
+        boolean one = asked.places() == 1;
+        facts.add(fact("asked for", one ? "a way" : "what ways to %d places cost".formatted(asked.places())));
+        facts.add(fact("from", position(asked.mapFromStart())));
+        facts.add(fact(one || asked.cost().isEmpty() ? "to" : "cheapest to get to", position(asked.mapFromGoal())));
+        if (asked.cost().isEmpty()) {
+            facts.add(fact("found", asked.why().isEmpty() ? "no way" : "no way: " + asked.why()));
+            return facts;
+        }
+        String cost = String.format(Locale.ROOT, "cost %.1f m", asked.cost().getAsDouble());
+        facts.add(fact(
+                "found",
+                asked.length().isEmpty()
+                        ? "a way, " + cost
+                        : String.format(Locale.ROOT, "a way of %.1f m, ", asked.length().getAsDouble()) + cost));
+        if (asked.reachable() < asked.places()) {
+            facts.add(fact("no way leads to", String.valueOf(asked.places() - asked.reachable())));
+        }
+        return facts;
     }
 
     /// One of a device that nobody thought of here.

@@ -166,8 +166,11 @@ final class Recollection {
     }
 
     /// The map that a robot had drawn by then.
-    Optional<OccupancyGrid> map(String robot, Duration time) {
+    ///
+    /// @param device that drew it; empty for the first that drew one
+    Optional<OccupancyGrid> map(String robot, String device, Duration time) {
         return readings(robot, time).readings().stream()
+                .filter(reading -> device.isEmpty() || device.equals(reading.device()))
                 .map(reading -> reading.value().value())
                 .filter(OccupancyGrid.class::isInstance)
                 .map(OccupancyGrid.class::cast)

@@ -14,7 +14,6 @@ import java.util.stream.Stream;
 import rsal.agent.Society;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
-import rsal.data.Stamped;
 import rsal.recording.Playback;
 import rsal.recording.Playback.Whereabouts;
 import rsal.scenario.RunPlan.PlannedAgent;
@@ -93,11 +92,7 @@ final class ReplayApi {
     private OccupancyGrid drawn(Context request) throws IOException {
         check(request);
         String robot = String.valueOf(request.queryParam("robot"));
-        return playback.at(Past.asked(request)).robots().stream()
-                .filter(view -> view.id().equals(robot))
-                .flatMap(view -> view.map().stream())
-                .map(Stamped::value)
-                .findFirst()
+        return Api.drawn(playback.at(Past.asked(request)), request)
                 .orElseThrow(() ->
                         new Refusal(404, "Robot (%s) had drawn no map by then.".formatted(Refusal.shortened(robot))));
     }

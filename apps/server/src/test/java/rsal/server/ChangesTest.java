@@ -21,7 +21,7 @@ class ChangesTest {
 
     private static RobotDetails robot(String id, String behavior) {
         return new RobotDetails(
-                id, false, "", behavior, "", false, "", List.of(), Optional.empty(), List.of(), Optional.empty());
+                id, false, "", behavior, "", false, "", List.of(), Optional.empty(), List.of(), List.of());
     }
 
     private static AgentDetails agent(String name, String state) {

@@ -21,6 +21,7 @@ import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
+import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.RangeArray;
 import rsal.data.Shape;
 import rsal.data.Solid;
@@ -197,6 +198,17 @@ class FrameEncoderTest {
                 new RangeArray(List.of(new Pose2d(0.2, 0.1, 1), new Pose2d(0.2, -0.1, -1)), 0.5, 0.1, 80, new float[] {
                     40f, Float.POSITIVE_INFINITY
                 });
+        var here = new Pose2d(-12.3, 6.8, 3);
+        var covariance = new Covariance2d(0.25, 0.125, 0, 0.5, 0, 0.04);
+        var estimate = new PoseEstimate(
+                here,
+                covariance,
+                List.of(
+                        new Hypothesis(0.5, here, covariance),
+                        new Hypothesis(0.25, new Pose2d(4, -2, 1), new Covariance2d(1, 0.5, 0, 2, 0, 1)),
+                        new Hypothesis(0.2, new Pose2d(5, -2, 1), covariance)),
+                0.5,
+                PoseEstimate.Quality.AMBIGUOUS);
         var particles = new ParticleCloud(new float[] {1, 2, 0, 1.5f, 2.25f, -1.5f}, new float[] {0.25f, 0.75f});
         return new RobotView(
                 "full",
@@ -206,8 +218,7 @@ class FrameEncoderTest {
                 false,
                 Optional.of(new Pose2d(-12.345, 6.789, -2.5)),
                 Optional.of(stamped(new Odometry(new Pose2d(1, 2, 0.5), new Twist2d(0.4, 0, -0.25), true))),
-                Optional.of(stamped(
-                        PoseEstimate.of(new Pose2d(-12.3, 6.8, 3), new Covariance2d(0.25, 0.125, 0, 0.5, 0, 0.04)))),
+                Optional.of(stamped(estimate)),
                 Optional.of(stamped(particles)),
                 Optional.of(stamped(scan)),
                 Optional.of(stamped(ranges)),

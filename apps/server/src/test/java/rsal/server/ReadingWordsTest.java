@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import rsal.behavior.Decision;
@@ -30,6 +31,7 @@ import rsal.data.RangeArray;
 import rsal.data.Rgb;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
+import rsal.device.Planner;
 import rsal.scenario.run.NavigatorState;
 import rsal.scenario.run.Reading;
 import rsal.server.Messages.ReadingInfo;
@@ -74,6 +76,27 @@ class ReadingWordsTest {
         assertThat(words(new NavigatorState(Optional.of(AHEAD), 0, true)))
                 .contains("way left: none yet", "state: paused");
         assertThat(words(new NavigatorState(Optional.empty(), 0, false))).containsExactly("goal: none");
+    }
+
+    @Test
+    void aPlannerSaysWhatItWasAskedLast() {
+        var goal = new Pose2d(1, -2, Math.PI / 2);
+        OptionalDouble none = OptionalDouble.empty();
+        assertThat(words(new Planner.Asked(AHEAD, goal, 1, 1, OptionalDouble.of(4.26), OptionalDouble.of(3), "")))
+                .containsExactly(
+                        "asked for: a way",
+                        "from: 0.00, 0.00 m, 0°",
+                        "to: 1.00, -2.00 m, 90°",
+                        "found: a way of 3.0 m, cost 4.3 m");
+        assertThat(words(new Planner.Asked(AHEAD, goal, 1, 0, none, none, "The goal is in a wall.")))
+                .endsWith("to: 1.00, -2.00 m, 90°", "found: no way: The goal is in a wall.");
+        assertThat(words(new Planner.Asked(AHEAD, goal, 5, 3, OptionalDouble.of(4.26), none, "")))
+                .containsExactly(
+                        "asked for: what ways to 5 places cost",
+                        "from: 0.00, 0.00 m, 0°",
+                        "cheapest to get to: 1.00, -2.00 m, 90°",
+                        "found: a way, cost 4.3 m",
+                        "no way leads to: 2");
     }
 
     @Test

@@ -2,10 +2,13 @@ package rsal.device;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
+import rsal.data.Stamped;
 
 /// Finds ways. Asking moves nothing: so costs can be compared and it can be asked whether a place can be reached.
 public interface Planner extends Device {
@@ -28,6 +31,70 @@ public interface Planner extends Device {
             });
         }
         return costs;
+    }
+
+    /// What it was asked last and has answered, for those who want to look; its time is when it was asked, its frame
+    /// that of the map. Empty before, and of one that does not tell. On the scheduler's thread.
+    default Optional<Stamped<Asked>> latest() {
+        return Optional.empty();
+    }
+
+    /// A question about one place, or about what ways to several cost, and what came of it.
+    ///
+    /// @param mapFromStart where the way begins
+    /// @param mapFromGoal the place; of several the one that it costs least to get to, or the first where none can be
+    /// got to
+    /// @param places how many were asked about; at least 1
+    /// @param reachable to how many of them a way leads
+    /// @param cost of the way to the goal [m]; empty when there is none
+    /// @param length of that way [m]; empty when there is none, or when only costs were asked for
+    /// @param why there is none, for people; empty when there is one, or when only costs were asked for
+    record Asked(
+            Pose2d mapFromStart,
+            Pose2d mapFromGoal,
+            int places,
+            int reachable,
+            OptionalDouble cost,
+            OptionalDouble length,
+            String why) {
+        /// For a way.
+        public static Asked of(Pose2d mapFromStart, Pose2d mapFromGoal, Result result) {
+            return switch (result) {
+                case Result.Found(var path, var cost, var _) ->
+                    new Asked(
+                            mapFromStart,
+                            mapFromGoal,
+                            1,
+                            1,
+                            OptionalDouble.of(cost),
+                            OptionalDouble.of(path.length()),
+                            "");
+                case Result.NoPath(var why) ->
+                    new Asked(mapFromStart, mapFromGoal, 1, 0, OptionalDouble.empty(), OptionalDouble.empty(), why);
+            };
+        }
+
+        /// For what ways cost.
+        ///
+        /// @param mapFromGoals at least one
+        /// @param costs in their order; +∞ where no way leads
+        public static Asked of(Pose2d mapFromStart, List<Pose2d> mapFromGoals, List<Double> costs) {
+            int least = 0;
+            int reachable = 0;
+            for (int i = 0; i < costs.size(); i++) {
+                least = costs.get(i) < costs.get(least) ? i : least;
+                reachable += Double.isFinite(costs.get(i)) ? 1 : 0;
+            }
+            OptionalDouble cost = reachable == 0 ? OptionalDouble.empty() : OptionalDouble.of(costs.get(least));
+            return new Asked(
+                    mapFromStart,
+                    mapFromGoals.get(least),
+                    mapFromGoals.size(),
+                    reachable,
+                    cost,
+                    OptionalDouble.empty(),
+                    "");
+        }
     }
 
     sealed interface Result {

@@ -14,6 +14,7 @@ import rsal.device.Health;
 import rsal.device.LaserScanner;
 import rsal.device.Light;
 import rsal.device.Localizer;
+import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.device.PlaceFinder;
 import rsal.device.Planner;
@@ -39,6 +40,7 @@ public record DeviceView(String name, String driver, String type, Health health)
             Battery.class,
             Light.class,
             Localizer.class,
+            Mapper.class,
             Navigator.class,
             Planner.class,
             PlaceFinder.class,

@@ -1,6 +1,7 @@
 package rsal.scenario.run;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rsal.data.GripperState;
@@ -64,6 +65,28 @@ public record RobotView(
         carried = List.copyOf(carried);
         devices = List.copyOf(devices);
         readings = List.copyOf(readings);
+    }
+
+    /// A map that a robot has drawn itself.
+    ///
+    /// @param device that drew it; empty where that is not known
+    public record Drawn(String device, Stamped<OccupancyGrid> map) {}
+
+    /// All maps that it has drawn so far: [#map], then those of other devices, in their order.
+    public List<Drawn> maps() {
+        var maps = new ArrayList<Drawn>();
+        map.ifPresent(first -> maps.add(new Drawn("", first)));
+        for (Reading reading : readings) {
+            if (reading.value().value() instanceof OccupancyGrid grid) {
+                var told = new Stamped<>(reading.value().time(), reading.value().frame(), grid);
+                if (!maps.isEmpty() && maps.getFirst().map().equals(told)) {
+                    maps.set(0, new Drawn(reading.device(), told));
+                } else {
+                    maps.add(new Drawn(reading.device(), told));
+                }
+            }
+        }
+        return maps;
     }
 
     /// A robot of a system that does not simulate.

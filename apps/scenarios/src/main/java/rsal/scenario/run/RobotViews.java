@@ -17,6 +17,7 @@ import rsal.device.Light;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
+import rsal.device.Planner;
 import rsal.device.Sensor;
 import rsal.device.SonarArray;
 import rsal.robot.Robot;
@@ -76,6 +77,7 @@ final class RobotViews {
         return (switch (device) {
                     case Sensor<?> sensor -> sensor.latest();
                     case Navigator navigator -> Optional.of(state(navigator));
+                    case Planner planner -> planner.latest();
                     default -> Optional.<Stamped<?>>empty();
                 })
                 .map(value -> new Reading(device.info().name(), value, age(value)));

@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.data.Stamped;
 import rsal.device.Planner;
 
 /// What every [Planner] owes.
@@ -89,6 +91,34 @@ public abstract class PlannerContract extends DeviceContract<Planner> {
                         .isEqualTo(leadsThere);
             }
         }
+    }
+
+    @Test
+    void tellsWhatItWasAskedLast() {
+        assertThat(device().latest()).isEmpty();
+        Pose2d goal = WORLD.pose('a', 90);
+        Planner.Result.Found found = (Planner.Result.Found) plan(START, goal);
+        Stamped<Planner.Asked> asked = device().latest().orElseThrow();
+        assertThat(asked.frame()).isEqualTo("map");
+        assertThat(asked.value())
+                .isEqualTo(new Planner.Asked(
+                        START,
+                        goal,
+                        1,
+                        1,
+                        OptionalDouble.of(found.cost()),
+                        OptionalDouble.of(found.path().length()),
+                        ""));
+
+        advance(1);
+        Pose2d nowhere = WORLD.pose('x', 0);
+        String why = ((Planner.Result.NoPath) plan(START, nowhere)).why();
+        assertThat(device().latest()).hasValueSatisfying(later -> {
+            assertThat(later.time()).isAfter(asked.time());
+            assertThat(later.value())
+                    .isEqualTo(new Planner.Asked(
+                            START, nowhere, 1, 0, OptionalDouble.empty(), OptionalDouble.empty(), why));
+        });
     }
 
     @Test

@@ -1,11 +1,15 @@
 package rsal.testkit.fake;
 
+import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
 import rsal.data.Path2d;
 import rsal.data.Pose2d;
+import rsal.data.Stamped;
 import rsal.device.Device;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
@@ -18,6 +22,7 @@ import rsal.time.Scheduler;
 public final class FakePlanner extends DeviceCore implements Planner {
     private final OccupancyGrid map;
     private final Scheduler scheduler;
+    private @Nullable Stamped<Asked> latest;
 
     private FakePlanner(DeviceInfo info, OccupancyGrid map, Scheduler scheduler) {
         super(info);
@@ -28,8 +33,18 @@ public final class FakePlanner extends DeviceCore implements Planner {
     @Override
     public CompletionStage<Result> plan(Pose2d mapFromStart, Pose2d mapFromGoal) {
         var result = new CompletableFuture<Result>();
-        scheduler.execute(() -> result.complete(straight(map, mapFromStart, mapFromGoal)));
+        Instant asked = scheduler.instant();
+        scheduler.execute(() -> {
+            Result straight = straight(map, mapFromStart, mapFromGoal);
+            latest = new Stamped<>(asked, "map", Asked.of(mapFromStart, mapFromGoal, straight));
+            result.complete(straight);
+        });
         return result;
+    }
+
+    @Override
+    public Optional<Stamped<Asked>> latest() {
+        return Optional.ofNullable(latest);
     }
 
     static Result straight(OccupancyGrid map, Pose2d mapFromStart, Pose2d mapFromGoal) {
