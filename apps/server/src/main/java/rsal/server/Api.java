@@ -14,7 +14,6 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -37,7 +36,6 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
 import rsal.scenario.run.Prop;
-import rsal.scenario.run.Said;
 import rsal.scenario.run.Snapshot;
 import rsal.server.CurrentRun.Numbered;
 import rsal.server.Messages.Added;
@@ -459,29 +457,15 @@ final class Api {
 
     /// What agents say all the time; what they said shortly before another time than now when that is asked for.
     private CompletionStage<Answer> routine(Context request) {
-        CompletionStage<Answer> now = seen(request).routine(asked(request, "topic"));
+        String topic = asked(request, "topic");
         return Past.askedBack(request)
-                .map(time -> later(
-                        now,
-                        answer -> answer instanceof Answer.Repeated repeated ? shortlyBefore(repeated, time) : answer))
-                .orElse(now);
+                .map(time -> seen(request).routine(topic, time, Past.SHORTLY))
+                .orElseGet(() -> seen(request).routine(topic));
     }
 
     /// Not on the run's thread, which has better to do.
     private static CompletionStage<Answer> later(CompletionStage<Answer> stage, UnaryOperator<Answer> told) {
         return stage.thenApplyAsync(told, Thread::startVirtualThread);
-    }
-
-    private static Answer shortlyBefore(Answer.Repeated all, Duration time) {
-        var some = new HashMap<String, List<Said>>();
-        all.byTopic()
-                .forEach((topic, said) -> some.put(
-                        topic,
-                        said.stream()
-                                .filter(one -> one.time().compareTo(time) <= 0
-                                        && one.time().compareTo(time.minus(Past.SHORTLY)) > 0)
-                                .toList()));
-        return new Answer.Repeated(some);
     }
 
     private LiveRun running(Context request) {

@@ -73,7 +73,7 @@ final class CurrentRun implements AutoCloseable {
 
     private Numbered begin(int number, RunPlan plan, Metrics before) {
         LiveRun run = starter.apply(plan);
-        run.rememberItsEnd();
+        run.remember();
         onStart.accept(run);
         return new Numbered(number, run, before);
     }

@@ -88,14 +88,9 @@ final class Journal {
         routine.said(of(message, words));
     }
 
-    /// What is said all the time of one topic: see [Routine#of].
-    Map<String, List<Said>> routine(String topic) {
-        return routine.of(topic);
-    }
-
-    /// What is said all the time: see [Routine#all].
-    Map<String, List<Said>> routine() {
-        return routine.all();
+    /// What is said all the time.
+    Routine routine() {
+        return routine;
     }
 
     /// Something was said, in words for people.

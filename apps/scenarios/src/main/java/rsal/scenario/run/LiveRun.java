@@ -309,7 +309,20 @@ public final class LiveRun implements AutoCloseable {
     ///
     /// @param topic of which all is told; of the others, that they are there
     public CompletionStage<Answer> routine(String topic) {
-        return askOrRecall(stage -> new Answer.Repeated(stage.routine(topic)), LastLook::routine);
+        return askOrRecall(
+                stage -> new Answer.Repeated(stage.routine().of(topic)),
+                last -> new Answer.Repeated(last.routine().of(topic)));
+    }
+
+    /// The same of what was said by a time: not long before it, or as far back as is needed to know of each agent what
+    /// it had said last. Runs that [remember][#remember] know of more.
+    ///
+    /// @param until since the run's start
+    /// @param shortly how long before that, where that is enough
+    public CompletionStage<Answer> routine(String topic, Duration until, Duration shortly) {
+        return askOrRecall(
+                stage -> new Answer.Repeated(stage.routine().of(topic, until, shortly)),
+                last -> new Answer.Repeated(last.routine().of(topic, until, shortly)));
     }
 
     /// What an agent believes, wants and says now, as [Answer.Seen]. Looking changes nothing in the run, but costs it a
@@ -470,11 +483,12 @@ public final class LiveRun implements AutoCloseable {
         return eventViewers.add(listener);
     }
 
-    /// Has the run remember, once it ends, what [#readings], [#inside], [#routine], [#topics] and [#communication]
-    /// answered then: they go on answering that. Otherwise they are refused when it is over. One that ends for lack
-    /// of memory remembers nothing.
-    public void rememberItsEnd() {
+    /// Has the run remember what was said all the time, in 16 MB; and, once it ends, what [#readings], [#inside],
+    /// [#routine], [#topics] and [#communication] answered then: they go on answering that. Otherwise they are refused
+    /// when it is over. One that ends for lack of memory remembers nothing.
+    public void remember() {
         remembers = true;
+        journal.routine().remember();
     }
 
     /// Ends the run, if it has not ended, and waits up to a second until it has.
@@ -694,7 +708,7 @@ public final class LiveRun implements AutoCloseable {
         witness.filter(Witness::looks).ifPresent(seen -> seen.sees(snapshot(witnessed++), journal.hashSoFar()));
         snapshots.make();
         RunResult ended = result(String.valueOf(outcome), (System.nanoTime() - beganNanos) / 1e9);
-        remember();
+        rememberItsEnd();
         letGo();
         over = true;
         result.complete(ended);
@@ -724,7 +738,7 @@ public final class LiveRun implements AutoCloseable {
         end("broken");
         List<Runnable> last = isFull // for which a last look would take minutes
                 ? List.of(this::letGo)
-                : List.of(snapshots::make, this::remember, this::letGo);
+                : List.of(snapshots::make, this::rememberItsEnd, this::letGo);
         for (Runnable rest : last) {
             try {
                 rest.run();
@@ -735,7 +749,7 @@ public final class LiveRun implements AutoCloseable {
         result.completeExceptionally(broken);
     }
 
-    private void remember() {
+    private void rememberItsEnd() {
         if (!remembers || stage == null) {
             return;
         }

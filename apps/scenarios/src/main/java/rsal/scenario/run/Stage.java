@@ -341,13 +341,8 @@ final class Stage implements AutoCloseable {
         return agents.failed();
     }
 
-    /// Which topics agents talk about all the time, and what they say of one.
-    Map<String, List<Said>> routine(String topic) {
-        return journal.routine(topic);
-    }
-
-    /// What agents say all the time, by topic.
-    Map<String, List<Said>> routine() {
+    /// What agents say all the time.
+    Routine routine() {
         return journal.routine();
     }
 

@@ -81,7 +81,7 @@ class LiveRunTest {
     @Test
     void rememberingItsEndDoesNotChangeARun() {
         try (var run = LiveRun.start(slow())) {
-            run.rememberItsEnd();
+            run.remember();
             run.speed(Double.POSITIVE_INFINITY);
             assertThat(Runs.result(run).eventHash())
                     .isEqualTo(Runs.result(plan()).eventHash());
@@ -556,7 +556,7 @@ class LiveRunTest {
     void whatIsAskedAtTheEndIsAnsweredByWhatIsRemembered() {
         var asked = new ConcurrentLinkedQueue<CompletionStage<Answer>>();
         try (var run = LiveRun.start(slow())) {
-            run.rememberItsEnd();
+            run.remember();
             run.onSnapshot(() -> asked.add(run.topics()));
             run.snapshot();
             run.speed(Double.POSITIVE_INFINITY);
