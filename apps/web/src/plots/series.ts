@@ -83,9 +83,19 @@ export class Series {
       this.merge(first < last ? [first, last] : [last, first], [null, null]);
     }
     if (time > this.until) {
-      this.push(time, value); // as most are: all else is gone through
+      this.push(time, value);
     } else {
-      this.merge([time], [value]);
+      this.insert(time, value);
+    }
+  }
+
+  /** What it was at a time that is not the newest, unless that is known. */
+  private insert(time: number, value: Value) {
+    const at = this.after(time);
+    if (this.times[at - 1] !== time) {
+      (this.times as number[]).splice(at, 0, time);
+      (this.values as Value[]).splice(at, 0, value);
+      this.thin();
     }
   }
 
@@ -132,9 +142,17 @@ export class Series {
         least = least === -1 || value < this.values[least]! ? i : least;
         greatest = greatest === -1 || value > this.values[greatest]! ? i : greatest;
       }
-      const wanted = ends ? [first, least, greatest, gap, i - 1] : [least, greatest, gap];
-      const some = [...new Set(wanted)].filter((one) => one !== -1).sort((a, b) => a - b);
-      all.push(...some);
+      if (ends) {
+        all.push(first);
+      }
+      // in their order, each once; of each of many parts, many times a second: no array is sorted
+      const [low, high] = least < greatest ? [least, greatest] : [greatest, least];
+      add(all, Math.min(low, gap));
+      add(all, Math.max(low, Math.min(high, gap)));
+      add(all, Math.max(high, gap));
+      if (ends) {
+        add(all, i - 1);
+      }
       first = i;
     }
     return all;
@@ -224,6 +242,13 @@ export class Series {
         return step;
       })
       .join('');
+  }
+}
+
+/** What is there, unless it is the last of them. */
+function add(all: number[], one: number) {
+  if (one !== -1 && one !== all.at(-1)) {
+    all.push(one);
   }
 }
 
