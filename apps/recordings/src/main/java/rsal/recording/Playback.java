@@ -10,14 +10,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.NavigableMap;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeMap;
 import rsal.agent.bdi.Mind;
 import rsal.data.Pose2d;
 import rsal.recording.mcap.Channel;
@@ -39,9 +35,7 @@ public final class Playback implements Closeable {
     /// Of what is kept to begin from [B].
     static final long MOST_KEPT = 64L << 20;
 
-    private static final long FIRST_SPACING = 2_000_000_000; // [ns] of the run
     private static final Duration LONGEST = Duration.ofDays(10_000);
-    private static final int MOST_PLACES = 400;
     private static final int RECENT = 8; // where viewers are
     private static final int MOST_EVENTS = 110_000; // as many as a live run keeps
     private static final int MOST_CHANGES = 100_000; // of minds
@@ -65,10 +59,8 @@ public final class Playback implements Closeable {
     private final Map<String, List<MindChange>> changes = new HashMap<>(); // by topic and agent
     private final Map<String, Mind.View> newest = new HashMap<>(); // likewise, while the file is read through
     private int changed; // how many of them there are
-    private final NavigableMap<Long, Held> places = new TreeMap<>(); // by log time
+    private final Places places = new Places(MOST_KEPT);
     private final Map<Long, Held> recent = new LinkedHashMap<>(RECENT, 0.75f, true);
-    private long spacing = FIRST_SPACING;
-    private long kept; // [B] of places
     private long[] states = new long[1 << 10]; // log times
     private int count; // of states
 
@@ -114,11 +106,9 @@ public final class Playback implements Closeable {
 
     private void readThrough() throws IOException {
         var held = new Held();
-        long[] next = {Long.MIN_VALUE};
         recording.file().read(Playback::isOfUse, (channel, _, logTime, publishTime, data) -> {
-            if (logTime >= next[0]) {
-                keep(logTime - 1, held); // all before this message
-                next[0] = logTime + spacing;
+            if (places.isDue(logTime)) {
+                places.keep(logTime - 1, held); // all before this message
             }
             switch (channel.topic()) {
                 case Topics.EVENTS -> event(logTime, data);
@@ -139,32 +129,6 @@ public final class Playback implements Closeable {
                 default -> take(held, channel, publishTime, data);
             }
         });
-    }
-
-    private void keep(long time, Held held) {
-        Held before = places.isEmpty() ? new Held() : places.lastEntry().getValue();
-        Held copy = held.copy();
-        copy.messages()
-                .forEach((key, raw) -> kept += raw.equals(before.messages().get(key)) ? 0 : raw.data().length);
-        places.put(time, copy);
-        while (places.size() > 2 && (places.size() > MOST_PLACES || kept > MOST_KEPT)) {
-            thin();
-        }
-    }
-
-    /// Lets every second place go.
-    private void thin() {
-        spacing *= 2;
-        int number = 0;
-        for (var all = places.keySet().iterator(); all.hasNext(); number++) {
-            all.next();
-            if (number % 2 == 1) {
-                all.remove();
-            }
-        }
-        Set<byte[]> different = Collections.newSetFromMap(new IdentityHashMap<>());
-        places.values().forEach(place -> place.messages().values().forEach(raw -> different.add(raw.data())));
-        kept = different.stream().mapToLong(data -> data.length).sum();
     }
 
     private void state(long logTime) {
@@ -490,7 +454,7 @@ public final class Playback implements Closeable {
                 nearest = place.getValue();
             }
         }
-        Map.Entry<Long, Held> kept = places.floorEntry(logTime);
+        Map.Entry<Long, Held> kept = places.before(logTime);
         if (kept != null && kept.getKey() > from) {
             from = kept.getKey();
             nearest = kept.getValue();
