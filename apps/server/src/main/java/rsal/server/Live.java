@@ -76,7 +76,7 @@ final class Live implements Viewing {
     private void offer() {
         try {
             if (periods++ % periodsPerLook() == 0) {
-                showing.look();
+                showing.look(periodsPerLook());
             }
             for (Connection connection : connections) {
                 offer(connection);

@@ -22,14 +22,14 @@ final class LiveShowing implements Showing {
     }
 
     @Override
-    public void look() {
+    public void look(int pause) {
         if (feed.number() != current.now().number()) {
             feed = new RunFeed(current.now());
             history = new History(feed);
             numbers = new NumberHistory();
             recollection = new Recollection();
         }
-        feed.look();
+        feed.look(pause);
         history.keep(feed.time(), feed.isLast());
         numbers.look(feed.run().run(), feed.present(), feed.time());
         recollection.look(feed.run().run(), feed.seen());

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 /// Shows a recording.
 record RecordingShowing(RecordedPast past) implements Showing {
     @Override
-    public void look() {} // it stays as it is
+    public void look(int pause) {} // it stays as it is
 
     @Override
     public @Nullable Feed live() {

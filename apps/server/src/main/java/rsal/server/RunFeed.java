@@ -13,7 +13,7 @@ import rsal.server.Messages.ServerMessage;
 
 /// Shows a run, encoded once for all viewers. For one thread.
 final class RunFeed implements Feed {
-    private static final int LOOKS_PER_DETAILS = 4;
+    private static final int FRAMES_PER_DETAILS = 4;
 
     private final Numbered run;
     private final Surveyor surveyor;
@@ -21,7 +21,7 @@ final class RunFeed implements Feed {
     private List<Teammate> team = List.of();
     private List<String> robots = List.of();
     private final FrameEncoder encoder = new FrameEncoder();
-    private long looks;
+    private int pauses = FRAMES_PER_DETAILS; // since the details were looked at
     private long shown = -1; // sequence of the snapshot
     private final Changes details = new Changes();
     private byte[] frame = {};
@@ -46,15 +46,20 @@ final class RunFeed implements Feed {
         return run;
     }
 
-    /// Takes the newest snapshot and asks for a newer one. Details are looked at less often than frames.
-    void look() {
+    /// Takes the newest snapshot and asks for a newer one. Details are looked at less often than frames, where these
+    /// come often: else what is looked back on would have words of seconds before.
+    ///
+    /// @param pause until the next look, as [Showing#look] has it
+    void look(int pause) {
         Snapshot snapshot = run.run().snapshot();
         boolean changed = snapshot.sequence() != shown;
         if (snapshot.team().size() > robots.size()) {
             tell(snapshot.team());
         }
         surveyor.look(snapshot.things());
-        if (looks++ % LOOKS_PER_DETAILS == 0) {
+        boolean all = pauses >= FRAMES_PER_DETAILS;
+        pauses = (all ? 0 : pauses) + pause;
+        if (all) {
             changed |= details.take(Descriptions.details(
                     run.number(), snapshot, run.run().result().toCompletableFuture()));
         }

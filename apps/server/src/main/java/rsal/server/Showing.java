@@ -5,7 +5,9 @@ import org.jspecify.annotations.Nullable;
 /// What there is to be shown. For one thread.
 interface Showing {
     /// Sees what is new. To be called before all else.
-    void look();
+    ///
+    /// @param pause from this look to the next, as frames of a watched run would follow each other: 1 for each of them
+    void look(int pause);
 
     /// What is now; null of a recording, which has only been.
     @Nullable

@@ -2,10 +2,12 @@ package rsal.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.scenario.run.LiveRun;
 
 @Timeout(60)
 class LiveShowingTest {
@@ -14,7 +16,7 @@ class LiveShowingTest {
         var plan = Scenario.load("teleop").plan(RunOptions.NONE.withSpeed(1));
         try (var current = new CurrentRun(plan, _ -> {})) {
             var showing = new LiveShowing(current);
-            showing.look();
+            showing.look(1);
             assertThat(showing.isFast()).isFalse();
             current.now().run().speed(Double.POSITIVE_INFINITY);
             lookUntil(showing, true);
@@ -23,10 +25,26 @@ class LiveShowingTest {
         }
     }
 
+    /// While nobody watches there are few looks, and each is for its words, too.
+    @Test
+    void whatIsLookedBackOnHasTheWordsOfItsMoment() throws Exception {
+        var plan = Scenario.load("teleop").plan(RunOptions.NONE.withSpeed(1));
+        try (var current = new CurrentRun(plan, _ -> {})) {
+            LiveRun run = current.now().run();
+            var showing = new LiveShowing(current);
+            showing.look(10);
+            String before = showing.past().at(Duration.ofDays(1)).details();
+            run.estop().toCompletableFuture().join();
+            run.freshSnapshot().toCompletableFuture().join();
+            showing.look(10);
+            assertThat(showing.past().at(Duration.ofDays(1)).details()).isNotEqualTo(before).contains("\"stopped\":true");
+        }
+    }
+
     private static void lookUntil(LiveShowing showing, boolean fast) throws InterruptedException {
         while (showing.isFast() != fast) {
             Thread.sleep(20);
-            showing.look();
+            showing.look(1);
         }
     }
 }
