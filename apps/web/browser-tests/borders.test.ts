@@ -14,7 +14,7 @@ describe.skipIf(!chromium)('panels that lie one above the other', () => {
   let page: Page;
 
   beforeAll(async () => {
-    const rsal = await Rsal.run(`${WANDER}:lasting`, '--floor', 'four-rooms', '--port', '0');
+    const rsal = await Rsal.run(`${WANDER}:lasting`, '--set', 'floor=four-rooms', '--port', '0');
     page = await openRun(rsal.url, { viewport: { width: 1400, height: 1000 } });
   });
 
