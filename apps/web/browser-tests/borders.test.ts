@@ -52,12 +52,14 @@ describe.skipIf(!chromium)('panels that lie one above the other', () => {
     expect(await border.getAttribute('aria-orientation')).toBe('horizontal');
     await eventually(async () => (await value()) === Math.round(before[at]!), 'it tells where it is');
 
+    const origin = await page.locator('#map').getAttribute('data-origin-x');
     await dragged((await border.boundingBox())!, -40);
     await become(given(before, at, -40), 'dragged up');
     await border.press('ArrowDown');
     await become(given(before, at, -16), 'a step down');
     await border.press('ArrowRight');
     await become(given(before, at, -16), 'no step aside');
+    expect(await page.locator('#map').getAttribute('data-origin-x'), 'the map stays').toBe(origin);
     await border.press('ArrowUp');
     await become(given(before, at, -40), 'a step up');
     await picture(page, `borders-${String(at)}`);
