@@ -14,7 +14,6 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -66,6 +65,7 @@ import rsal.server.Page.Asset;
 /// [Messages.Refused] with a status: 400 not understood, 401 no token, 409 not possible now, 422 bad settings.
 final class Api {
     private static final Logger LOG = LoggerFactory.getLogger(Api.class);
+    private static final String REFUSED = "refused"; // of a request
     private static final int GRID_HEADER = 2 * Integer.BYTES + 3 * Double.BYTES;
     private static final double FARTHEST = 1e6; // [m], from the map's origin
     private static final Map<String, String> SECURITY_HEADERS = Map.of(
@@ -344,9 +344,10 @@ final class Api {
         routes.exception(
                 HttpResponseException.class,
                 (e, request) -> refuse(request, new Refusal(e.getStatus(), String.valueOf(e.getMessage()))));
-        // what takes too long (PageServer) Javalin ends as an error of which it says nothing, then it cancels it
+        // what takes too long (PageServer) Javalin ends as an error of which it says nothing, then it cancels it; what
+        // is there of an answer, or comes just then, is none
         routes.error(500, request -> {
-            if (request.resultInputStream() == null) {
+            if (request.attribute(REFUSED) == null) {
                 refuseLate(request);
             }
         });
@@ -669,6 +670,7 @@ final class Api {
     }
 
     private static void refuse(Context request, Refusal refusal) {
+        request.attribute(REFUSED, true);
         request.status(refusal.status());
         answer(request, new Refused(refusal.sentence(), refusal.problems()));
     }

@@ -307,6 +307,10 @@ class CommunicationApiTest {
             Response response = RawHttp.get(port, "/api/readings?robot=prey", host);
             assertThat(response.status()).as(response.body()).isEqualTo(503);
             assertThat(response.body()).contains("did not answer in time");
+            Response told = RawHttp.post(
+                    port, "/api/run/remove", "{\"name\": \"prey\"}", host, "Authorization: Bearer " + TOKEN);
+            assertThat(told.status()).as(told.body()).isEqualTo(503);
+            assertThat(told.body()).contains("did not answer in time");
         } finally {
             free.countDown();
         }
