@@ -87,8 +87,8 @@ record Fields(Map<?, ?> values) {
     PoseEstimate estimate() {
         Pose2d best = pose("pose").orElse(Pose2d.ORIGIN);
         List<Hypothesis> several = all("hypotheses").stream()
-                .map(one -> new Hypothesis(
-                        one.number("weight"), one.pose("pose").orElse(Pose2d.ORIGIN), one.covariance()))
+                .map(one ->
+                        new Hypothesis(one.number("weight"), one.pose("pose").orElse(Pose2d.ORIGIN), one.covariance()))
                 .toList();
         return new PoseEstimate(
                 best,

@@ -39,8 +39,7 @@ final class Places {
         Held before = places.isEmpty() ? new Held() : places.lastEntry().getValue();
         Held copy = held.copy();
         copy.messages()
-                .forEach((key, raw) ->
-                        bytes += raw.equals(before.messages().get(key)) ? 0 : raw.data().length);
+                .forEach((key, raw) -> bytes += raw.equals(before.messages().get(key)) ? 0 : raw.data().length);
         bytes += entries(copy);
         places.put(time, copy);
         while (places.size() > 2 && (places.size() > MOST_PLACES || bytes > most)) {

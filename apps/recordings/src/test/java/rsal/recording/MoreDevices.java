@@ -28,7 +28,8 @@ import rsal.scenario.run.Witness;
 /// Sees of a run that each robot has more devices: a second one of kinds of which one is drawn, one of a kind that
 /// nobody knows, and one that tells no numbers. Each tells something ten times a second.
 record MoreDevices(Witness told) implements Witness {
-    static final List<String> NAMES = List.of("rear", "more-sonars", "elsewhere", "trailer", "chart", "weather", "speech");
+    static final List<String> NAMES =
+            List.of("rear", "more-sonars", "elsewhere", "trailer", "chart", "weather", "speech");
 
     public record Weather(Wind wind, double pressure, String words) {}
 
@@ -44,8 +45,10 @@ record MoreDevices(Witness told) implements Witness {
                         new Pose2d(seconds, 2, 0.5),
                         new Covariance2d(1, 0.5, 0, 2, 0, 0.25),
                         List.of(
-                                new Hypothesis(0.5, new Pose2d(seconds, 2, 0.5), new Covariance2d(1, 0.5, 0, 2, 0, 0.25)),
-                                new Hypothesis(0.25, new Pose2d(-1, seconds, -2), new Covariance2d(2, 0, 0, 1, 0, 0.5))),
+                                new Hypothesis(
+                                        0.5, new Pose2d(seconds, 2, 0.5), new Covariance2d(1, 0.5, 0, 2, 0, 0.25)),
+                                new Hypothesis(
+                                        0.25, new Pose2d(-1, seconds, -2), new Covariance2d(2, 0, 0, 1, 0, 0.5))),
                         0.5,
                         PoseEstimate.Quality.AMBIGUOUS),
                 new Odometry(new Pose2d(1, 2, 0.5), new Twist2d(seconds, 0, -0.5), seconds > 1),

@@ -114,7 +114,13 @@ class PlaybackTest {
             }
         }
         assertThat(kinds)
-                .contains(Blobs.class, Decision.class, GripperState.class, NavigatorState.class, Planner.Asked.class, LaserScan.class);
+                .contains(
+                        Blobs.class,
+                        Decision.class,
+                        GripperState.class,
+                        NavigatorState.class,
+                        Planner.Asked.class,
+                        LaserScan.class);
     }
 
     /// Of each of the kinds of which one is drawn, with topics of their own.

@@ -100,10 +100,8 @@ class ReadingTypeTest {
                         0.25,
                         PoseEstimate.Quality.AMBIGUOUS),
                 PoseEstimate.of(POSE, new Covariance2d(1, 0.5, 0, 2, 0, 0)),
-                new Planner.Asked(
-                        POSE, Pose2d.ORIGIN, 1, 1, OptionalDouble.of(2.5), OptionalDouble.of(2), ""),
-                new Planner.Asked(
-                        POSE, Pose2d.ORIGIN, 7, 0, OptionalDouble.empty(), OptionalDouble.empty(), "Walls."),
+                new Planner.Asked(POSE, Pose2d.ORIGIN, 1, 1, OptionalDouble.of(2.5), OptionalDouble.of(2), ""),
+                new Planner.Asked(POSE, Pose2d.ORIGIN, 7, 0, OptionalDouble.empty(), OptionalDouble.empty(), "Walls."),
                 new Quantities(List.of(
                         new Quantity("wind.speed", "wind speed", "m/s", 3.5),
                         new Quantity("", "", "", 0),

@@ -17,7 +17,6 @@ import rsal.agent.bdi.Mind;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
-import rsal.data.Stamped;
 import rsal.device.Health;
 import rsal.robot.RobotModel;
 import rsal.scenario.RunPlan;

@@ -319,9 +319,9 @@ final class Messages {
     /// @param silence for how long nobody has told where it is, if that is longer than it should be [s]
     record RealDetails(boolean proxy, Optional<Double> silence) {}
 
-    /// Cells are at `/api/drawn/<run>?robot=<id>&device=<device>`, as those of [MapInfo], in which they lie row by row behind
-    /// five little-endian numbers: width and height (integers of 4 bytes), side of a cell, origin x and y [m]
-    /// (of 8 bytes). Robots that explore together draw the same.
+    /// Cells are at `/api/drawn/<run>?robot=<id>&device=<device>`, as those of [MapInfo], in which they lie row by
+    /// row behind five little-endian numbers: width and height (integers of 4 bytes), side of a cell, origin x and
+    /// y [m] (of 8 bytes). Robots that explore together draw the same.
     ///
     /// @param device that drew it; empty where that is not known
     /// @param time when it was drawn [s of the run]

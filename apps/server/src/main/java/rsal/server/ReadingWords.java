@@ -170,8 +170,8 @@ final class ReadingWords {
         var facts = new ArrayList<Fact>();
         boolean one = asked.places() == 1;
         facts.add(fact("asked for", one ? "a way" : "what ways to %d places cost".formatted(asked.places())));
-        facts.add(fact("from", position(asked.mapFromStart())));
-        facts.add(fact(one || asked.cost().isEmpty() ? "to" : "cheapest to get to", position(asked.mapFromGoal())));
+        facts.add(fact("from", spot(asked.mapFromStart())));
+        facts.add(fact(one || asked.cost().isEmpty() ? "to" : "cheapest to get to", spot(asked.mapFromGoal())));
         if (asked.cost().isEmpty()) {
             facts.add(fact("found", asked.why().isEmpty() ? "no way" : "no way: " + asked.why()));
             return facts;
@@ -181,7 +181,11 @@ final class ReadingWords {
                 "found",
                 asked.length().isEmpty()
                         ? "a way, " + cost
-                        : String.format(Locale.ROOT, "a way of %.1f m, ", asked.length().getAsDouble()) + cost));
+                        : String.format(
+                                        Locale.ROOT,
+                                        "a way of %.1f m, ",
+                                        asked.length().getAsDouble())
+                                + cost));
         if (asked.reachable() < asked.places()) {
             facts.add(fact("no way leads to", String.valueOf(asked.places() - asked.reachable())));
         }
@@ -310,7 +314,12 @@ final class ReadingWords {
     }
 
     private static String position(Pose2d pose) {
-        return String.format(Locale.ROOT, "%.2f, %.2f m, ", pose.x(), pose.y()) + degrees(pose.theta());
+        return spot(pose) + ", " + degrees(pose.theta());
+    }
+
+    /// Of which the heading does not matter.
+    private static String spot(Pose2d pose) {
+        return String.format(Locale.ROOT, "%.2f, %.2f m", pose.x(), pose.y());
     }
 
     /// Where something is as seen from the robot: `1.20 m, 15° left`.

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 interface Showing {
     /// Sees what is new. To be called before all else.
     ///
-    /// @param pause from this look to the next, as frames of a watched run would follow each other: 1 for each of them
+    /// @param pause from this look to the next: 1 for each frame of a watched run
     void look(int pause);
 
     /// What is now; null of a recording, which has only been.

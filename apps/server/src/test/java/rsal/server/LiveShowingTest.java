@@ -37,7 +37,9 @@ class LiveShowingTest {
             run.estop().toCompletableFuture().join();
             run.freshSnapshot().toCompletableFuture().join();
             showing.look(10);
-            assertThat(showing.past().at(Duration.ofDays(1)).details()).isNotEqualTo(before).contains("\"stopped\":true");
+            assertThat(showing.past().at(Duration.ofDays(1)).details())
+                    .isNotEqualTo(before)
+                    .contains("\"stopped\":true");
         }
     }
 

@@ -42,8 +42,8 @@ public interface Planner extends Device {
     /// A question about one place, or about what ways to several cost, and what came of it.
     ///
     /// @param mapFromStart where the way begins
-    /// @param mapFromGoal the place; of several the one that it costs least to get to, or the first where none can be
-    /// got to
+    /// @param mapFromGoal the place; of several the one that it costs least to get to, or the first where no
+    /// way leads anywhere
     /// @param places how many were asked about; at least 1
     /// @param reachable to how many of them a way leads
     /// @param cost of the way to the goal [m]; empty when there is none

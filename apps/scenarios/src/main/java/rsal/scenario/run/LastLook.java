@@ -9,7 +9,11 @@ import rsal.robot.Robot;
 
 /// What devices had told last and agents had in mind when a run ended, for those who look at it afterwards.
 record LastLook(
-        Map<String, Answer> readings, Map<String, Answer> agents, Answer topics, Answer communication, Routine routine) {
+        Map<String, Answer> readings,
+        Map<String, Answer> agents,
+        Answer topics,
+        Answer communication,
+        Routine routine) {
     static LastLook at(Stage stage, Iterable<Robot> robots, List<String> agents, Duration time, long now) {
         var readings = new HashMap<String, Answer>();
         robots.forEach(robot -> readings.put(robot.id(), stage.readings(robot.id(), time)));

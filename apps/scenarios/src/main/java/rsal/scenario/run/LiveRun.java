@@ -484,8 +484,8 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /// Has the run remember what was said all the time, in 16 MB; and, once it ends, what [#readings], [#inside],
-    /// [#routine], [#topics] and [#communication] answered then: they go on answering that. Otherwise they are refused
-    /// when it is over. One that ends for lack of memory remembers nothing.
+    /// [#routine], [#topics] and [#communication] answered then: they go on answering that. Otherwise they are
+    /// refused when it is over. One that ends for lack of memory remembers nothing.
     public void remember() {
         remembers = true;
         journal.routine().remember();

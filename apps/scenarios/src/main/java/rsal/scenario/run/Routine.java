@@ -12,8 +12,8 @@ import java.util.stream.Stream;
 
 /// What agents say all the time, as where they are, so that each of it is no event: the newest of each topic, and what
 /// was said before, for people who ask for it. Of what was before at most so many bytes are kept. When it is more, each
-/// sender's messages of a topic are thinned, ever more, so that it reaches back to the beginning and what is said seldom
-/// stays. For one thread, and for others once nothing more is said.
+/// sender's messages of a topic are thinned, ever more, so that it reaches back to the beginning and what is said
+/// seldom stays. For one thread, and for others once nothing more is said.
 final class Routine {
     /// How many messages of one topic are kept as the newest.
     static final int MOST_OF_A_TOPIC = 300;
@@ -66,9 +66,9 @@ final class Routine {
 
         /// @param from which does not belong to it
         List<Said> within(Duration from, Duration until) {
-            return Stream.concat(
-                            all.stream().takeWhile(said -> isBefore(said, newest.getFirst())), newest.stream())
-                    .filter(said -> said.time().compareTo(from) > 0 && said.time().compareTo(until) <= 0)
+            return Stream.concat(all.stream().takeWhile(said -> isBefore(said, newest.getFirst())), newest.stream())
+                    .filter(said ->
+                            said.time().compareTo(from) > 0 && said.time().compareTo(until) <= 0)
                     .toList();
         }
 

@@ -354,7 +354,9 @@ class LiveRunTest {
         Snapshot first = next(snapshots, now.time().plusMillis(1500));
         Snapshot second = next(snapshots, first.time().plusMillis(1000));
         while ((prey && !moved(first, second, 0)) || (hunter && !moved(first, second, 1))) {
-            assertThat(second.time()).as("somebody stands").isLessThan(first.time().plusSeconds(60));
+            assertThat(second.time())
+                    .as("somebody stands")
+                    .isLessThan(first.time().plusSeconds(60));
             second = next(snapshots, second.time().plusMillis(1));
         }
         assertThat(second.stopped()).isEqualTo(!prey && !hunter);

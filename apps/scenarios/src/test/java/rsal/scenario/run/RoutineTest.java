@@ -64,7 +64,8 @@ class RoutineTest {
         assertThat(routine.bytes()).isGreaterThan(Routine.FEW_BYTES / 4);
         assertThat(at("hello", 3_100, 3_101)).as("said seldom").containsExactly(0, 3_000);
         for (int second : new int[] {100, 1_000, 4_000}) {
-            assertThat(routine.of("pose", Duration.ofSeconds(second), Duration.ZERO).get("pose"))
+            assertThat(routine.of("pose", Duration.ofSeconds(second), Duration.ZERO)
+                            .get("pose"))
                     .as("by %d s", second)
                     .extracting(Said::from)
                     .containsExactlyInAnyOrderElementsOf(
