@@ -49,7 +49,7 @@ class RunsThatChangeTest {
             String home = "http://127.0.0.1:" + server.url().getPort() + "/api/";
             for (int page = 0; page < PAGES; page++) {
                 int first = page;
-                pages.submit(() -> {
+                var _ = pages.submit(() -> {
                     for (int i = first; !done.get(); i++) {
                         String what = home + ASKED.get(i % ASKED.size());
                         var response = client.send(
