@@ -81,8 +81,7 @@ final class Telling<M> implements Runnable {
         return noted;
     }
 
-    private static <M> void forEach(
-            List<Seat<M>> seats, @Nullable BitSet hearing, Consumer<? super Hearer<M>> action) {
+    private static <M> void forEach(List<Seat<M>> seats, @Nullable BitSet hearing, Consumer<? super Hearer<M>> action) {
         if (hearing == null) {
             return;
         }
