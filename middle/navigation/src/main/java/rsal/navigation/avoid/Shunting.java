@@ -51,7 +51,28 @@ public final class Shunting {
     ///
     /// @param meters driven, negative backward; 0 where it turns in place
     /// @param radians turned meanwhile, evenly
-    public record Leg(double meters, double radians) {}
+    public record Leg(double meters, double radians) {
+        /// Along an arc, exactly.
+        private Pose2d from(Pose2d pose) {
+            double half = radians / 2;
+            double chord = half == 0 ? meters : meters * Math.sin(half) / half;
+            double heading = pose.theta() + half;
+            return new Pose2d(
+                    pose.x() + chord * Math.cos(heading), pose.y() + chord * Math.sin(heading), pose.theta() + radians);
+        }
+
+        private Leg half() {
+            return new Leg(meters / 2, radians / 2);
+        }
+
+        private double cost() {
+            return Math.abs(meters) + TURNING * Math.abs(radians);
+        }
+
+        private boolean reverses(Leg before) {
+            return meters * before.meters < 0;
+        }
+    }
 
     /// @param reaction how long a command lasts before the next one can take effect [s]
     public Shunting(Footprint footprint, DriveLimits limits, double reaction) {
@@ -65,38 +86,15 @@ public final class Shunting {
         return guard.limit(wanted, velocity, obstacles);
     }
 
-    private record Move(double meters, double radians) {
-        /// Along an arc, exactly.
-        Pose2d from(Pose2d pose) {
-            double half = radians / 2;
-            double chord = half == 0 ? meters : meters * Math.sin(half) / half;
-            double heading = pose.theta() + half;
-            return new Pose2d(
-                    pose.x() + chord * Math.cos(heading), pose.y() + chord * Math.sin(heading), pose.theta() + radians);
-        }
+    private static final List<Leg> MOVES = moves();
 
-        Move half() {
-            return new Move(meters / 2, radians / 2);
-        }
-
-        double cost() {
-            return Math.abs(meters) + TURNING * Math.abs(radians);
-        }
-
-        boolean reverses(Move before) {
-            return meters * before.meters < 0;
-        }
-    }
-
-    private static final List<Move> MOVES = moves();
-
-    private static List<Move> moves() {
-        var moves = new ArrayList<Move>();
-        moves.add(new Move(0, TURN_STEP));
-        moves.add(new Move(0, -TURN_STEP));
+    private static List<Leg> moves() {
+        var moves = new ArrayList<Leg>();
+        moves.add(new Leg(0, TURN_STEP));
+        moves.add(new Leg(0, -TURN_STEP));
         for (double curvature : CURVATURES) {
-            moves.add(new Move(STEP, STEP * curvature));
-            moves.add(new Move(-STEP, -STEP * curvature));
+            moves.add(new Leg(STEP, STEP * curvature));
+            moves.add(new Leg(-STEP, -STEP * curvature));
         }
         return List.copyOf(moves);
     }
@@ -105,7 +103,7 @@ public final class Shunting {
             Pose2d pose,
             double cost,
             @Nullable Node before,
-            @Nullable Move by) {}
+            @Nullable Leg by) {}
 
     /// The obstacles that count, and how near each may come.
     private record Around(double[] x, double[] y, double[] kept, double[] keptBehind, boolean strangers) {}
@@ -135,7 +133,7 @@ public final class Shunting {
             if (missing(node.pose(), angle) <= TURNED && isOpen(node.pose(), ahead, around)) {
                 return Optional.of(legs(node));
             }
-            for (Move move : MOVES) {
+            for (Leg move : MOVES) {
                 Pose2d next = move.from(node.pose());
                 boolean blindly = move.meters() < 0 && around.strangers();
                 if (!blindly
@@ -195,13 +193,13 @@ public final class Shunting {
         return distance <= margin ? distance : Math.min(margin + BEYOND, (margin + distance) / 2);
     }
 
-    private boolean isFree(Move move, Pose2d from, Pose2d to, Around around) {
+    private boolean isFree(Leg move, Pose2d from, Pose2d to, Around around) {
         boolean backward = move.meters() < 0;
         return isFree(to, backward, around) && isFree(move.half().from(from), backward, around);
     }
 
     private boolean isOpen(Pose2d pose, double ahead, Around around) {
-        var straight = new Move(STEP, 0);
+        var straight = new Leg(STEP, 0);
         Pose2d next = pose;
         for (double way = 0; way < ahead; way += STEP) {
             next = straight.from(next);
@@ -229,13 +227,13 @@ public final class Shunting {
 
     /// Steps of one kind make one leg.
     private static List<Leg> legs(Node last) {
-        Deque<Move> moves = new ArrayDeque<>();
+        Deque<Leg> moves = new ArrayDeque<>();
         for (Node node = last; node.by() != null && node.before() != null; node = node.before()) {
             moves.addFirst(node.by());
         }
         var legs = new ArrayList<Leg>();
-        Move before = null;
-        for (Move move : moves) {
+        Leg before = null;
+        for (Leg move : moves) {
             if (move.equals(before)) {
                 Leg leg = legs.removeLast();
                 legs.add(new Leg(leg.meters() + move.meters(), leg.radians() + move.radians()));
