@@ -260,10 +260,8 @@ final class FrameEncoder {
 
     /// Where else than at its estimate a robot may be.
     private static List<Hypothesis> elsewhere(RobotView robot) {
-        return estimate(robot).map(PoseEstimate::hypotheses).orElse(List.of()).stream()
-                .skip(1) // the estimate itself
-                .limit(MAX_ELSEWHERE)
-                .toList();
+        List<Hypothesis> all = estimate(robot).map(PoseEstimate::hypotheses).orElse(List.of());
+        return all.size() < 2 ? List.of() : all.subList(1, Math.min(all.size(), 1 + MAX_ELSEWHERE)); // the first is it
     }
 
     private void elsewhere(List<Hypothesis> hypotheses) {
