@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import rsal.bench.Drive.Tick;
@@ -217,8 +218,9 @@ final class LocalizationBench implements Bench {
                 ticks.getFirst().odomFromBase(), look.apply(ticks.getFirst().mapFromBase()));
         Pose2d odometry = ticks.getFirst().odomFromBase();
         for (Tick tick : ticks) {
-            estimate = amcl.due(tick.odomFromBase(), () -> look.apply(tick.mapFromBase()))
-                    ? amcl.update(tick.odomFromBase(), look.apply(tick.mapFromBase()))
+            Supplier<Beams> beams = () -> look.apply(tick.mapFromBase());
+            estimate = amcl.due(tick.odomFromBase(), beams)
+                    ? amcl.update(tick.odomFromBase(), beams.get())
                     : estimate.moved(odometry.inverse().compose(tick.odomFromBase()));
             odometry = tick.odomFromBase();
             beliefs.add(new Belief(estimate, tick.mapFromBase()));

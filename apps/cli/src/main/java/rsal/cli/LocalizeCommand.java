@@ -236,10 +236,11 @@ final class LocalizeCommand extends Subcommand {
         }
 
         private static double share(List<Replay.Step> steps, Quality word) {
-            long those = steps.stream()
-                    .filter(step -> step.estimate().quality() == word)
-                    .count();
-            return (double) those / steps.size();
+            return Summary.share(
+                    steps.stream()
+                            .filter(step -> step.estimate().quality() == word)
+                            .count(),
+                    steps.size());
         }
     }
 
