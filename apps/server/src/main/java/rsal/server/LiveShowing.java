@@ -7,6 +7,10 @@ import rsal.server.Messages.Trails;
 /// [#numbers], [#recollection] and [#trails].
 final class LiveShowing implements Showing {
     private static final double FOLLOWED = 15; // times real time; a robot of 0.5 m/s is elsewhere then at each look
+    /// The same of a run that is to be as fast as it can, from which each look takes something.
+    private static final double FOLLOWED_IN_HASTE = 4;
+    /// Of these while fewer looks are taken, as more of them would make it slower.
+    private static final double STILL = 0.7;
 
     private final CurrentRun current;
     private RunFeed feed;
@@ -14,6 +18,7 @@ final class LiveShowing implements Showing {
     private volatile NumberHistory numbers = new NumberHistory();
     private volatile Recollection recollection = new Recollection();
     private volatile long bytesKept;
+    private boolean fast;
 
     LiveShowing(CurrentRun current) {
         this.current = current;
@@ -34,6 +39,15 @@ final class LiveShowing implements Showing {
         numbers.look(feed.run().run(), feed.present(), feed.time());
         recollection.look(feed.run().run(), feed.seen());
         bytesKept = history.bytes() + recollection.bytes();
+        fast = isFast(feed.speed(), feed.rate(), fast);
+    }
+
+    /// @param speed as asked for
+    /// @param rate as measured
+    /// @param before whether it was
+    static boolean isFast(double speed, double rate, boolean before) {
+        double followed = Double.isFinite(speed) ? FOLLOWED : FOLLOWED_IN_HASTE;
+        return rate > (before ? STILL : 1) * followed;
     }
 
     /// What looking back takes. For any thread.
@@ -68,6 +82,6 @@ final class LiveShowing implements Showing {
 
     @Override
     public boolean isFast() {
-        return feed.rate() > FOLLOWED;
+        return fast;
     }
 }

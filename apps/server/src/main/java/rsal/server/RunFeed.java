@@ -80,6 +80,11 @@ final class RunFeed implements Feed {
         return seen.time();
     }
 
+    /// Simulated over real time, as asked for; +∞ for as fast as it can.
+    double speed() {
+        return seen.speed();
+    }
+
     /// Simulated over real time, as measured.
     double rate() {
         return seen.rate();

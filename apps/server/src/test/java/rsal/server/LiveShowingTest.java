@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.scenario.run.LiveRun;
@@ -23,6 +25,21 @@ class LiveShowingTest {
             current.now().run().speed(1);
             lookUntil(showing, false);
         }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "10, 10, false, false",
+        "20, 16, false, true",
+        "20, 14, true, true", // looked at more often it would be slower still
+        "20, 10, true, false",
+        "Infinity, 3, false, false",
+        "Infinity, 5, false, true",
+        "Infinity, 3, true, true",
+        "Infinity, 2, true, false"
+    })
+    void aRunThatIsToBeAsFastAsItCanIsFastSooner(double speed, double rate, boolean before, boolean fast) {
+        assertThat(LiveShowing.isFast(speed, rate, before)).isEqualTo(fast);
     }
 
     /// While nobody watches there are few looks, and each is for its words, too.
