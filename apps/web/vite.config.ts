@@ -25,7 +25,7 @@ export default defineConfig({
   build: {
     rolldownOptions: { input: ['index.html', 'beside.html'] },
     target: 'es2023',
-    modulePreload: false,
+    modulePreload: { polyfill: false },
     assetsInlineLimit: 0, // the page's Content-Security-Policy knows no inline data
   },
   server: {

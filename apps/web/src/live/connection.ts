@@ -5,6 +5,8 @@ const RETRY_MILLIS = 1000;
 const CLOSED = 4000;
 /** A hidden tab draws nothing; it still takes a frame now and then, so that the server does not give it up. */
 const LONGEST_DRAW_MILLIS = 1000;
+/** For how long the first frame is waited for. */
+const LONGEST_BEGINNING_MILLIS = 300;
 
 export interface Listener {
   onFrame(bytes: ArrayBuffer): void;
@@ -27,7 +29,7 @@ export function connect(listener: Listener): void {
   const socket = new WebSocket(new URL('api/live', location.href.replace(/^http/, 'ws')));
   line = socket;
   socket.binaryType = 'arraybuffer';
-  socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => {
+  const take = (data: ArrayBuffer | string) => {
     if (typeof data === 'string') {
       const message = JSON.parse(data) as ServerMessage;
       listener.onMessage(message);
@@ -41,12 +43,46 @@ export function connect(listener: Listener): void {
       afterDrawing(() => tell(socket, { frame: sequence }));
     }
   };
+  const beginning = new Beginning(take);
+  socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => beginning.take(data);
   socket.onclose = ({ code }) => {
+    beginning.end();
     listener.onGone(code === CLOSED);
     if (code !== CLOSED) {
       setTimeout(() => connect(listener), RETRY_MILLIS);
     }
   };
+}
+
+/**
+ * Passes on what a line brings; what comes before its first frame only with that. So the page is laid out once for
+ * all of it, and the first picture is there sooner.
+ */
+export class Beginning {
+  private held: (ArrayBuffer | string)[] | null = [];
+
+  constructor(private readonly next: (data: ArrayBuffer | string) => void) {}
+
+  take(data: ArrayBuffer | string) {
+    if (this.held === null) {
+      this.next(data);
+      return;
+    }
+    if (this.held.length === 0) {
+      setTimeout(() => this.end(), LONGEST_BEGINNING_MILLIS);
+    }
+    this.held.push(data);
+    if (typeof data !== 'string') {
+      this.end();
+    }
+  }
+
+  /** Waits no longer. */
+  end() {
+    const held = this.held ?? [];
+    this.held = null;
+    held.forEach((data) => this.next(data));
+  }
 }
 
 function tell(socket: WebSocket, receipt: Partial<Receipt>) {
