@@ -11,7 +11,7 @@ public record Twist2d(double vx, double vy, double omega) {
 
     /// Speed over ground [m/s].
     public double speed() {
-        return Math.hypot(vx, vy);
+        return vy == 0 ? Math.abs(vx) : Math.hypot(vx, vy); // most bases go nowhere else, and are asked often
     }
 
     public boolean isFinite() {

@@ -3,6 +3,7 @@ package rsal.behavior;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
@@ -34,6 +35,7 @@ public final class SectorFusion {
     private Memory memory = new Memory();
     private Memory spare = new Memory();
     private @Nullable Fan fan;
+    private @Nullable Cones cones;
 
     /// What the laser saw, by the sector that it is in now: where in the odometry frame [m], and when. Sectors are
     /// too coarse to be moved along by each small turn.
@@ -83,6 +85,37 @@ public final class SectorFusion {
         }
     }
 
+    /// The directions that sonars' cones are looked at along, in the base frame: the same for all rounds.
+    private static final class Cones {
+        private final List<Pose2d> baseFromSonars;
+        private final double fieldOfView;
+        private final int directions; // of each sonar
+        private final double[] cos;
+        private final double[] sin;
+        private final int[] sectors; // of the sonar that is looked at
+
+        Cones(RangeArray round) {
+            baseFromSonars = round.baseFromSensors();
+            fieldOfView = round.fieldOfView();
+            double cone = CONE * fieldOfView;
+            int steps = Math.max(1, (int) Math.ceil(cone / Surroundings.WIDTH * 2)); // so that it misses no sector
+            directions = steps + 1;
+            cos = new double[round.count() * directions];
+            sin = new double[round.count() * directions];
+            sectors = new int[directions];
+            for (int i = 0; i < cos.length; i++) {
+                double angle = cone * ((double) (i % directions) / steps - 0.5);
+                double direction = baseFromSonars.get(i / directions).theta() + angle;
+                cos[i] = Math.cos(direction);
+                sin[i] = Math.sin(direction);
+            }
+        }
+
+        boolean isOf(RangeArray round) {
+            return fieldOfView == round.fieldOfView() && baseFromSonars.equals(round.baseFromSensors());
+        }
+    }
+
     /// @param limit things farther away than this do not count [m]
     public SectorFusion(double limit) {
         this.limit = limit;
@@ -109,6 +142,7 @@ public final class SectorFusion {
     /// rest is forgotten.
     private void recall(Instant now, Pose2d odomFromBase, float[] seen, float[] ranges) {
         float[] sensed = ranges.clone();
+        Instant oldest = now.minus(REMEMBERED);
         double cos = Math.cos(odomFromBase.theta());
         double sin = Math.sin(odomFromBase.theta());
         Memory before = memory;
@@ -118,15 +152,15 @@ public final class SectorFusion {
         float[] nearest = nothing(); // of what is remembered
         for (int i = 0; i < Surroundings.SECTORS; i++) {
             Instant then = before.seen[i];
-            if (then == null || then.plus(REMEMBERED).isBefore(now)) {
+            if (then == null || then.isBefore(oldest)) {
                 continue;
             }
             double dx = before.x[i] - odomFromBase.x();
             double dy = before.y[i] - odomFromBase.y();
             double x = cos * dx + sin * dy;
             double y = cos * dy - sin * dx;
-            int sector = Surroundings.sector(Math.atan2(y, x));
-            float range = (float) Math.hypot(x, y);
+            int sector = Surroundings.sectorOf(x, y);
+            float range = (float) Math.sqrt(x * x + y * y);
             boolean isStillThere = Float.isNaN(seen[sector]) && !(sensed[sector] > range + SAME);
             if (isStillThere && !(nearest[sector] <= range)) {
                 nearest[sector] = range;
@@ -167,53 +201,51 @@ public final class SectorFusion {
         }
     }
 
+    private Cones cones(RangeArray round) {
+        Cones known = cones;
+        if (known == null || !known.isOf(round)) {
+            known = new Cones(round);
+            cones = known;
+        }
+        return known;
+    }
+
     /// Without a laser, all counts that sonars hear.
     private void listen(RangeArray round, float[] ranges) {
-        double cone = CONE * round.fieldOfView();
-        int steps = steps(cone);
-        for (int i = 0; i < round.count(); i++) {
-            double range = measured(round.ranges()[i], round.rangeMin(), round.rangeMax());
-            Pose2d baseFromSonar = round.baseFromSensors().get(i);
-            for (int step = 0; step <= steps; step++) {
-                double direction = baseFromSonar.theta() + cone * ((double) step / steps - 0.5);
-                note(baseFromSonar, Math.cos(direction), Math.sin(direction), range, ranges);
-            }
+        Cones all = cones(round);
+        for (int i = 0; i < all.cos.length; i++) {
+            int sonar = i / all.directions;
+            double range = measured(round.ranges()[sonar], round.rangeMin(), round.rangeMax());
+            note(all.baseFromSonars.get(sonar), all.cos[i], all.sin[i], range, ranges);
         }
     }
 
-    /// In how many parts a cone is looked at, so that no sector in it is missed.
-    private static int steps(double cone) {
-        return Math.max(1, (int) Math.ceil(cone / Surroundings.WIDTH * 2));
-    }
-
     private void listen(RangeArray round, float[] seen, float[] ranges) {
-        double cone = CONE * round.fieldOfView();
-        int steps = steps(cone);
+        Cones all = cones(round);
         for (int i = 0; i < round.count(); i++) {
             double range = measured(round.ranges()[i], round.rangeMin(), round.rangeMax());
-            Pose2d baseFromSonar = round.baseFromSensors().get(i);
-            double sight = nearestSeen(baseFromSonar, cone, steps, range, seen);
-            boolean explained = sight <= range + SAME + SAME_SHARE * range;
-            for (int step = 0; step <= steps; step++) {
-                double angle = cone * ((double) step / steps - 0.5);
-                boolean unseen = Float.isNaN(seen[sector(baseFromSonar, angle, range)]);
-                if (unseen || !explained) {
-                    double direction = baseFromSonar.theta() + angle;
-                    note(baseFromSonar, Math.cos(direction), Math.sin(direction), range, ranges);
+            Pose2d baseFromSonar = all.baseFromSonars.get(i);
+            int first = i * all.directions;
+            for (int k = 0; k < all.directions; k++) {
+                all.sectors[k] = sector(baseFromSonar, all.cos[first + k], all.sin[first + k], range);
+            }
+            boolean explained = nearestSeen(baseFromSonar, all.sectors, seen) <= range + SAME + SAME_SHARE * range;
+            for (int k = 0; k < all.directions; k++) {
+                if (!explained || Float.isNaN(seen[all.sectors[k]])) {
+                    note(baseFromSonar, all.cos[first + k], all.sin[first + k], range, ranges);
                 }
             }
         }
     }
 
     /// The shortest range that the laser sees within a sonar's cone, from the sonar [m].
-    private double nearestSeen(Pose2d baseFromSonar, double fieldOfView, int steps, double range, float[] seen) {
+    private static double nearestSeen(Pose2d baseFromSonar, int[] sectors, float[] seen) {
         double nearest = Double.POSITIVE_INFINITY;
-        for (int step = 0; step <= steps; step++) {
-            int sector = sector(baseFromSonar, fieldOfView * ((double) step / steps - 0.5), range);
+        for (int sector : sectors) {
             if (seen[sector] < Float.POSITIVE_INFINITY) {
                 double x = seen[sector] * Surroundings.cos(sector) - baseFromSonar.x();
                 double y = seen[sector] * Surroundings.sin(sector) - baseFromSonar.y();
-                nearest = Math.min(nearest, Math.hypot(x, y));
+                nearest = Math.min(nearest, Math.sqrt(x * x + y * y));
             }
         }
         return nearest;
@@ -236,17 +268,16 @@ public final class SectorFusion {
         double reach = Math.min(range, limit);
         double x = baseFromSensor.x() + reach * cos;
         double y = baseFromSensor.y() + reach * sin;
-        int sector = Surroundings.sector(Math.atan2(y, x));
+        int sector = Surroundings.sectorOf(x, y);
         float noted = range < Double.POSITIVE_INFINITY ? (float) Math.sqrt(x * x + y * y) : Float.POSITIVE_INFINITY;
         if (!(ranges[sector] <= noted)) { // also when nothing was noted yet
             ranges[sector] = noted;
         }
     }
 
-    private int sector(Pose2d baseFromSensor, double angle, double range) {
+    /// Where a sensor sees or hears what it does, or nothing up to the limit.
+    private int sector(Pose2d baseFromSensor, double cos, double sin, double range) {
         double reach = Double.isNaN(range) ? limit : Math.min(range, limit);
-        double x = baseFromSensor.x() + reach * Math.cos(baseFromSensor.theta() + angle);
-        double y = baseFromSensor.y() + reach * Math.sin(baseFromSensor.theta() + angle);
-        return Surroundings.sector(Math.atan2(y, x));
+        return Surroundings.sectorOf(baseFromSensor.x() + reach * cos, baseFromSensor.y() + reach * sin);
     }
 }

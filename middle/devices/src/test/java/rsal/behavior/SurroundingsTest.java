@@ -20,6 +20,40 @@ class SurroundingsTest {
     }
 
     @Test
+    void aPlaceLiesInTheSectorOfItsDirection() {
+        var random = new Random(5);
+        for (int round = 0; round < 1_000_000; round++) {
+            isInTheSectorOfItsDirection(random.nextGaussian() * 3, random.nextGaussian() * 3);
+        }
+    }
+
+    @Test
+    void aPlaceOnOrBesideABorderLiesInTheSectorOfItsDirection() {
+        var random = new Random(6);
+        for (int round = 0; round < 300_000; round++) {
+            double border = -Math.PI + random.nextInt(Surroundings.SECTORS + 1) * Surroundings.WIDTH;
+            double direction = border + random.nextGaussian() * Math.pow(10, -2 - random.nextInt(15));
+            double range = 10 * random.nextDouble();
+            isInTheSectorOfItsDirection(range * Math.cos(direction), range * Math.sin(direction));
+        }
+        double[] special = {
+            0, -0.0, 1, -1, 1e-310, 1e300, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NaN
+        };
+        for (double x : special) {
+            for (double y : special) {
+                isInTheSectorOfItsDirection(x, y);
+            }
+        }
+    }
+
+    private static void isInTheSectorOfItsDirection(double x, double y) {
+        int sector = Surroundings.sectorOf(x, y);
+        if (sector != Surroundings.sector(Math.atan2(y, x))) { // words cost more than a million places
+            assertThat(sector).as("x %s, y %s", x, y).isEqualTo(Surroundings.sector(Math.atan2(y, x)));
+        }
+    }
+
+    @Test
     void nearestLooksCounterClockwiseAlsoAcrossTheBack() {
         Surroundings around =
                 Scene.open().thing(170, 2).thing(-170, 1).percept().surroundings();
