@@ -1,4 +1,4 @@
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
@@ -82,6 +82,18 @@ describe.skipIf(!chromium)('looking back', () => {
     await shows(paused + 0.05, paused + 0.15);
     await page.keyboard.press(',');
     await shows(paused - 0.05, paused + 0.05);
+  });
+
+  it('shows what is left of a recording that was cut off, and says so', async () => {
+    const whole = readFileSync(file);
+    const left = join(folder, 'left.mcap');
+    writeFileSync(left, whole.subarray(0, 0.6 * whole.length));
+    const damaged = await Rsal.replay(left, '--port', '0');
+    await look(damaged.url);
+    await page.getByRole('alert').filter({ hasText: 'not whole' }).waitFor();
+    const begin = await time();
+    await eventually(async () => (await time()) > begin + 1, 'it plays');
+    await damaged.end();
   });
 
   it('scrubs to and fro, and shows the same again', async () => {

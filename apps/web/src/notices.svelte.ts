@@ -1,3 +1,4 @@
+import { untrack } from 'svelte';
 import { RefusedError } from './api/client';
 
 const SHOWN_MILLIS = 8000;
@@ -13,7 +14,8 @@ class Notices {
    */
   add(text: string, lasting = false, about: string | null = null) {
     const id = this.next++;
-    this.list = [...this.list.filter((notice) => notice.text !== text), { id, text, about }];
+    const others = untrack(() => this.list).filter((notice) => notice.text !== text); // effects add some, too
+    this.list = [...others, { id, text, about }];
     if (!lasting) {
       setTimeout(() => this.dismiss(id), SHOWN_MILLIS);
     }
@@ -21,11 +23,11 @@ class Notices {
 
   /** What is told of it is true no more. */
   dismissAbout(what: string) {
-    this.list = this.list.filter(({ about }) => about !== what);
+    this.list = untrack(() => this.list).filter(({ about }) => about !== what);
   }
 
   dismiss(id: number) {
-    this.list = this.list.filter((notice) => notice.id !== id);
+    this.list = untrack(() => this.list).filter((notice) => notice.id !== id);
   }
 }
 
