@@ -21,6 +21,7 @@ export const texts = {
     max: 'max',
   },
   run: {
+    begins: 'The run begins…',
     seed: 'seed',
     scenarios: 'Scenarios…',
     restart: 'Restart…',
@@ -497,7 +498,8 @@ export const texts = {
     cancel: 'Cancel',
     begin: 'Begin',
     close: 'Close',
-    none: 'No sweep was begun here yet. Choose a scenario (C), then “Sweep…”.',
+    none: 'No sweep goes on here. To begin one, choose a scenario (C), then “Sweep…”.',
+    serverGone: 'The server is gone',
     status: { RUNS: 'Running', ENDED: 'Ended', STOPPED: 'Stopped', FAILED: 'Failed' },
     ended: (ended: number, runs: number) => `${ended} of ${counted(runs, 'run')}`,
     broken: (count: number) => `${count} broken`,

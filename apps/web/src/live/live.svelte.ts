@@ -219,6 +219,9 @@ class Live implements Listener {
 
   readonly over: boolean = $derived(this.frame?.ended === true || (this.details?.ending ?? null) !== null);
 
+  /** Whether it has got anywhere yet: before that nobody knows who is there, which takes a while with a thousand. */
+  readonly begun: boolean = $derived((this.frame?.time ?? 0) > 0 || this.over);
+
   /** Whether it goes on by itself. */
   readonly going: boolean = $derived(this.frame !== null && !this.frame.paused && !this.over);
 }
