@@ -511,6 +511,7 @@ describe.skipIf(!chromium)('the page', () => {
   it('tells what goes wrong', async () => {
     await rsal.post('restart', { configuration: 'faulty', arguments: {}, seed: SEED });
     await rsal.post('speed', { factor: '20' });
+    await page.getByPlaceholder('Filter').fill('in the way');
     const fault = page.locator('li', { hasText: 'gone and in the way' });
     await fault.waitFor();
     expect(await fault.locator('.kind').innerText()).toBe('fault');

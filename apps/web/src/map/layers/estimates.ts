@@ -9,8 +9,8 @@ const DEVIATIONS = 2.45;
 /** A robot that is drawn smaller than this [px] would be hidden by an outline. */
 const LEAST_PIXELS = 10;
 
-/** The least likely place is drawn so strongly. */
-const FAINTEST = 0.25;
+/** The least likely place is drawn so strongly: it must be seen by a projector's light, too. */
+const FAINTEST = 0.5;
 
 /**
  * Where localizers believe robots to be: outline, and the ellipse they are in with 95 % certainty. Where else they hold
@@ -72,9 +72,9 @@ function drawEllipse(
     context.fillStyle = color;
     context.fill();
   }
-  context.globalAlpha = 0.7 * strength;
+  context.globalAlpha = strength === 1 ? 0.7 : strength;
   context.strokeStyle = color;
-  context.lineWidth = 1.5 / scale;
+  context.lineWidth = (strength === 1 ? 1.5 : 2) / scale;
   context.stroke();
   context.globalAlpha = 1;
 }
