@@ -29,8 +29,9 @@ import rsal.time.Scheduler;
 /// another for a wall.
 ///
 /// Looks again every few seconds. A place that stays a frontier though a robot was there, or that can't be
-/// reached, is left alone ([LeftAlone]). Each robot is sent where its own body fits; how the map is drawn, the
-/// first of a team says for all.
+/// reached, is left alone ([LeftAlone]). Where a robot of its size has been, one can go again, so that none is shut
+/// in by a door that the map's cells make narrower than it is. Each robot is sent where its own body fits; how the
+/// map is drawn, the first of a team says for all.
 final class Exploration {
     static final Duration PERIOD = Duration.ofSeconds(3);
     private static final double SLACK = 1.2; // m; from a frontier to where a robot can stand
@@ -61,7 +62,11 @@ final class Exploration {
     }
 
     /// What a robot saw from where it was.
-    record Seen(Body body, List<PosedScan> scans) {}
+    record Seen(Body body, List<PosedScan> scans) {
+        private List<Point2d> places() {
+            return scans.stream().map(scan -> scan.mapFromBase().position()).toList();
+        }
+    }
 
     /// A robot that knows where it is.
     ///
@@ -158,7 +163,7 @@ final class Exploration {
         var waysOf = new HashMap<CostMap.Clearance, Wavefront>();
         List<Wavefront> ways = ready.stream()
                 .map(robot -> waysOf.computeIfAbsent(
-                        robot.body().clearance(), c -> new Wavefront(CostMap.of(map, toNotFree, c))))
+                        robot.body().clearance(), c -> new Wavefront(CostMap.of(map, toNotFree, c, driven(seen, c)))))
                 .toList();
         List<Frontier> frontiers = Frontiers.of(map, settings.shortest()).stream()
                 .filter(f -> alone.stream().noneMatch(place -> LeftAlone.isSame(place, f.place())))
@@ -197,6 +202,14 @@ final class Exploration {
                     complete[robot]));
         }
         return orders;
+    }
+
+    /// Where those were that need no less room.
+    private static List<List<Point2d>> driven(List<Seen> seen, CostMap.Clearance clearance) {
+        return seen.stream()
+                .filter(robot -> robot.body().clearance().radius() >= clearance.radius())
+                .map(Seen::places)
+                .toList();
     }
 
     /// @param reaches of one robot, by frontier

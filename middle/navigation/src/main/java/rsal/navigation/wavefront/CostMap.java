@@ -1,6 +1,7 @@
 package rsal.navigation.wavefront;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
 import org.jspecify.annotations.Nullable;
@@ -77,6 +78,15 @@ public final class CostMap {
 
     /// The outermost cells of the map are blocked: nobody knows what lies beyond.
     public static CostMap of(OccupancyGrid grid, DistanceField toNotFree, Clearance clearance) {
+        return of(grid, toNotFree, clearance, List.of());
+    }
+
+    /// The same where robots have been, which can go there again, however narrow the map has become: free cells along
+    /// their ways are open, and as dear as those nearest to walls.
+    ///
+    /// @param driven places where each of them was, one after the other [m]
+    public static CostMap of(
+            OccupancyGrid grid, DistanceField toNotFree, Clearance clearance, List<List<Point2d>> driven) {
         int width = grid.width();
         var costs = new byte[width * grid.height()];
         double halfCell = grid.resolution() / 2; // from the middle of the obstacle's cell to its side
@@ -89,7 +99,35 @@ public final class CostMap {
                 }
             }
         }
+        byte dear = (byte) clearance.cost(clearance.radius());
+        for (List<Point2d> way : driven) {
+            for (int i = 1; i < way.size(); i++) {
+                open(grid, costs, way.get(i - 1), way.get(i), dear);
+            }
+        }
         return new CostMap(grid, clearance.radius(), costs);
+    }
+
+    /// Opens the free cells on a straight piece of way, and of each two that touch at a corner only, one beside them.
+    private static void open(OccupancyGrid grid, byte[] costs, Point2d from, Point2d to, byte cost) {
+        int samples = Math.max(1, (int) Math.ceil(4 * from.distanceTo(to) / grid.resolution()));
+        int row = grid.row(from.y());
+        for (int i = 0; i <= samples; i++) {
+            double share = (double) i / samples;
+            int nextColumn = grid.column(from.x() + share * (to.x() - from.x()));
+            int nextRow = grid.row(from.y() + share * (to.y() - from.y()));
+            open(grid, costs, nextColumn, row, cost);
+            open(grid, costs, nextColumn, nextRow, cost);
+            row = nextRow;
+        }
+    }
+
+    private static void open(OccupancyGrid grid, byte[] costs, int column, int row, byte cost) {
+        boolean inside = column > 0 && row > 0 && column < grid.width() - 1 && row < grid.height() - 1;
+        int cell = row * grid.width() + column;
+        if (inside && costs[cell] == BLOCKED && grid.cells()[cell] == OccupancyGrid.FREE) {
+            costs[cell] = cost;
+        }
     }
 
     private static void markPlains(byte[] costs, int width) {

@@ -2,6 +2,7 @@ package rsal.navigation.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -89,5 +90,32 @@ class ExplorationTest {
         assertThat(order.goal())
                 .hasValueSatisfying(goal ->
                         assertThat(goal.frontier().distanceTo(place.position())).isBetween(3.0, 4.3));
+    }
+
+    /// A door of 0.5 m is too narrow for its clearance, yet it came in by it.
+    @Test
+    void noRobotIsShutInByItsOwnMap() {
+        var body = new Body(0.3, new Clearance(0.29, 0.5, 1));
+        Walls doors = new Walls()
+                .chain(5, 1.75, 5, 0, 0, 0, 0, 4, 5, 4, 5, 2.25)
+                .chain(5, 1.75, 5, 1, 14, 1)
+                .chain(5, 2.25, 5, 3, 14, 3);
+        var random = new SplittableRandom(1);
+        List<PosedScan> wayIn = new ArrayList<>();
+        for (double x = 7; x >= 2.5; x -= 0.5) {
+            for (double heading : new double[] {0, Math.PI}) {
+                var place = new Pose2d(x, 2, heading);
+                wayIn.add(new PosedScan(place, doors.scan(place, 0, random)));
+            }
+        }
+        var ready = List.of(new Ready(body, new Point2d(2.5, 2), Optional.empty(), true));
+
+        Exploration.Order order = new Exploration(SETTINGS)
+                .orders(List.of(new Seen(body, wayIn)), ready, List.of())
+                .getFirst();
+
+        assertThat(order.complete()).isFalse();
+        assertThat(order.goal())
+                .hasValueSatisfying(goal -> assertThat(goal.stand().x()).isGreaterThan(5));
     }
 }
