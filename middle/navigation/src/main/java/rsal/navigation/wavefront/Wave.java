@@ -65,6 +65,20 @@ final class Wave {
         int least(int cell);
     }
 
+    /// Ways get longer than a wave can count. What it reached before stays as it is.
+    static final class TooFar extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        private TooFar(String why) {
+            super(why);
+        }
+
+        /// In words for people.
+        String why() {
+            return String.valueOf(getMessage());
+        }
+    }
+
     Wave(CostMap map) {
         this.map = map;
         this.ground = map.ground();
@@ -127,7 +141,7 @@ final class Wave {
     ///
     /// @param target −1 lets it reach everything
     /// @return whether it reaches the target
-    /// @throws IllegalStateException when ways get longer than it can count
+    /// @throws TooFar when ways get longer than it can count
     boolean spread(int target) {
         int empty = 0; // buckets in a row
         while (empty < BUCKETS && (target < 0 || field[target] == OPEN || field[target] >= front)) {
@@ -144,8 +158,8 @@ final class Wave {
         return target >= 0 && field[target] != OPEN;
     }
 
-    private IllegalStateException tooFar() {
-        return new IllegalStateException("""
+    private TooFar tooFar() {
+        return new TooFar("""
                 Ways over a map of (%d × %d) cells get too long: they cost more than (%d) cells far from everything.
                 Maybe the map can be drawn with larger cells, or the robot be given a smaller clearance.""".formatted(width, field.length / width, (FARTHEST - SOURCE) / SIDE));
     }

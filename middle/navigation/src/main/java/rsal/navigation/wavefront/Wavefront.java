@@ -41,8 +41,16 @@ public final class Wavefront {
 
     /// Plans a way. A start too near to obstacles is left by the shortest way. A goal where the robot can't be, or to
     /// which nothing leads, is replaced by the nearest place to which something does, when that is no farther than
-    /// `slack` [m] away.
+    /// `slack` [m] away. There is none to where ways get too long to count.
     public Plan plan(Point2d start, Point2d goal, double slack) {
+        try {
+            return find(start, goal, slack);
+        } catch (Wave.TooFar tooFar) {
+            return new Plan.None(tooFar.why());
+        }
+    }
+
+    private Plan find(Point2d start, Point2d goal, double slack) {
         var ends = Ends.of(map, start, goal, slack);
         if (ends instanceof Ends.None(var why)) {
             return why;
@@ -62,6 +70,14 @@ public final class Wavefront {
         if (obstacles.isEmpty()) {
             return plan(start, goal, slack);
         }
+        try {
+            return around(obstacles, start, goal, slack);
+        } catch (Wave.TooFar tooFar) {
+            return new Plan.None(tooFar.why());
+        }
+    }
+
+    private Plan around(List<Point2d> obstacles, Point2d start, Point2d goal, double slack) {
         return waves.borrow(wave -> {
             obstacles.forEach(obstacle -> map.around(obstacle, wave::block));
             var ends = Ends.of(map, start, goal, slack, wave::isOpen);
@@ -78,7 +94,7 @@ public final class Wavefront {
         });
     }
 
-    /// What ways from a start to several goals cost [m], as those that [#plan] finds; +∞ where none leads. One wave
+    /// What ways from a start to several goals cost [m], as those that [#plan] finds; +∞ where none does. One wave
     /// from the start, as far as it must spread; to a single goal it is hurried.
     public List<Double> costs(Point2d start, List<Point2d> goals, double slack) {
         return waves.borrow(wave -> {
@@ -93,13 +109,23 @@ public final class Wavefront {
                     wave.start(cells.start(), goals.size() == 1 ? straightTo(cells.goal()) : null);
                     started = true;
                 }
-                int end = wave.spread(cells.goal())
-                        ? cells.goal()
-                        : Ends.nearest(grid, goal, slack, cell -> wave.isOpen(cell) && wave.at(cell) != Wave.UNREACHED);
+                int end = nearestReached(wave, cells, goal, slack);
                 costs.add(end < 0 ? Double.POSITIVE_INFINITY : cost(wave.at(end), start, cells.start()));
             }
             return List.copyOf(costs);
         });
+    }
+
+    /// The cell of a goal or else the nearest to which a way leads, −1 when there is none or the way is too long to
+    /// count.
+    private int nearestReached(Wave wave, Ends.Cells ends, Point2d goal, double slack) {
+        try {
+            return wave.spread(ends.goal())
+                    ? ends.goal()
+                    : Ends.nearest(grid, goal, slack, cell -> wave.isOpen(cell) && wave.at(cell) != Wave.UNREACHED);
+        } catch (Wave.TooFar _) {
+            return -1;
+        }
     }
 
     /// [m]
@@ -107,7 +133,8 @@ public final class Wavefront {
         return ofCells * grid.resolution() / CostMap.SIDE + start.distanceTo(grid.middle(startCell));
     }
 
-    /// What the way to a goal costs from everywhere; empty when the robot can be nowhere within `slack` [m] of it.
+    /// What the way to a goal costs from everywhere; +∞ also where it is too long to count; empty when the robot can be
+    /// nowhere within `slack` [m] of it.
     public Optional<NavigationFunction> everywhere(Point2d goal, double slack) {
         return everywhere(List.of(goal), slack);
     }
@@ -129,7 +156,11 @@ public final class Wavefront {
         if (!started) {
             return Optional.empty();
         }
-        wave.spread(-1);
+        try {
+            wave.spread(-1);
+        } catch (Wave.TooFar _) {
+            // what it has not reached stays out of reach
+        }
         return Optional.of(new NavigationFunction(grid, wave));
     }
 

@@ -2,7 +2,7 @@ package rsal.navigation.wavefront;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
-import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -99,9 +99,28 @@ class WavefrontTest {
     void refusesWaysThatAreTooLongToCount() {
         var wave = new Wave(meander(4400, 4203));
         wave.start(4401);
-        assertThatIllegalStateException()
+        assertThatExceptionOfType(Wave.TooFar.class)
                 .isThrownBy(() -> wave.spread(-1))
                 .withMessageContaining("(4400 × 4203) cells get too long");
+    }
+
+    /// No way to there is known, and why: whoever asked goes on.
+    @Test
+    void aWayThatIsTooLongToCountIsNone() {
+        CostMap map = meander(4400, 4203);
+        var ways = new Wavefront(map);
+        Point2d start = map.grid().middle(4401);
+        Point2d near = map.grid().middle(4401 + 100);
+        Point2d far = map.grid().middle(4201 * 4400 + 2200);
+
+        assertThat(ways.plan(start, far, 0.1))
+                .isInstanceOfSatisfying(
+                        Plan.None.class, none -> assertThat(none.why()).contains("(4400 × 4203) cells get too long"));
+        assertThat(ways.costs(start, List.of(far, near), 0.1)).satisfiesExactly(toFar -> assertThat(toFar)
+                .isEqualTo(Double.POSITIVE_INFINITY), toNear -> assertThat(toNear).isLessThan(100));
+        NavigationFunction everywhere = ways.everywhere(start, 0.1).orElseThrow();
+        assertThat(everywhere.cost(near)).isLessThan(100);
+        assertThat(everywhere.cost(far)).isEqualTo(Double.POSITIVE_INFINITY);
     }
 
     /// One way to and fro, a cell wide, as dear as can be.
