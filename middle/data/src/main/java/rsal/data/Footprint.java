@@ -76,6 +76,11 @@ public record Footprint(List<Point2d> corners) {
         return corners.stream().mapToDouble(c -> Math.hypot(c.x(), c.y())).max().orElseThrow();
     }
 
+    /// How far the body reaches to either side of the line along which it drives straight on [m].
+    public double halfWidth() {
+        return corners.stream().mapToDouble(c -> Math.abs(c.y())).max().orElseThrow();
+    }
+
     /// Radius of the largest circle around the base's origin inside the body [m]; 0 when the origin is outside.
     public double inscribedRadius() {
         double radius = Double.POSITIVE_INFINITY;

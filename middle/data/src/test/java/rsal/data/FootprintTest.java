@@ -24,6 +24,14 @@ class FootprintTest {
     }
 
     @Test
+    void itsWidthIsThatOfTheLaneItDrivesIn() {
+        var wedge = new Footprint(List.of(new Point2d(0.45, 0), new Point2d(-0.25, 0.3), new Point2d(-0.25, -0.3)));
+        assertThat(wedge.halfWidth()).isEqualTo(0.3);
+        assertThat(wedge.inscribedRadius()).isLessThan(0.2);
+        assertThat(Footprint.box(0.4, 0.3, new Point2d(0, 0.1)).halfWidth()).isCloseTo(0.25, within(1e-12));
+    }
+
+    @Test
     void aBodyBesideTheOriginHoldsNoCircle() {
         assertThat(Footprint.box(0.4, 0.3, new Point2d(1, 0)).inscribedRadius()).isZero();
     }

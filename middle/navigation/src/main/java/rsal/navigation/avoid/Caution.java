@@ -25,6 +25,15 @@ public final class Caution {
         this.guard = new ContactGuard(footprint, limits, MARGIN, reaction);
     }
 
+    /// How much room to keep beside the circle that fits into the outline [m]: what is asked for as a rule. A body that
+    /// is wider somewhere than that circle, as one behind or before its axis, could not drive straight on there: it
+    /// needs its width, and beside it what is kept from all obstacles, or what is asked for if that is less.
+    ///
+    /// @param asked to keep beside the circle [m]
+    public static double room(Footprint footprint, double asked) {
+        return Math.max(asked, footprint.halfWidth() + Math.min(asked, MARGIN) - footprint.inscribedRadius());
+    }
+
     /// What of a command is safe.
     public Twist2d guarded(Twist2d wanted, Twist2d velocity, Obstacles obstacles) {
         return guard.limit(wanted, velocity, obstacles);

@@ -3,6 +3,7 @@ package rsal.navigation.device;
 import java.util.List;
 import rsal.data.Footprint;
 import rsal.data.OccupancyGrid;
+import rsal.navigation.avoid.Caution;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.jumppoint.JumpPoints;
 import rsal.navigation.wavefront.CostMap;
@@ -33,9 +34,14 @@ final class Ways {
     /// can turn where the way does.
     static Clearance clearance(Footprint footprint, Arguments arguments) {
         double radius = footprint.inscribedRadius();
-        double least = radius + arguments.number(WALL_DISTANCE.name());
+        double least = least(footprint, arguments);
         return new Clearance(
                 least, Math.max(least, radius + arguments.number("comfortDistance")), arguments.number("wallCost"));
+    }
+
+    /// How near it comes to walls at most [m].
+    private static double least(Footprint footprint, Arguments arguments) {
+        return footprint.inscribedRadius() + Caution.room(footprint, arguments.number(WALL_DISTANCE.name()));
     }
 
     /// For a robot with such a [#clearance].
@@ -46,7 +52,7 @@ final class Ways {
 
     /// Who looks for shortest ways for such a robot.
     JumpPoints shortest(OccupancyGrid map, Footprint footprint, Arguments arguments) {
-        double least = footprint.inscribedRadius() + arguments.number(WALL_DISTANCE.name());
+        double least = least(footprint, arguments);
         var clearance = new Clearance(least, least, 0);
         return shortest.of(new Key(map, clearance), _ -> new JumpPoints(CostMap.of(map, field(map), clearance)));
     }

@@ -100,6 +100,7 @@ public final class Vfh implements LocalPlanner {
     private final DriveLimits limits;
     private final Caution caution;
     private final double radius;
+    private final double safetyDistance; // at standstill, as all of its body needs it [m]
     private final int sectors;
     private final double sector;
     private final double[] nearest;
@@ -115,6 +116,7 @@ public final class Vfh implements LocalPlanner {
         this.settings = settings;
         this.limits = limits;
         this.radius = footprint.inscribedRadius();
+        this.safetyDistance = Caution.room(footprint, settings.safetyDistance());
         this.caution = new Caution(footprint, limits, reaction);
         this.sectors = (int) Math.round(2 * Math.PI / settings.sector());
         this.sector = 2 * Math.PI / sectors;
@@ -167,7 +169,7 @@ public final class Vfh implements LocalPlanner {
     /// safety distance, before the target is reached.
     private void fill(Obstacles obstacles, double reach, double heading) {
         Arrays.fill(nearest, Double.POSITIVE_INFINITY);
-        double least = radius + settings.safetyDistance();
+        double least = radius + safetyDistance;
         for (int i = 0; i < obstacles.count(); i++) {
             double x = obstacles.x(i);
             double y = obstacles.y(i);
@@ -203,7 +205,7 @@ public final class Vfh implements LocalPlanner {
         for (int i = 0; i < obstacles.count() && turning > SLOWEST; i++) {
             double x = obstacles.x(i);
             double y = obstacles.y(i);
-            double grown = radius + settings.safetyDistance() + obstacles.room(i);
+            double grown = radius + safetyDistance + obstacles.room(i);
             double angle = Math.atan2(y, x);
             if (x > 0 && y > 0 && Math.hypot(x, y - turning) < turning + grown) {
                 left = Math.min(left, angle);
@@ -277,14 +279,14 @@ public final class Vfh implements LocalPlanner {
         double cos = Math.cos(turn);
         double sin = Math.sin(turn);
         double speed = limits.speed();
-        double wide = radius + settings.safetyDistance() + settings.safetyDistancePerSpeed() * speed;
+        double wide = radius + safetyDistance + settings.safetyDistancePerSpeed() * speed;
         for (int i = 0; i < obstacles.count(); i++) {
             double ahead = cos * obstacles.x(i) + sin * obstacles.y(i);
             double beside = Math.abs(cos * obstacles.y(i) - sin * obstacles.x(i));
             if (ahead <= 0 || beside >= wide + obstacles.room(i)) {
                 continue;
             }
-            double room = beside - radius - settings.safetyDistance() - obstacles.room(i);
+            double room = beside - radius - safetyDistance - obstacles.room(i);
             double allowed = Math.max(SLOWEST, room / settings.safetyDistancePerSpeed());
             // What is farther ahead need not be obeyed before one is there.
             double gap = Math.max(0, ahead - radius);

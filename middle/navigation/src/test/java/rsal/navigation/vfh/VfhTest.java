@@ -3,6 +3,7 @@ package rsal.navigation.vfh;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
@@ -64,6 +65,23 @@ class VfhTest {
         Twist2d narrow = drive(obstacles, 0, 2, false, 0);
         assertThat(narrow.omega()).isCloseTo(0, within(0.1));
         assertThat(narrow.vx()).isBetween(0.05, 0.7 * open.vx());
+    }
+
+    /// Its largest circle has a radius of 0.18 m, its rear is 0.6 m wide.
+    @Test
+    void goesOnlyThroughWhatAllOfItsBodyFitsThrough() {
+        var wedge = new Footprint(List.of(new Point2d(0.45, 0), new Point2d(-0.25, 0.3), new Point2d(-0.25, -0.3)));
+        for (double half : new double[] {0.31, 0.4}) {
+            var planner = new Vfh(wedge, LIMITS, Vfh.Settings.of(1.4, 0.1, 0.3), 0.2);
+            var door = new Obstacles(3);
+            for (double y = half; y <= 2; y += 0.05) {
+                door.add(1, y);
+                door.add(1, -y);
+            }
+            var ahead = Target.at(new Point2d(2, 0), false);
+            Twist2d command = planner.drive(door, ahead, new Motion(Pose2d.ORIGIN, Twist2d.STOP));
+            assertThat(command.vx() > 0).as("%s", half).isEqualTo(half == 0.4);
+        }
     }
 
     @Test
