@@ -27,6 +27,11 @@ public final class FaultyLocalizer extends SensorCore<PoseEstimate> implements L
         localizer.onHealth(this::told);
     }
 
+    /// The other one, with which nothing is wrong.
+    public Localizer inner() {
+        return localizer;
+    }
+
     /// Begins a fault.
     ///
     /// @return ends it

@@ -35,6 +35,7 @@ import rsal.time.Scheduler;
 final class Exploration {
     static final Duration PERIOD = Duration.ofSeconds(3);
     private static final double SLACK = 1.2; // m; from a frontier to where a robot can stand
+    private static final double LOST_TO_CELLS = 1.5; // beside a way: the wall's cell, and half of that in its middle
     private static final double LOYALTY = 2; // m of way that going on is cheaper than turning back
 
     private final Settings settings;
@@ -78,13 +79,16 @@ final class Exploration {
     ///
     /// @param ends of the map that it can get to, also those that another one has taken
     /// @param complete whether it is sure that there are none
+    /// @param narrow ends of the map that it could get to if ways there were wider by up to three cells; looked for
+    /// when there are no others
     record Order(
             OccupancyGrid map,
             Wavefront ways,
             DistanceField toNotFree,
             Optional<Goal> goal,
             List<Mapper.End> ends,
-            boolean complete) {}
+            boolean complete,
+            List<Point2d> narrow) {}
 
     /// @param stand where it can be
     /// @param frontier that it is for
@@ -199,7 +203,8 @@ final class Exploration {
                     chosen.get(robot)
                             .map(i -> new Goal(own[i].stand(), frontiers.get(i).place())),
                     ends(frontiers, own),
-                    complete[robot]));
+                    complete[robot],
+                    complete[robot] ? narrow(map, toNotFree, ready.get(robot), frontiers) : List.of()));
         }
         return orders;
     }
@@ -210,6 +215,23 @@ final class Exploration {
                 .filter(robot -> robot.body().clearance().radius() >= clearance.radius())
                 .map(Seen::places)
                 .toList();
+    }
+
+    /// Ways may be wider than their cells by so much on either side.
+    private static List<Point2d> narrow(
+            OccupancyGrid map, DistanceField toNotFree, Ready robot, List<Frontier> frontiers) {
+        if (frontiers.isEmpty()) {
+            return List.of();
+        }
+        var kept = robot.body().clearance();
+        double radius = Math.max(0, kept.radius() - LOST_TO_CELLS * map.resolution());
+        var less = new CostMap.Clearance(radius, kept.comfort(), kept.weight());
+        return new Wavefront(CostMap.of(map, toNotFree, less))
+                .everywhere(robot.place(), SLACK).stream()
+                        .flatMap(from -> frontiers.stream()
+                                .map(Frontier::place)
+                                .filter(place -> reach(map, from, place).cost() < Double.POSITIVE_INFINITY))
+                        .toList();
     }
 
     /// @param reaches of one robot, by frontier

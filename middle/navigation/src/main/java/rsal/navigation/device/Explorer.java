@@ -1,5 +1,7 @@
 package rsal.navigation.device;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -11,6 +13,7 @@ import rsal.data.Stamped;
 import rsal.device.DeviceInfo;
 import rsal.device.GoalHandle;
 import rsal.device.Health;
+import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
 import rsal.device.SensorCore;
@@ -31,7 +34,10 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private static final double NEARER = 0.3; // m that count as getting nearer
     private static final Navigator.Tolerance THERE = new Navigator.Tolerance(0.3, 0.5); // m, rad
 
-    private final SlamLocalizer localizer;
+    private static final Logger LOG = System.getLogger(Explorer.class.getName());
+
+    private final Localizer localizer;
+    private final SlamLocalizer slam;
     private final PathNavigator navigator;
     private final Exploration team;
     private final Exploration.Body body;
@@ -45,9 +51,11 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     private List<End> ends = List.of();
     private Wavefront ways = nowhere();
 
+    /// @param localizer that tells where it is, `slam` or what stands in its place
     Explorer(
             DeviceInfo info,
-            SlamLocalizer localizer,
+            Localizer localizer,
+            SlamLocalizer slam,
             PathNavigator navigator,
             Exploration team,
             Exploration.Body body,
@@ -55,6 +63,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
             Scheduler scheduler) {
         super(info);
         this.localizer = localizer;
+        this.slam = slam;
         this.navigator = navigator;
         this.team = team;
         this.body = body;
@@ -69,7 +78,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     }
 
     void start() {
-        localizer.knows(() -> team.mates(this));
+        slam.knows(() -> team.mates(this));
         navigator.on(ways, DistanceField.toNotFree(ways.map().grid())); // the run's map is not for robots that explore
         team.join(this);
         scheduler.every(Exploration.PERIOD, Phase.DEVICES, () -> team.look(scheduler));
@@ -82,7 +91,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
                         .latest()
                         .filter(estimate -> !estimate.time().isBefore(oldest))
                         .isPresent()
-                && !localizer.map().isEmpty();
+                && !slam.map().isEmpty();
     }
 
     Exploration.Body body() {
@@ -90,7 +99,7 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     }
 
     List<PosedScan> seen() {
-        return localizer.map();
+        return slam.map();
     }
 
     Point2d place() {
@@ -146,7 +155,10 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     void take(Exploration.Order order) {
         health(Health.ok());
         looksForNothing = order.complete() ? looksForNothing + 1 : 0;
-        deliver(new Stamped<>(scheduler.instant(), localizer.frame(), order.map()));
+        if (looksForNothing == SURE && !order.narrow().isEmpty()) {
+            tellNarrow(order);
+        }
+        deliver(new Stamped<>(scheduler.instant(), slam.frame(), order.map()));
         ways = order.ways();
         ends = order.ends();
         navigator.on(ways, order.toNotFree());
@@ -178,6 +190,21 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         var next = navigator.goTo(goal.mapFromStand(), THERE);
         drive = next;
         next.result().thenAccept(result -> ended(next, goal.frontier(), result));
+    }
+
+    private void tellNarrow(Exploration.Order order) {
+        Point2d first = order.narrow().getFirst();
+        LOG.log(
+                Level.WARNING,
+                () -> ("Nothing leads (%s) to (%d) places where its map ends, as at (%.1f, %.1f), that is as wide as it"
+                                + " needs, but something that is narrower by less than three cells. Maybe a smaller"
+                                + " `resolution` than (%s m) or `wallDistance` of its explorer lets it through.")
+                        .formatted(
+                                info().robot(),
+                                order.narrow().size(),
+                                first.x(),
+                                first.y(),
+                                order.map().resolution()));
     }
 
     private void ended(GoalHandle<Navigator.Progress, Navigator.Result> ended, Point2d goal, Navigator.Result result) {

@@ -11,6 +11,7 @@ import rsal.device.LaserScanner;
 import rsal.device.Localizer;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
+import rsal.fault.FaultyLocalizer;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -76,7 +77,9 @@ public final class ExplorerDriver implements DeviceDriver {
 
     @Override
     public Device create(Context context, Arguments arguments) {
-        if (!(context.robot().require(Localizer.class) instanceof SlamLocalizer localizer)
+        Localizer localizer = context.robot().require(Localizer.class);
+        Localizer sound = localizer instanceof FaultyLocalizer faulty ? faulty.inner() : localizer;
+        if (!(sound instanceof SlamLocalizer slam)
                 || !(context.robot().require(Navigator.class) instanceof PathNavigator navigator)) {
             throw new IllegalArgumentException("(%s) has other devices than an explorer works with."
                     .formatted(context.robot().id()));
@@ -88,6 +91,7 @@ public final class ExplorerDriver implements DeviceDriver {
         var explorer = new Explorer(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
                 localizer,
+                slam,
                 navigator,
                 team,
                 new Exploration.Body(footprint.circumscribedRadius(), Ways.clearance(footprint, arguments)),

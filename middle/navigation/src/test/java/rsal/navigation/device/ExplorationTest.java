@@ -118,4 +118,36 @@ class ExplorationTest {
         assertThat(order.goal())
                 .hasValueSatisfying(goal -> assertThat(goal.stand().x()).isGreaterThan(5));
     }
+
+    /// The door is 0.55 m wide, the small one needs 0.6 m.
+    @Test
+    void tellsWhatLiesBehindADoorThatIsHardlyTooNarrow() {
+        Walls door = new Walls()
+                .chain(5, 1.725, 5, 0, 0, 0, 0, 4, 5, 4, 5, 2.275)
+                .chain(5, 1.725, 6.5, 1.725, 6.5, 0, 16, 0)
+                .chain(5, 2.275, 6.5, 2.275, 6.5, 4, 16, 4);
+        var random = new SplittableRandom(1);
+        List<PosedScan> scans = new ArrayList<>();
+        for (double heading : new double[] {0, Math.PI}) {
+            var place = new Pose2d(3.5, 2, heading);
+            scans.add(new PosedScan(place, door.scan(place, 0, random)));
+        }
+        for (Body body : List.of(SMALL, LARGE)) {
+            Exploration.Order order = new Exploration(new Exploration.Settings(0.1, 0.6, 8))
+                    .orders(
+                            List.of(new Seen(body, scans)),
+                            List.of(new Ready(body, new Point2d(3.5, 2), Optional.empty(), true)),
+                            List.of())
+                    .getFirst();
+
+            assertThat(order.complete()).isTrue();
+            if (body.equals(SMALL)) {
+                assertThat(order.narrow())
+                        .isNotEmpty()
+                        .allSatisfy(end -> assertThat(end.x()).isGreaterThan(6));
+            } else {
+                assertThat(order.narrow()).isEmpty(); // smaller cells wouldn't help it
+            }
+        }
+    }
 }
