@@ -6,8 +6,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+import rsal.data.Angles;
 import rsal.data.LaserScan;
+import rsal.data.Pose2d;
 import rsal.navigation.carmen.LogEntry.Motion;
+import rsal.navigation.carmen.LogEntry.Poses;
 import rsal.navigation.carmen.LogEntry.Scan;
 
 /// A whole log in memory: at most [#MOST_READINGS] readings.
@@ -16,8 +21,15 @@ import rsal.navigation.carmen.LogEntry.Scan;
 /// @param motions likewise
 /// @param skipped what was not used
 /// @param rangeMax from here on readings hit nothing [m], as the log itself shows it or the reader was told
+/// @param wandering how far the poses that the log tells of the laser move about on the robot, where they do: then they
+/// were taken for poses of the robot that somebody has corrected, and the laser for mounted in its middle
 public record CarmenLog(
-        List<Scan> scans, List<Motion> motions, List<LogEntry.Parameter> parameters, Skipped skipped, double rangeMax) {
+        List<Scan> scans,
+        List<Motion> motions,
+        List<LogEntry.Parameter> parameters,
+        Skipped skipped,
+        double rangeMax,
+        Optional<Wandering> wandering) {
     /// 400 MB of ranges; the longest public logs have a tenth of this.
     public static final int MOST_READINGS = 100_000_000;
 
@@ -26,6 +38,16 @@ public record CarmenLog(
     private static final double SAME = 0.1; // m; codes for nothing differ by less
     private static final double SHARE_OF_CODES = 2e-3; // of all readings
     private static final double BELOW = 0.5; // m; so far below codes there are fewer readings than codes
+
+    private static final double MOUNT_METERS = 0.05; // a laser that is screwed on doesn't move so far
+    private static final double MOUNT_RADIANS = 0.05;
+    private static final double FEW_MOUNTS = 0.1; // share of scans whose poses may be at odds
+
+    /// How far a laser moves on its robot, as a log has it.
+    ///
+    /// @param meters at most, from where it is for most
+    /// @param radians likewise
+    public record Wandering(double meters, double radians) {}
 
     public CarmenLog {
         scans = List.copyOf(scans);
@@ -54,10 +76,77 @@ public record CarmenLog(
                     "The log has more %s than can be held (%d). Cut it into parts.".formatted(e.what, e.most));
         }
         double rangeMax = Math.min(options.rangeMax(), longest(reading.scans));
-        List<Scan> scans = rangeMax < options.rangeMax()
-                ? reading.scans.stream().map(scan -> limited(scan, rangeMax)).toList()
-                : reading.scans;
-        return new CarmenLog(scans, reading.motions, reading.parameters, skipped, rangeMax);
+        Optional<Wandering> wandering = wandering(reading.scans);
+        List<Scan> scans = reading.scans.stream()
+                .map(scan -> rangeMax < options.rangeMax() ? limited(scan, rangeMax) : scan)
+                .map(scan -> wandering.isPresent() ? inTheMiddle(scan) : scan)
+                .toList();
+        return new CarmenLog(scans, reading.motions, reading.parameters, skipped, rangeMax, wandering);
+    }
+
+    /// Whether a log has its laser move on the robot: more than a few scans are not where it is for most.
+    private static Optional<Wandering> wandering(List<Scan> scans) {
+        List<Pose2d> mounts =
+                scans.stream().flatMap(scan -> mount(scan).stream()).toList();
+        if (mounts.isEmpty()) {
+            return Optional.empty();
+        }
+        var usual = new Pose2d(
+                median(mounts.stream().mapToDouble(Pose2d::x)),
+                median(mounts.stream().mapToDouble(Pose2d::y)),
+                median(mounts.stream().mapToDouble(Pose2d::theta)));
+        long elsewhere = mounts.stream()
+                .filter(mount -> !mount.isNear(usual, MOUNT_METERS, MOUNT_RADIANS))
+                .count();
+        return elsewhere <= FEW_MOUNTS * mounts.size()
+                ? Optional.empty()
+                : Optional.of(new Wandering(
+                        mounts.stream()
+                                .mapToDouble(mount -> mount.distanceTo(usual))
+                                .max()
+                                .orElseThrow(),
+                        mounts.stream()
+                                .mapToDouble(mount -> Math.abs(Angles.difference(mount.theta(), usual.theta())))
+                                .max()
+                                .orElseThrow()));
+    }
+
+    private static double median(DoubleStream values) {
+        double[] sorted = values.sorted().toArray();
+        return sorted[sorted.length / 2];
+    }
+
+    /// Where the log has the laser on the robot, if it tells.
+    private static Optional<Pose2d> mount(Scan scan) {
+        return switch (scan.poses()) {
+            case Poses.Told(Pose2d odomFromBase, Pose2d mapFromBase) ->
+                Optional.of(odomFromBase
+                        .inverse()
+                        .compose(mapFromBase)
+                        .compose(scan.scan().baseFromLaser()));
+            case Poses.Untold() -> Optional.empty();
+        };
+    }
+
+    /// The same scan, of a laser in the middle of a robot that was where the log has the laser.
+    private static Scan inTheMiddle(Scan scan) {
+        LaserScan seen = scan.scan();
+        return switch (scan.poses()) {
+            case Poses.Told(Pose2d odomFromBase, Pose2d mapFromBase) ->
+                new Scan(
+                        scan.line(),
+                        scan.time(),
+                        new LaserScan(
+                                Pose2d.ORIGIN,
+                                seen.angleMin(),
+                                seen.angleIncrement(),
+                                seen.rangeMin(),
+                                seen.rangeMax(),
+                                seen.ranges()),
+                        new Poses.Told(odomFromBase, mapFromBase.compose(seen.baseFromLaser())),
+                        scan.broken());
+            case Poses.Untold() -> scan;
+        };
     }
 
     /// Where the longest readings of the log lie when they are so many, so equal and so far from others that they

@@ -6,11 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rsal.data.Pose2d;
+import rsal.navigation.carmen.LogEntry.Poses;
 import rsal.testkit.PublicData;
 
 class CarmenLogTest {
@@ -30,6 +33,7 @@ class CarmenLogTest {
         assertThat(log.scans()).hasSize(scans).allMatch(scan -> scan.scan().count() == beams);
         assertThat(log.scans()).isSortedAccordingTo((a, b) -> a.time().compareTo(b.time()));
         assertThat(log.skipped().counts().keySet()).isSubsetOf("back in time");
+        assertThat(log.wandering()).isEmpty();
     }
 
     @Test
@@ -61,6 +65,44 @@ class CarmenLogTest {
 
         assertThat(log.rangeMax()).isEqualTo(50);
         assertThat(log.scans().getLast().scan().ranges()[3]).isCloseTo(5.9f, within(1e-6f));
+    }
+
+    @Test
+    void aLaserThatMovesAboutOnItsRobotIsInItsMiddleAndItsPosesAreCorrectedOnes() throws IOException {
+        CarmenLog log = read(robotLaser(i -> new Pose2d(0.1 * i, 0.02 * i, 0.01 * i)));
+
+        assertThat(log.wandering()).hasValueSatisfying(by -> {
+            assertThat(by.meters()).isCloseTo(0.566, within(0.01));
+            assertThat(by.radians()).isCloseTo(0.2, within(0.01));
+        });
+        assertThat(log.scans())
+                .allMatch(scan -> scan.scan().baseFromLaser().equals(Pose2d.ORIGIN))
+                .allMatch(scan -> scan.poses() instanceof Poses.Told);
+        var told = (Poses.Told) log.scans().get(10).poses();
+        assertThat(told.mapFromBase().isNear(new Pose2d(1, 0.2, 0.1), 1e-5, 1e-5))
+                .isTrue();
+        assertThat(told.odomFromBase().isNear(new Pose2d(0.8, 0, 0), 1e-5, 1e-5))
+                .isTrue();
+    }
+
+    @Test
+    void aLaserMayBeMountedAnywhereAndAFewPosesBeAtOdds() throws IOException {
+        CarmenLog log = read(robotLaser(i -> new Pose2d(0.08 * i + (i == 7 ? 0.4 : 0.2), -0.1, 3)));
+
+        assertThat(log.wandering()).isEmpty();
+        assertThat(log.scans().get(10).scan().baseFromLaser().isNear(new Pose2d(0.2, -0.1, 3), 1e-5, 1e-5))
+                .isTrue();
+    }
+
+    /// A robot that drives ahead by 8 cm each time.
+    private static String robotLaser(IntFunction<Pose2d> odomFromLaser) {
+        return IntStream.range(0, 40)
+                .mapToObj(i -> {
+                    Pose2d laser = odomFromLaser.apply(i);
+                    return "ROBOTLASER1 0 -1 2 1 20 0.01 0 3 1 2 3 0 %.6f %.6f %.6f %.6f 0 0 0 0 0.3 0.3 0.5 %d h 0%n"
+                            .formatted(laser.x(), laser.y(), laser.theta(), 0.08 * i, i + 1);
+                })
+                .collect(Collectors.joining());
     }
 
     private static CarmenLog read(String text) throws IOException {
