@@ -342,6 +342,7 @@ final class LocalizeCommand extends Subcommand {
             LogOptions.tellSkipped(err(), file, log);
             tell(summary);
         }
+        LogOptions.tellWandering(err(), file, log);
         tellDoubts(course, runs);
         return Exit.SUCCESS;
     }

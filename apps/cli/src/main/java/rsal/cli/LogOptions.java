@@ -53,6 +53,11 @@ final class LogOptions {
             description = "Of the laser, where the log doesn't tell: FLASER (180).")
     private double fieldOfView = 180;
 
+    @Option(
+            names = "--upside-down",
+            description = "The laser was mounted upside down, or its readings go clockwise for another reason.")
+    private boolean upsideDown;
+
     boolean hasNoise() {
         return odometryNoise != null;
     }
@@ -101,7 +106,8 @@ final class LogOptions {
         try {
             CarmenLog log = CarmenLog.read(
                     Path.of(file),
-                    new LogReader.Options(Math.toRadians(fieldOfView), LogReader.Options.DEFAULT.rangeMax()));
+                    new LogReader.Options(
+                            Math.toRadians(fieldOfView), LogReader.Options.DEFAULT.rangeMax(), upsideDown));
             if (skippedShare(log) > TOO_MANY) {
                 throw new InvalidSettings(
                         Location.of(file),
@@ -184,6 +190,17 @@ final class LogOptions {
         log.skipped().first().stream()
                 .limit(3)
                 .forEach(place -> err.println("  %s:%d: %s".formatted(file, place.line(), place.what())));
+    }
+
+    /// What of a log was read otherwise than it stands there.
+    static void tellWandering(PrintWriter err, String file, CarmenLog log) {
+        log.wandering()
+                .ifPresent(by ->
+                        err.println(("(%s) tells poses of the laser that move about on the robot, by up to (%.2f m)"
+                                        + " and (%.0f°). They are taken for corrected poses of the robot, as many logs have them,"
+                                        + " and the laser for mounted in its middle. If it is not, have all scans tell the same"
+                                        + " place on the robot.")
+                                .formatted(file, by.meters(), Math.toDegrees(by.radians()))));
     }
 
     private static double skippedShare(CarmenLog log) {

@@ -33,7 +33,8 @@ import rsal.navigation.carmen.LogEntry.Scan;
 ///   logger. A message without it has the time of the one before. What goes back in time is skipped, each kind
 ///   of message by itself; after [#RESTART] that go on from there, the clock has been set back and is believed.
 /// * **Mount.** A laser is where the log has it beside the robot; a `FLASER` only if it was moved straight ahead,
-///   as in many logs the first of its poses is not the laser's but a corrected one of the robot.
+///   as in many logs the first of its poses is not the laser's but a corrected one of the robot. Whether a laser stays
+///   where it is mounted is known when all of a log was read ([CarmenLog]).
 ///
 /// A message that does not say what its kind promises is skipped, and counted by reason; so is the last line of a
 /// plain file that was cut within it. A packed file that is cut short or damaged is a [BrokenLog].
@@ -47,9 +48,10 @@ public final class LogReader {
 
     /// @param fieldOfView of a `FLASER` [rad]
     /// @param rangeMax readings from here on hit nothing [m]
-    public record Options(double fieldOfView, double rangeMax) {
+    /// @param upsideDown whether the laser is mounted upside down, so that its readings go clockwise
+    public record Options(double fieldOfView, double rangeMax, boolean upsideDown) {
         /// Half a turn, and 50 m: less than lasers of SICK send for nothing, more than they see.
-        public static final Options DEFAULT = new Options(Math.PI, 50);
+        public static final Options DEFAULT = new Options(Math.PI, 50, false);
 
         public Options {
             if (!(fieldOfView > 0 && fieldOfView <= 2 * Math.PI)) {
@@ -221,7 +223,23 @@ public final class LogReader {
         if (readings.broken() == scan.count()) {
             throw new Misread("nothing measured", "None of its %d readings is a range.".formatted(scan.count()));
         }
-        return new Scan(lines.number(), time, scan, poses, readings.broken());
+        return new Scan(lines.number(), time, options.upsideDown() ? mirrored(scan) : scan, poses, readings.broken());
+    }
+
+    /// The same scan if its readings went clockwise.
+    private static LaserScan mirrored(LaserScan scan) {
+        int count = scan.count();
+        var ranges = new float[count];
+        for (int i = 0; i < count; i++) {
+            ranges[i] = scan.ranges()[count - 1 - i];
+        }
+        return new LaserScan(
+                scan.baseFromLaser(),
+                -scan.angle(count - 1),
+                scan.angleIncrement(),
+                scan.rangeMin(),
+                scan.rangeMax(),
+                ranges);
     }
 
     private static int readingCount(Fields fields) throws Misread {

@@ -51,6 +51,25 @@ class LogReaderTest {
         assertThat(skipped.otherKinds()).isEqualTo(2);
     }
 
+    @Test
+    void theReadingsOfALaserThatIsUpsideDownBeginAtTheLeft() throws IOException {
+        var upsideDown = new LogReader.Options(Math.PI, 50, true);
+        String log = """
+                FLASER 4 1 2 3 4 0 0 0 0 0 0 1 h 0
+                ROBOTLASER1 0 -0.5 2 1 20 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0.3 0.3 0.5 2 h 0
+                """;
+        LogReader.read(
+                "test.log", new ByteArrayInputStream(log.getBytes(StandardCharsets.UTF_8)), upsideDown, entries::add);
+
+        var plain = scans().getFirst().scan();
+        assertThat(plain.ranges()).containsExactly(4, 3, 2, 1);
+        assertThat(Math.toDegrees(plain.angle(3))).isCloseTo(90, within(1e-9));
+        var configured = scans().get(1).scan();
+        assertThat(configured.ranges()).containsExactly(3, 2, 1);
+        assertThat(configured.angle(2)).isCloseTo(0.5, within(1e-9));
+        assertThat(configured.angle(0)).isCloseTo(-1.5, within(1e-9));
+    }
+
     @ParameterizedTest
     @CsvSource({"180, 1, 89", "181, 1, 90", "360, 0.5, 89.5", "361, 0.5, 90"})
     void theReadingsOfAPlainScanBeginAtTheRight(int count, double stepDegrees, double lastDegrees) throws IOException {
