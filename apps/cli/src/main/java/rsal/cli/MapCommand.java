@@ -25,11 +25,13 @@ import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.carmen.CarmenLog;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.replay.Course;
+import rsal.navigation.slam.Contradiction;
 import rsal.navigation.slam.Merge;
 import rsal.navigation.slam.Relation;
 import rsal.navigation.slam.RelationError;
 import rsal.navigation.slam.Slam;
 import rsal.navigation.slam.Strain;
+import rsal.navigation.slam.Turns;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.time.AllowedToReadWallClock;
@@ -100,6 +102,8 @@ final class MapCommand extends Subcommand {
     /// @param odometry error of the wheels from a scan to the next; null when nothing tells
     /// @param next likewise of the map
     /// @param near error between scans near each other that do not follow on each other
+    /// @param turns at which both wheels and scans tell; null when poses were known
+    /// @param wandering null when the laser stays where it is mounted
     record Drawn(
             String log,
             int scans,
@@ -109,7 +113,29 @@ final class MapCommand extends Subcommand {
             long loops,
             @Nullable Errors odometry,
             @Nullable Errors next,
-            @Nullable Errors near) {}
+            @Nullable Errors near,
+            @Nullable Turned turns,
+            @Nullable Wandered wandering) {}
+
+    /// Whether scans say that the robot turned as its wheels do.
+    ///
+    /// @param count of steps at which both tell
+    /// @param opposed of them, at which they turned different ways
+    /// @param reversed whether that is so at most of them, as with a laser that is upside down
+    record Turned(int count, int opposed, boolean reversed) {
+        static Turned of(Turns turns) {
+            return new Turned(turns.count(), turns.opposed(), turns.isReversed());
+        }
+    }
+
+    /// How far a laser moves on its robot, as a log has it: its poses were taken for corrected ones of the robot.
+    record Wandered(double meters, double degrees) {
+        static @Nullable Wandered of(CarmenLog log) {
+            return log.wandering()
+                    .map(by -> new Wandered(by.meters(), Math.toDegrees(by.radians())))
+                    .orElse(null);
+        }
+    }
 
     /// A step of a robot's way, by numbers of the scans that were kept, and how far off the map is what was told of it.
     ///
@@ -147,12 +173,27 @@ final class MapCommand extends Subcommand {
         }
     }
 
+    /// Beams that go through what other scans saw as walls.
+    ///
+    /// @param share of the beams of the scans from one to another, where it is most
+    /// @param from number of the first of these, of those that were kept
+    /// @param to number of the last
+    /// @param tooMuch whether that is so much that the map is probably wrong there
+    record Contradicted(double share, int from, int to, boolean tooMuch) {
+        static @Nullable Contradicted of(Optional<Contradiction> most) {
+            return most.map(c -> new Contradicted(c.share(), c.from(), c.to(), c.isTooMuch()))
+                    .orElse(null);
+        }
+    }
+
     /// @param columns of the map
     /// @param rows of the map
     /// @param strain null when poses were known
+    /// @param contradiction likewise, and when there were too few scans to tell
     record Result(
             List<Drawn> logs,
             @Nullable Strained strain,
+            @Nullable Contradicted contradiction,
             int columns,
             int rows,
             double resolution,
@@ -201,7 +242,9 @@ final class MapCommand extends Subcommand {
                     0,
                     null,
                     null,
-                    null));
+                    null,
+                    null,
+                    Wandered.of(robot.log())));
         } else {
             var slams = new ArrayList<Slam>();
             var all = new ArrayList<Drawn>();
@@ -225,11 +268,13 @@ final class MapCommand extends Subcommand {
         contents.put("map.yaml", text(RosMap.yaml(grid, "map.pgm")));
         contents.put("picture.png", MapPicture.png(grid, slam));
         folder.write(contents);
-        double seconds = Duration.ofNanos(System.nanoTime() - start).toMillis() / 1e3;
         Strain strain = slam.strain();
+        Optional<Contradiction> contradiction = slam.contradiction();
+        double seconds = Duration.ofNanos(System.nanoTime() - start).toMillis() / 1e3;
         var result = new Result(
                 drawn,
                 knownPoses ? null : Strained.of(strain),
+                knownPoses ? null : Contradicted.of(contradiction),
                 grid.width(),
                 grid.height(),
                 resolution,
@@ -238,6 +283,9 @@ final class MapCommand extends Subcommand {
                         .map(f -> folder.resolve(f).toString())
                         .toList());
         robots.forEach(robot -> LogOptions.tellSkipped(err(), robot.file(), robot.log()));
+        robots.forEach(robot -> LogOptions.tellWandering(err(), robot.file(), robot.log()));
+        drawn.forEach(this::warn);
+        contradiction.filter(Contradiction::isTooMuch).ifPresent(most -> warn(most, slam));
         strain.tooMuch().ifPresent(step -> warn(step, slam));
         if (json) {
             printJson(result);
@@ -363,7 +411,9 @@ final class MapCommand extends Subcommand {
                 loops(slam),
                 Errors.of(RelationError.ofNext(right, wheels)).orElse(null),
                 Errors.of(RelationError.ofNext(right, judged)).orElse(null),
-                Errors.of(RelationError.ofNear(right, judged, NEAR)).orElse(null));
+                Errors.of(RelationError.ofNear(right, judged, NEAR)).orElse(null),
+                Turned.of(slam.turns()),
+                Wandered.of(robot.log()));
     }
 
     private OccupancyGrid grid(Robot robot, List<ScanMapper.PosedScan> scans) {
@@ -436,6 +486,14 @@ final class MapCommand extends Subcommand {
         if (result.strain() != null) {
             tell(result.strain());
         }
+        if (result.contradiction() != null) {
+            out().println("  %-24s %.0f%% of the beams (scan %d to %d)"
+                    .formatted(
+                            "through walls, at most",
+                            100 * result.contradiction().share(),
+                            result.contradiction().from(),
+                            result.contradiction().to()));
+        }
         out().println("%d × %d cells of %s m, %.1f s"
                 .formatted(result.columns(), result.rows(), result.resolution(), result.seconds()));
         result.files().forEach(out()::println);
@@ -456,6 +514,24 @@ final class MapCommand extends Subcommand {
                         step.meters(),
                         Math.toDegrees(step.radians()),
                         step.deviations()));
+    }
+
+    private void warn(Drawn log) {
+        if (log.turns() != null && log.turns().reversed()) {
+            err().println(("The map is probably mirrored: at %d of %d turns of (%s) scans say that the robot turned the"
+                            + " other way than its wheels do. Maybe the laser is mounted upside down: try --upside-down.")
+                    .formatted(log.turns().opposed(), log.turns().count(), log.log()));
+        }
+    }
+
+    private void warn(Contradiction most, Slam slam) {
+        Pose2d from = slam.poses().get(most.from());
+        Pose2d to = slam.poses().get(most.to());
+        err().println(("The map is probably wrong: from (%.1f, %.1f) to (%.1f, %.1f), scans (%d) to (%d) of those kept,"
+                        + " %.0f%% of the beams go through what others saw as walls, so parts of the place were laid onto"
+                        + " each other. Maybe the robot was carried, or places that look alike were taken for one: look"
+                        + " at picture.png, and map the log in parts.")
+                .formatted(from.x(), from.y(), to.x(), to.y(), most.from(), most.to(), 100 * most.share()));
     }
 
     private void tell(Strained strain) {

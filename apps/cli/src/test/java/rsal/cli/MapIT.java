@@ -80,6 +80,41 @@ class MapIT {
     }
 
     @Test
+    void warnsOfALaserThatIsUpsideDownAndReadsItRightWhenItIsToldSo() throws Exception {
+        Files.writeString(folder.resolve("mirrored.log"), RoomLog.mirrored());
+
+        Ended ended = rsal.run("map", "mirrored.log", "--out", "mirrored", "--json");
+
+        assertThat(ended.err()).contains("probably mirrored: at", "--upside-down");
+        JsonNode turns =
+                new JsonMapper().readTree(ended.out()).path("logs").path(0).path("turns");
+        assertThat(turns.path("reversed").asBoolean()).isTrue();
+        assertThat(turns.path("count").asInt()).isGreaterThanOrEqualTo(8);
+        assertThat(turns.path("opposed").asInt())
+                .isGreaterThan(turns.path("count").asInt() * 3 / 4);
+        Ended right = rsal.run("map", "mirrored.log", "--out", "right", "--upside-down", "--json");
+        JsonNode told = new JsonMapper().readTree(right.out());
+        assertThat(right.err()).doesNotContain("probably");
+        assertThat(told.path("logs").path(0).path("turns").path("opposed").asInt(-1))
+                .isZero();
+        assertThat(told.path("contradiction").path("tooMuch").asBoolean(true)).isFalse();
+    }
+
+    @Test
+    void tellsThatALogHasItsLaserMoveAboutOnTheRobot() throws Exception {
+        Files.writeString(
+                folder.resolve("raw.log"), RoomLog.part(0, 20, Pose2d.ORIGIN) + RoomLog.corrected(21, 40, 0.3));
+
+        Ended ended = rsal.run("map", "raw.log", "--out", "raw", "--json");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.err()).contains("(raw.log) tells poses of the laser that move about", "(0.30 m)");
+        JsonNode wandering =
+                new JsonMapper().readTree(ended.out()).path("logs").path(0).path("wandering");
+        assertThat(wandering.path("meters").asDouble()).isBetween(0.29, 0.31);
+    }
+
+    @Test
     void writesNumbersAlikeEverywhere() throws Exception {
         Ended ended = rsal.with("-Duser.language=de", "-Duser.country=DE").run("map", "room.log", "--out", "room");
 

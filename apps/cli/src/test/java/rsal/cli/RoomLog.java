@@ -44,15 +44,25 @@ final class RoomLog {
     /// @param last step
     /// @param shift of the poses that it tells
     static String part(int first, int last, Pose2d shift) {
-        return log(ROOM, first, last, shift);
+        return log(ROOM, first, last, shift, Pose2d.ORIGIN, false);
     }
 
     /// Likewise of a room that looks the same from both ends.
     static String twoSided(int first, int last, Pose2d shift) {
-        return log(TWO_SIDED, first, last, shift);
+        return log(TWO_SIDED, first, last, shift, Pose2d.ORIGIN, false);
     }
 
-    private static String log(DrawnMap room, int first, int last, Pose2d shift) {
+    /// As a laser that is upside down sees the room.
+    static String mirrored() {
+        return log(ROOM, 0, 40, Pose2d.ORIGIN, Pose2d.ORIGIN, true);
+    }
+
+    /// The first of whose poses are corrected ones, some meters beside the others.
+    static String corrected(int first, int last, double metersBeside) {
+        return log(ROOM, first, last, Pose2d.ORIGIN, new Pose2d(0, metersBeside, 0), false);
+    }
+
+    private static String log(DrawnMap room, int first, int last, Pose2d shift, Pose2d correction, boolean upsideDown) {
         var rays = new Rays(room.grid());
         var log = new StringBuilder("# a robot in a room\n");
         Pose2d from = room.pose('a', 0);
@@ -63,13 +73,17 @@ final class RoomLog {
                     from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.15 * i);
             log.append("FLASER 181");
             for (int beam = 0; beam < 181; beam++) {
-                double range = rays.range(pose.compose(new Pose2d(0, 0, Math.toRadians(beam - 90))));
+                double range =
+                        rays.range(pose.compose(new Pose2d(0, 0, Math.toRadians(upsideDown ? 90 - beam : beam - 90))));
                 log.append(String.format(Locale.ROOT, " %.3f", Math.min(range, 81.91)));
             }
             Pose2d told = shift.compose(pose);
-            String at = String.format(Locale.ROOT, " %.5f %.5f %.5f", told.x(), told.y(), told.theta());
-            log.append(at).append(at).append(" %d h %d\n".formatted(i + 1, i + 1));
+            log.append(at(correction.compose(told))).append(at(told)).append(" %d h %d\n".formatted(i + 1, i + 1));
         }
         return log.toString();
+    }
+
+    private static String at(Pose2d pose) {
+        return String.format(Locale.ROOT, " %.5f %.5f %.5f", pose.x(), pose.y(), pose.theta());
     }
 }

@@ -134,6 +134,15 @@ public final class Cloud {
         return y[point];
     }
 
+    /// The direction in which the surface at a point faces, as a unit vector; NaN where there is none.
+    public double normalX(int point) {
+        return normalX[point];
+    }
+
+    public double normalY(int point) {
+        return normalY[point];
+    }
+
     /// The same points in another frame.
     ///
     /// @param aFromB where the frame of these points is in the new one

@@ -423,6 +423,17 @@ public final class Slam {
         return Strain.of(relations, poses);
     }
 
+    /// Where scans contradict each other most, by the last fit; empty when there are too few to tell. Takes some
+    /// seconds for thousands of scans.
+    public Optional<Contradiction> contradiction() {
+        return Contradiction.of(frames, poses);
+    }
+
+    /// Whether scans say that the robot turned as its wheels do.
+    public Turns turns() {
+        return Turns.of(relations);
+    }
+
     /// Difference of two headings of a relation [rad], told and fitted.
     public double headingResidual(Relation relation) {
         Pose2d is = poses.get(relation.from()).inverse().compose(poses.get(relation.to()));

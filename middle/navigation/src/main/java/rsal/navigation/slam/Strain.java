@@ -17,7 +17,7 @@ import rsal.data.Pose2d;
 /// @param blind of them, told by wheels alone
 public record Strain(Optional<Step> wheels, Optional<Step> scans, Optional<Step> all, int steps, int blind) {
     /// From so many deviations on a step is not what it was told. In maps from logs that are right (seven, with usual
-    /// odometry and with twice its noise) none was off by more than 2.6.
+    /// odometry and with twice its noise) none was off by more than 3.4.
     public static final double TOO_MUCH = 6;
 
     /// What was told of a step, and how far off it is.

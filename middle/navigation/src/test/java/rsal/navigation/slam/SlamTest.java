@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import rsal.data.Covariance2d;
+import rsal.data.LaserScan;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate.Quality;
@@ -98,6 +99,39 @@ class SlamTest {
         assertThat(map.isFree(24.8, 16.5)).isTrue();
         assertThat(map.isFree(13, 9)).isFalse();
         assertThat(map.width() * map.resolution()).isBetween(26.0, 28.0);
+    }
+
+    @Test
+    void knowsALaserThatIsMountedUpsideDownByItsTurns() {
+        var random = new SplittableRandom(11);
+        var upright = new Slam(Slam.Settings.DEFAULT);
+        var mirrored = new Slam(Slam.Settings.DEFAULT);
+        var pose = new Pose2d(1.2, 1.2, 0);
+        for (int i = 0; i < 120; i++) {
+            pose = pose.compose(new Pose2d(0.1, 0, i % 40 < 20 ? 0.12 : -0.12));
+            LaserScan scan = FLOOR.scan(pose, 0.01, random);
+            var ranges = new float[scan.count()];
+            for (int beam = 0; beam < ranges.length; beam++) {
+                ranges[beam] = scan.ranges()[ranges.length - 1 - beam];
+            }
+            upright.add(pose, scan);
+            mirrored.add(
+                    pose,
+                    new LaserScan(
+                            scan.baseFromLaser(),
+                            scan.angleMin(),
+                            scan.angleIncrement(),
+                            scan.rangeMin(),
+                            scan.rangeMax(),
+                            ranges));
+        }
+
+        assertThat(mirrored.turns().isReversed()).isTrue();
+        assertThat(upright.turns().isReversed()).isFalse();
+        assertThat(upright.turns().opposed()).isZero();
+        assertThat(upright.turns().count()).isGreaterThan(8);
+        assertThat(upright.contradiction())
+                .hasValueSatisfying(most -> assertThat(most.share()).isLessThan(0.1));
     }
 
     @Test
