@@ -13,18 +13,18 @@ import rsal.navigation.scanmatch.Cloud;
 /// place that were laid onto each other do that, whether or not the graph is bent there: a robot that was carried and
 /// goes on as if it stood where it was taken bends nothing.
 ///
-/// A wall is a cell in which at least three scans have hit something that lies on a line; a beam goes through it when
-/// it
-/// meets it at more than 30°, ends well behind it, and no scan just before or after has hit it. So neither people, of
-/// whom a scan or two have been in the way, nor beams along walls, of which a map that is a little off makes many, nor
-/// glass and legs of chairs, which some beams hit and others don't, count for much.
+/// A wall is a cell in which at least three scans have hit something that lies on a line; a beam goes through it
+/// when it meets it at more than 30°, ends well behind it, and no scan just before or after has hit it. So neither
+/// people, of whom a scan or two have been in the way, nor beams along walls, of which a map that is a little off makes
+/// many, nor glass and legs of chairs, which some beams hit and others don't, count for much.
 ///
 /// @param share of the beams of the scans from one to another that go through walls, 0 to 1
 /// @param from number of the first of these frames
 /// @param to number of the last
 public record Contradiction(double share, int from, int to) {
-    /// From which share on a map is probably wrong. In maps of logs that are right (seven, with usual odometry and
-    /// twice its noise) it is 0.11 at most; where made-up robots had been carried it is 0.31 and more.
+    /// From which share on a map is probably wrong. In maps of logs that are right (seven with usual odometry, four of
+    /// them with twice its noise, too) it is 0.11 at most; where made-up robots had been carried it is 0.31 and
+    more.
     public static final double TOO_MUCH = 0.2;
 
     private static final int RUN = 20; // frames: 10 m of way, or less where it turns

@@ -17,7 +17,7 @@ public record Turns(int count, int opposed) {
 
     /// Whether most turns are opposed, of so many that it can't be chance (the sign test: W. Dixon, A. Mood, The
     /// Statistical Sign Test, Journal of the American Statistical Association 41, 1946). In maps of logs that are
-    /// right (seven, with twice the usual noise of wheels) one of 20 is at most.
+    /// right (seven with usual noise of wheels, four of them with twice that, too) one of 20 is at most.
     public boolean isReversed() {
         return count >= FEWEST && opposed > MOST * count;
     }

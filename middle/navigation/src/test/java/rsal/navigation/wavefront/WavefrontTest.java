@@ -1,8 +1,8 @@
 package rsal.navigation.wavefront;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -116,8 +116,10 @@ class WavefrontTest {
         assertThat(ways.plan(start, far, 0.1))
                 .isInstanceOfSatisfying(
                         Plan.None.class, none -> assertThat(none.why()).contains("(4400 × 4203) cells get too long"));
-        assertThat(ways.costs(start, List.of(far, near), 0.1)).satisfiesExactly(toFar -> assertThat(toFar)
-                .isEqualTo(Double.POSITIVE_INFINITY), toNear -> assertThat(toNear).isLessThan(100));
+        assertThat(ways.costs(start, List.of(far, near), 0.1))
+                .satisfiesExactly(
+                        toFar -> assertThat(toFar).isEqualTo(Double.POSITIVE_INFINITY),
+                        toNear -> assertThat(toNear).isLessThan(100));
         NavigationFunction everywhere = ways.everywhere(start, 0.1).orElseThrow();
         assertThat(everywhere.cost(near)).isLessThan(100);
         assertThat(everywhere.cost(far)).isEqualTo(Double.POSITIVE_INFINITY);
