@@ -22,9 +22,9 @@ import rsal.navigation.scanmatch.Cloud;
 /// @param from number of the first of these frames
 /// @param to number of the last
 public record Contradiction(double share, int from, int to) {
-    /// From which share on a map is probably wrong. In maps of logs that are right (seven with usual odometry, four of
-    /// them with twice its noise, too) it is 0.11 at most; where made-up robots had been carried it is 0.31 and
-    more.
+    /// From which share on a map is probably wrong. In maps of logs that are right (seven with usual odometry,
+    /// four of them with twice its noise, too) it is 0.11 at most; where made-up robots had been carried it is
+    /// 0.31 and more.
     public static final double TOO_MUCH = 0.2;
 
     private static final int RUN = 20; // frames: 10 m of way, or less where it turns
