@@ -1,11 +1,7 @@
 package rsal.cli;
 
-import java.io.IOException;
-import java.net.URI;
 import java.net.URLEncoder;
-import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
-import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
@@ -13,13 +9,12 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /// What asks or tells a run that has a page on this machine.
 abstract class PageCommand extends Subcommand {
-    private static final Duration PATIENCE = Duration.ofSeconds(5);
+    private static final Duration PATIENCE = Duration.ofSeconds(20); // where many runs go on, answers are late
     private static final String OPERATOR = "rsal-commands"; // one, as only one person can read the page's token
 
     @Option(
@@ -45,16 +40,16 @@ abstract class PageCommand extends Subcommand {
 
     /// Asks for something to look at.
     ///
-    /// @throws Unreachable when nobody is there
+    /// @throws Unreachable when nobody is there, or answers in time
     /// @throws ParameterException when it is refused, with the reason
     final JsonNode ask(String path) throws InterruptedException {
-        return send(HttpRequest.newBuilder(at(path)));
+        return send(page().at(path));
     }
 
     /// Has something done, and waits until the server says that it is.
     ///
     /// @return what it says of it
-    /// @throws Unreachable when nobody is there, or not the same person's run
+    /// @throws Unreachable when nobody is there or answers in time, or it is not the same person's run
     /// @throws ParameterException when it is refused, with the reason
     final JsonNode tell(String command, Object message) throws InterruptedException {
         return post("/api/run/" + command, message);
@@ -84,33 +79,30 @@ abstract class PageCommand extends Subcommand {
     }
 
     private HttpRequest.Builder asOperator(String path) {
-        PageKey key = PageKey.of(port())
-                .orElseThrow(() -> new Unreachable(
-                        "There is no page of yours at (%s). 'rsal run' prints where; say --port P.".formatted(at(""))));
-        return HttpRequest.newBuilder(at(path))
+        PageClient page = page();
+        PageKey key = PageKey.of(page.port())
+                .orElseThrow(() ->
+                        new Unreachable("There is no page of yours at (%s). 'rsal run' prints where; say --port P."
+                                .formatted(page.address())));
+        return page.at(path)
                 .header("Authorization", "Bearer " + key.token())
                 .header("RSAL-Operator", OPERATOR)
                 .header("Content-Type", "application/json");
     }
 
-    private URI at(String path) {
-        return URI.create("http://127.0.0.1:" + port() + path);
+    private PageClient page() {
+        return new PageClient(port(), PATIENCE);
     }
 
     private JsonNode send(HttpRequest.Builder asked) throws InterruptedException {
-        HttpRequest request = asked.timeout(PATIENCE).build();
-        try (var client = HttpClient.newBuilder().connectTimeout(PATIENCE).build()) {
-            HttpResponse<String> answer = client.send(request, HttpResponse.BodyHandlers.ofString());
-            JsonNode said = JsonMapper.shared().readTree(answer.body());
-            if (answer.statusCode() != 200) {
-                throw new ParameterException(
-                        spec.commandLine(), said.path("message").asString("(%s) refuses.".formatted(request.uri())));
-            }
-            return said;
-        } catch (IOException | JacksonException e) {
-            throw new Unreachable(
-                    "There is no run with a page at (%s). Maybe it is at another port (--port P): 'rsal run' prints where."
-                            .formatted(at("")));
+        PageClient.Answer answer = page().send(asked);
+        if (answer.isRefusal()) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    answer.said()
+                            .path("message")
+                            .asString("(%s) refuses.".formatted(asked.build().uri())));
         }
+        return answer.said();
     }
 }
