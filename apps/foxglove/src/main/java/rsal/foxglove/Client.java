@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import rsal.data.OccupancyGrid;
@@ -18,13 +19,23 @@ import rsal.recording.MessageSink;
 
 /// One that watches: which channels it was told of, and which of them it wants. Written to on the server's thread; its
 /// subscriptions come on its connection's. It is sent no more than it takes: while [#MOST_UNDER_WAY] is under way, it
-/// is left out, and then told all once more.
+/// is left out, and then told all once more. Events it is told from the oldest that is known, also those that happened
+/// before it came or while it was left out, and none twice.
 final class Client implements MessageSink {
     static final int MOST_UNDER_WAY = 8 << 20; // [B]
 
     private static final byte MESSAGE = 1;
     private static final byte TIME = 2;
     private static final int MESSAGE_HEAD = 1 + 4 + 8; // [B]
+
+    private static final class Subscription {
+        private final int id;
+        private long nextEvent; // to be told, of the server's thread
+
+        Subscription(int id) {
+            this.id = id;
+        }
+    }
 
     /// Where messages go. Sending does not wait.
     interface Line {
@@ -40,13 +51,16 @@ final class Client implements MessageSink {
     private final Encoder encoder;
     private final OccupancyGrid map;
     private final Set<Integer> channels = ConcurrentHashMap.newKeySet(); // that it knows
-    private final Map<Integer, Integer> subscriptions = new ConcurrentHashMap<>(); // by channel
+    private final Map<Integer, Subscription> subscriptions = new ConcurrentHashMap<>(); // by channel
     private final Map<Integer, Integer> wanted = new ConcurrentHashMap<>(); // channels, by subscription
     private volatile boolean isNew = true; // has not been told all
     private volatile boolean wantsMap = true; // which never changes
 
     // of the server's thread
     private final List<Offer> opened = new ArrayList<>(); // and not yet advertised
+    private Set<Integer> ofEvents = Set.of(); // channels
+    private List<Subscription> toldEvents = List.of(); // those that are being told
+    private long event; // the number of that which is told
     private long time = Long.MIN_VALUE; // [ns]
 
     /// @param start of the run, on its own clock [ns]
@@ -66,7 +80,7 @@ final class Client implements MessageSink {
             return false;
         }
         wanted.put(subscription, channel);
-        subscriptions.put(channel, subscription);
+        subscriptions.put(channel, new Subscription(subscription));
         wantsMap = true;
         isNew = true;
         return true;
@@ -94,7 +108,26 @@ final class Client implements MessageSink {
         }
     }
 
-    /// Something that has happened.
+    /// Tells the events that it wants and has not been told.
+    void tellEvents(Past past) throws IOException {
+        if (ofEvents.isEmpty()) {
+            ofEvents = encoder.openEvents();
+            advertise();
+        }
+        toldEvents = ofEvents.stream()
+                .map(subscriptions::get)
+                .filter(Objects::nonNull)
+                .toList();
+        long next = toldEvents.stream().mapToLong(each -> each.nextEvent).min().orElse(past.next());
+        for (event = Math.max(next, past.first()); event < past.next(); event++) {
+            if (line.underWay() > MOST_UNDER_WAY) {
+                return;
+            }
+            tell(past.event(event));
+        }
+    }
+
+    /// Something else than an event.
     ///
     /// @return whether it was sent
     boolean write(Entry entry) throws IOException {
@@ -108,6 +141,10 @@ final class Client implements MessageSink {
 
     private void tell(Entry entry) throws IOException {
         entry.write(encoder);
+        advertise();
+    }
+
+    private void advertise() {
         if (!opened.isEmpty()) {
             opened.forEach(offer -> channels.add(offer.id())); // first, as it may want them at once
             line.send(ServerMessages.json(new Advertise(opened)));
@@ -129,15 +166,25 @@ final class Client implements MessageSink {
             time = at;
             line.send(bytes(1 + 8).put(TIME).putLong(at).flip());
         }
-        Integer subscription = subscriptions.get(channel);
-        if (subscription != null) {
+        Subscription subscription = subscriptions.get(channel);
+        if (subscription != null && (!ofEvents.contains(channel) || isDue(subscription))) {
             line.send(bytes(MESSAGE_HEAD + message.remaining())
                     .put(MESSAGE)
-                    .putInt(subscription)
+                    .putInt(subscription.id)
                     .putLong(at)
                     .put(message.duplicate())
                     .flip());
         }
+    }
+
+    /// Whether it has not been told the event; then it is now. One that began while events are told waits until they
+    /// are told anew, or it would miss those before.
+    private boolean isDue(Subscription subscription) {
+        boolean due = subscription.nextEvent <= event && toldEvents.contains(subscription);
+        if (due) {
+            subscription.nextEvent = event + 1;
+        }
+        return due;
     }
 
     private static ByteBuffer bytes(int length) {

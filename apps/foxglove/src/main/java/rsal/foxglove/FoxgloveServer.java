@@ -73,6 +73,7 @@ public final class FoxgloveServer implements AutoCloseable {
         private volatile @Nullable LiveRun run;
 
         // of the shower's thread
+        private final Past past = new Past();
         private Optional<Entry> state = Optional.empty(); // the newest
         private Duration told = Duration.ZERO; // its time
 
@@ -244,6 +245,7 @@ public final class FoxgloveServer implements AutoCloseable {
     private void show() {
         for (Showing showing = now; showing != null && !closed; showing = now) {
             Optional<Entry> taken = showing.backlog.take();
+            taken.filter(Entry::isEvent).ifPresent(showing.past::add);
             if (connections.isEmpty()) {
                 showing.state = Optional.empty(); // nothing newer comes while nobody looks
                 continue;
@@ -261,7 +263,8 @@ public final class FoxgloveServer implements AutoCloseable {
     private static void show(Showing showing, Optional<Entry> next, Connection connection) {
         Client client = connection.client();
         try {
-            if (next.isPresent()) {
+            client.tellEvents(showing.past);
+            if (next.isPresent() && !next.get().isEvent()) {
                 client.write(next.get());
             }
             if (showing.state.isPresent()) {

@@ -56,6 +56,65 @@ class ClientTest {
         assertThat(client.subscribe(5, 2)).isTrue();
     }
 
+    @Test
+    void isToldEachEventOnceAlsoThoseThatHappenedBeforeItCameOrWhileItWasLeftOut() throws Exception {
+        RunPlan plan = Scenario.load("hunt-and-prey")
+                .plan(RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(30)));
+        List<Entry> events =
+                entries(plan).stream().filter(Entry::isEvent).limit(6).toList();
+        assertThat(events).hasSize(6);
+        var past = new Past();
+        var client = new Client(line, 0, plan.map());
+        client.tellEvents(past);
+        assertThat(line.texts).singleElement().asString().contains("\"/events\"", "\"/log\"");
+
+        events.subList(0, 2).forEach(past::add);
+        client.tellEvents(past);
+        assertThat(client.subscribe(7, 1)).isTrue();
+        client.tellEvents(past);
+        client.tellEvents(past);
+        assertThat(line.of(7)).isEqualTo(2);
+
+        line.isStuck = true;
+        events.subList(2, 5).forEach(past::add);
+        client.tellEvents(past);
+        assertThat(line.of(7)).isEqualTo(2);
+        line.isStuck = false;
+        client.tellEvents(past);
+        assertThat(line.of(7)).isEqualTo(5);
+
+        line.meanwhile = () -> assertThat(client.subscribe(8, 2)).isTrue(); // between an event's two messages
+        past.add(events.getLast());
+        client.tellEvents(past);
+        assertThat(line.of(8)).isZero();
+        client.tellEvents(past);
+        assertThat(line.of(7)).isEqualTo(6);
+        assertThat(line.of(8)).isEqualTo(6);
+
+        client.unsubscribe(7);
+        assertThat(client.subscribe(9, 1)).isTrue(); // as if it had come just now
+        client.tellEvents(past);
+        assertThat(line.of(9)).isEqualTo(6);
+        assertThat(line.of(8)).isEqualTo(6);
+    }
+
+    @Test
+    void onlyTheNewestEventsAreKept() throws Exception {
+        Entry event = entries(Scenario.load("hunt-and-prey")
+                        .plan(RunOptions.NONE
+                                .withSpeed(Double.POSITIVE_INFINITY)
+                                .withLimit(Duration.ofSeconds(5))))
+                .getFirst();
+        var past = new Past();
+        for (int i = 0; i < 3 * Past.MOST + 7; i++) {
+            past.add(event);
+        }
+        assertThat(past.next()).isEqualTo(3 * Past.MOST + 7);
+        assertThat(past.first()).isEqualTo(2 * Past.MOST + 7);
+        assertThat(past.event(past.first())).isEqualTo(event);
+        assertThat(past.event(past.next() - 1)).isEqualTo(event);
+    }
+
     private static List<Entry> entries(RunPlan plan) throws Exception {
         var backlog = new Backlog(Behind.WAIT);
         LiveRun run = LiveRun.start(plan, backlog);
@@ -77,6 +136,7 @@ class ClientTest {
         private final List<Integer> subscriptions = new ArrayList<>();
         private long sent; // [B]
         private boolean isStuck;
+        private Runnable meanwhile = () -> {}; // done once, while the next is sent
 
         @Override
         public void send(String text) {
@@ -89,6 +149,9 @@ class ClientTest {
             sent += bytes.remaining();
             if (bytes.get(0) == 1) {
                 subscriptions.add(bytes.getInt(1));
+                Runnable now = meanwhile;
+                meanwhile = () -> {};
+                now.run();
             }
         }
 

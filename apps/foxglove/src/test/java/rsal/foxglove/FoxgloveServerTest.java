@@ -73,6 +73,43 @@ class FoxgloveServerTest {
     }
 
     @Test
+    void whatHappenedBeforeItCameIsToldToWhoComesAfterTheEnd() throws Exception {
+        LiveRun run = start(plan(Double.POSITIVE_INFINITY, 30));
+        end(run);
+        int happened = run.events(0).size();
+        assertThat(happened).isPositive();
+        for (int time = 0; time < 2; time++) { // all who come
+            try (var watcher = new Watcher(server.url())) {
+                watcher.subscribe(1, "/events");
+                for (int i = 0; i < happened; i++) {
+                    watcher.await(1);
+                }
+                watcher.subscribe(2, "/log");
+                for (int i = 0; i < happened; i++) {
+                    watcher.await(next -> next.get(0) == 1 && isNotAgain(next)); // what was told is not told again
+                }
+            }
+        }
+    }
+
+    private static boolean isNotAgain(ByteBuffer message) {
+        assertThat(message.getInt(1)).isEqualTo(2);
+        return true;
+    }
+
+    @Test
+    void eventsAreOfferedBeforeAnyHappens() throws Exception {
+        LiveRun run = LiveRun.start(plan(1, 60)); // which tells the server nothing
+        server.next(new Origin(run.plan(), "rsal test", "rsal run", Instant.EPOCH));
+        server.began(run);
+        try (var watcher = new Watcher(server.url())) {
+            watcher.channel("/events");
+            watcher.channel("/log");
+        }
+        run.close();
+    }
+
+    @Test
     void aRunThatIsWatchedIsTheSame() throws Exception {
         RunPlan plan = plan(4, 6);
         LiveRun run = start(plan);

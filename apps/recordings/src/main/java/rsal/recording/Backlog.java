@@ -41,6 +41,11 @@ public final class Backlog implements Witness {
         default Optional<Duration> seen() {
             return Optional.empty();
         }
+
+        /// Whether it is an event, which no later state tells.
+        default boolean isEvent() {
+            return false;
+        }
     }
 
     private static final class State implements Entry {
@@ -67,6 +72,11 @@ public final class Backlog implements Witness {
         @Override
         public void write(Encoder encoder) throws IOException {
             encoder.event(event, hash);
+        }
+
+        @Override
+        public boolean isEvent() {
+            return true;
         }
     }
 

@@ -75,6 +75,13 @@ public final class Encoder {
         write("/map", Foxglove.GRID, start, start, Map.of());
     }
 
+    /// Opens the channels of events, before any has happened: for who wants to know of all that will.
+    ///
+    /// @return these channels
+    public Set<Integer> openEvents() throws IOException {
+        return Set.of(open(Topics.EVENTS, Own.EVENT, Map.of()), open(Topics.LOG, Foxglove.LOG, Map.of()));
+    }
+
     public void event(RunEvent event, String hash) throws IOException {
         long time = time(event.time());
         out.clear();
@@ -100,7 +107,7 @@ public final class Encoder {
         out.varint(2, level(event.kind()));
         out.string(3, event.kind() + ": " + event.text());
         out.string(4, event.subject().isEmpty() ? "run" : event.subject());
-        write("/log", Foxglove.LOG, time, time, Map.of());
+        write(Topics.LOG, Foxglove.LOG, time, time, Map.of());
     }
 
     private static int level(String kind) {
@@ -660,11 +667,15 @@ public final class Encoder {
     /// Writes the message that is in the sink.
     private void write(String topic, MessageType type, long time, long taken, Map<String, String> about)
             throws IOException {
+        sink.message(open(topic, type, about), time, taken, out.sink().written());
+    }
+
+    private int open(String topic, MessageType type, Map<String, String> about) throws IOException {
         Integer channel = channels.get(topic);
         if (channel == null) {
             channel = sink.open(topic, type.name(), type.descriptors(), about);
             channels.put(topic, channel);
         }
-        sink.message(channel, time, taken, out.sink().written());
+        return channel;
     }
 }

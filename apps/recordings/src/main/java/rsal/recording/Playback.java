@@ -182,7 +182,7 @@ public final class Playback implements Closeable {
 
     private static boolean isOfUse(Channel channel) {
         return switch (channel.topic()) {
-            case "/tf", "/world", "/log", "/map" -> false;
+            case "/tf", "/world", Topics.LOG, "/map" -> false;
             default -> true;
         };
     }

@@ -3,6 +3,7 @@ package rsal.recording;
 /// What channels are called.
 final class Topics {
     static final String EVENTS = "/events";
+    static final String LOG = "/log";
     static final String STATE = "/state";
     static final String ROBOTS = "/robots";
     static final String THINGS = "/things";
