@@ -113,6 +113,48 @@ class LauncherIT {
     }
 
     @Test
+    void mavenTakesTheSameJdkWhereAnOlderOneIsTheDefault() throws Exception {
+        Path old = folder.resolve("old");
+        Files.createDirectories(old.resolve("bin"));
+        for (String program : List.of("java", "javac")) {
+            writeExecutable(old.resolve("bin").resolve(program), "#!/bin/sh\necho the old $0\n");
+        }
+        Path installed = Files.createDirectories(folder.resolve(".jdks")).resolve("new"); // in a home of its own
+        Files.createSymbolicLink(installed, Path.of(System.getProperty("java.home")));
+        Files.writeString(old.resolve("release"), "JAVA_VERSION=\"17.0.1\"\n");
+        Files.copy(Path.of("../../mvnw"), project.resolve("mvnw"), StandardCopyOption.REPLACE_EXISTING);
+        Path settings = Files.createDirectories(project.resolve(".mvn/wrapper"));
+        Files.copy(
+                Path.of("../../.mvn/wrapper/maven-wrapper.properties"), settings.resolve("maven-wrapper.properties"));
+        String url = Files.readAllLines(settings.resolve("maven-wrapper.properties")).stream()
+                .filter(line -> line.startsWith("distributionUrl="))
+                .map(line -> line.substring("distributionUrl=".length()).strip())
+                .findAny()
+                .orElseThrow();
+        Path maven = folder.resolve("m2/wrapper/dists")
+                .resolve(url.substring(url.lastIndexOf('/') + 1).replace("-bin.zip", ""))
+                .resolve(Integer.toHexString(url.hashCode()));
+        Files.createDirectories(maven.resolve("bin"));
+        writeExecutable(maven.resolve("bin/mvn"), "#!/bin/sh\necho \"$JAVA_HOME $*\"\n");
+
+        for (String set : List.of("", old.toString())) {
+            var launcher = builder(project, "./rsal", "--jdk");
+            var wrapper = builder(folder, project.resolve("mvnw").toString(), "a b", "c");
+            for (var started : List.of(launcher, wrapper)) {
+                started.environment().put("HOME", folder.toString());
+                started.environment().put("JAVA_HOME", set);
+                started.environment()
+                        .put("MAVEN_USER_HOME", folder.resolve("m2").toString());
+                started.environment().merge("PATH", old.resolve("bin").toString(), (path, bin) -> bin + ":" + path);
+            }
+            String jdk = Ended.of(launcher.start()).out().strip();
+            assertThat(Path.of(jdk).resolve("bin/javac")).exists();
+            assertThat(jdk).isNotEqualTo(old.toString());
+            assertThat(Ended.of(wrapper.start()).out()).isEqualTo(jdk + " a b c\n");
+        }
+    }
+
+    @Test
     void tellsAboutTestsWithoutRunningThem() throws Exception {
         assertThat(run("test", "--help").out()).startsWith("args test --help\n");
     }
@@ -404,6 +446,8 @@ class LauncherIT {
         Path old = Files.createDirectories(folder.resolve("jdk/bin")).getParent();
         writeExecutable(old.resolve("bin/javac"), "#!/bin/sh\n");
         writeExecutable(old.resolve("bin/java"), "#!/bin/sh\necho old java\n");
+        Path installed = Files.createDirectories(folder.resolve(".jdks")).resolve("new"); // in a home of its own
+        Files.createSymbolicLink(installed, Path.of(System.getProperty("java.home")));
         Files.writeString(old.resolve("release"), "JAVA_VERSION=\"17.0.1\"\n");
         var builder = builder(project, "./rsal", "list");
         builder.environment().put("JAVA_HOME", old.toString());
