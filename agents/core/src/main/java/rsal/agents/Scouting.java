@@ -111,7 +111,7 @@ final class Scouting {
                 found.isEmpty()
                         ? "none"
                         : found.keySet().stream()
-                                .map(victim -> victim + (helped.contains(victim) ? " (helped)" : ""))
+                                .map(victim -> "no. " + victim + (helped.contains(victim) ? " (helped)" : ""))
                                 .collect(Collectors.joining(", ")));
     }
 }

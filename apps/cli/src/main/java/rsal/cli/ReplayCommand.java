@@ -135,8 +135,11 @@ final class ReplayCommand extends Subcommand {
 
     /// All of it: the same events may come of what is not the same.
     private static String words(Compared compared) {
-        return "%d events, %d messages and %d states of all robots and agents"
-                .formatted(compared.events(), compared.messages(), compared.states());
+        return "%s, %s and %s of all robots and agents"
+                .formatted(
+                        Words.counted(compared.events(), "event"),
+                        Words.counted(compared.messages(), "message"),
+                        Words.counted(compared.states(), "state"));
     }
 
     private static void put(Map<String, Object> found, Compared compared) {

@@ -44,9 +44,9 @@ record ResultText(RunPlan plan, RunResult result) {
     }
 
     private static String heard(List<Hearing> all) {
-        return "%d messages heard, %d lost"
+        return "%s heard, %d lost"
                 .formatted(
-                        all.stream().mapToLong(Hearing::heard).sum(),
+                        Words.counted(all.stream().mapToLong(Hearing::heard).sum(), "message"),
                         all.stream().mapToLong(Hearing::lost).sum());
     }
 

@@ -40,9 +40,9 @@ final class SweepProgress {
         told = began;
         err.println(
                 before == 0
-                        ? "%d runs, %d at once; Ctrl-C breaks it off.".formatted(wanted, jobs)
-                        : "%d runs, of which %d are there, %d at once; Ctrl-C breaks it off."
-                                .formatted(wanted, before, jobs));
+                        ? "%s, %d at once; Ctrl-C breaks it off.".formatted(Words.counted(wanted, "run"), jobs)
+                        : "%s, of which %d are there, %d at once; Ctrl-C breaks it off."
+                                .formatted(Words.counted(wanted, "run"), before, jobs));
         draw();
     }
 

@@ -93,8 +93,14 @@ final class Stage implements AutoCloseable {
         journal.event(
                 "run",
                 "",
-                "%d robots, %d agents"
-                        .formatted(team.robots().size(), plan.agents().size()));
+                "%s, %s"
+                        .formatted(
+                                counted(team.robots().size(), "robot"),
+                                counted(plan.agents().size(), "agent")));
+    }
+
+    private static String counted(int count, String what) {
+        return "%d %s%s".formatted(count, what, count == 1 ? "" : "s");
     }
 
     private void equip(Robot robot, PlannedRobot planned) {
