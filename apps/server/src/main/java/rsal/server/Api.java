@@ -34,6 +34,7 @@ import rsal.map.RosMap;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Answer;
 import rsal.scenario.run.LiveRun;
+import rsal.scenario.run.Operator;
 import rsal.scenario.run.Prop;
 import rsal.scenario.run.Snapshot;
 import rsal.server.CurrentRun.Numbered;
@@ -372,7 +373,10 @@ final class Api {
         routes.post("/api/run/" + name, request -> {
             gate.authorize(request.header(Header.AUTHORIZATION));
             answer(request, Map.of());
-            handler.handle(request);
+            Operator.tells(gate.lease().name(operator(request)), () -> {
+                handler.handle(request);
+                return request;
+            });
         });
     }
 

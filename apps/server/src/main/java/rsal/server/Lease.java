@@ -1,7 +1,9 @@
 package rsal.server;
 
 import java.time.Duration;
+import java.util.LinkedHashMap;
 import java.util.Optional;
+import java.util.SequencedMap;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
@@ -16,8 +18,10 @@ final class Lease {
     static final Duration TERM = Duration.ofSeconds(10);
 
     private static final int LONGEST = 64; // characters of an id, and of a name
+    private static final int MOST_NAMES = 64; // that are known
 
     private final LongSupplier clock;
+    private final SequencedMap<String, String> names = new LinkedHashMap<>(); // by id, of those who had it last
     private @Nullable Holder holder;
 
     /// @param operator known to whoever it is, and to nobody else
@@ -41,6 +45,10 @@ final class Lease {
             check(operator);
         }
         holder = new Holder(operator, name.strip(), clock.getAsLong() + TERM.toNanos());
+        names.putLast(operator, name.strip());
+        if (names.size() > MOST_NAMES) {
+            names.pollFirstEntry();
+        }
     }
 
     private static void checkIsName(String name) {
@@ -81,6 +89,15 @@ final class Lease {
     /// Name of who has it; empty when nobody has.
     synchronized Optional<String> holder() {
         return current().map(Holder::name);
+    }
+
+    /// What somebody is called who has it or had it; of others, that they have it not, when somebody else does.
+    ///
+    /// @param operator empty of one who says none, as a program
+    /// @return empty when nobody knows
+    synchronized String name(String operator) {
+        String unknown = current().isPresent() ? "somebody without control" : "";
+        return names.getOrDefault(operator, unknown);
     }
 
     synchronized boolean isHeldBy(String operator) {

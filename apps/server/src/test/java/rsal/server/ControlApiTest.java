@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rsal.scenario.run.RunEvent;
 import rsal.server.Messages.Control;
 import rsal.server.Messages.ControlWish;
 import rsal.server.RawHttp.Response;
@@ -97,6 +98,24 @@ class ControlApiTest {
         assertThat(post("/api/run/estop", "").status()).isEqualTo(200);
         assertThat(post("/api/run/rearm", "", as("b")).status()).isEqualTo(409);
         assertThat(post("/api/run/check", "{}").status()).as("asks only").isEqualTo(200);
+    }
+
+    @Test
+    void tellsInEventsWhoDidWhat() throws IOException {
+        post("/api/run/estop", "", as("b"));
+        take("a", "Ann", false);
+        post("/api/run/rearm", "", as("a"));
+        post("/api/run/estop", "", as("b"));
+        RawHttp.delete(port, CONTROL, host, WITH_TOKEN, as("a"));
+        post("/api/run/rearm", "", as("a"));
+        assertThat(server.run().events(0).stream()
+                        .filter(event -> event.kind().equals("operator"))
+                        .map(RunEvent::text))
+                .containsExactly(
+                        "emergency stop",
+                        "motors on by Ann",
+                        "emergency stop by somebody without control",
+                        "motors on by Ann");
     }
 
     @Test

@@ -33,6 +33,23 @@ class LeaseTest {
     }
 
     @Test
+    void knowsWhoHasItAndWhoHadIt() {
+        assertThat(lease.name("a")).isEmpty();
+        assertThat(lease.name("")).isEmpty();
+        lease.take("a", " Ann ", false);
+        assertThat(lease.name("a")).isEqualTo("Ann");
+        assertThat(lease.name("b")).isEqualTo("somebody without control");
+        assertThat(lease.name("")).isEqualTo("somebody without control");
+        lease.take("b", "Bob", true);
+        assertThat(lease.name("a")).isEqualTo("Ann");
+        lease.giveBack("b");
+        for (int i = 0; i < 100; i++) {
+            lease.take("another " + i, "Carl", true);
+        }
+        assertThat(lease.name("b")).as("of long ago").isEqualTo("somebody without control");
+    }
+
+    @Test
     void isTakenOverAndGivenBack() {
         lease.take("a", "Ann", false);
         lease.take("b", " Bob ", true);

@@ -37,6 +37,7 @@ final class Journal {
     private final Supplier<Duration> time;
     private final Runnable onEvent;
     private final Optional<Witness> witness;
+    private String operator = ""; // who has ordered what is done now; empty when nobody knows
     private long sequence;
     private long happened; // events, with those that are not kept
 
@@ -68,7 +69,20 @@ final class Journal {
         event(kind, message.sender(), text, Optional.of(of(message, text)));
     }
 
-    private void event(String kind, String subject, String text, Optional<Said> said) {
+    /// Carries out what somebody has ordered. Its events of the kind `operator` then say who.
+    ///
+    /// @param operator a name for people; empty when it is not known
+    <T> T by(String operator, Supplier<T> order) {
+        this.operator = operator;
+        try {
+            return order.get();
+        } finally {
+            this.operator = "";
+        }
+    }
+
+    private void event(String kind, String subject, String words, Optional<Said> said) {
+        String text = kind.equals("operator") && !operator.isEmpty() ? words + " by " + operator : words;
         hash(kind, subject, text);
         kinds.merge(kind, 1L, Long::sum);
         if (sequence == MOST_EVENTS - 1) {

@@ -569,7 +569,8 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private CompletionStage<Answer> ask(Function<Stage, Answer> order) {
-        CompletionStage<Answer> answer = requests.ask(() -> answer(order));
+        String operator = Operator.name();
+        CompletionStage<Answer> answer = requests.ask(() -> journal.by(operator, () -> answer(order)));
         wake();
         return answer;
     }

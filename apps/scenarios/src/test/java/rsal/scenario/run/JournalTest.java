@@ -22,6 +22,19 @@ class JournalTest {
     }
 
     @Test
+    void saysWhoOrderedWhatPeopleDid() {
+        journal.by("Ann", () -> {
+            journal.event("operator", "r1", "motors off");
+            journal.event("goal", "r1", "given up"); // which comes of it
+            return "";
+        });
+        journal.event("operator", "r1", "motors on");
+        assertThat(journal.after(0))
+                .extracting(RunEvent::text)
+                .containsExactly("motors off by Ann", "given up", "motors on");
+    }
+
+    @Test
     void keepsNoMoreThanItHasRoomFor() {
         for (int each = 0; each < 2 * (Journal.MOST_EVENTS + Journal.RESERVE); each++) {
             journal.event("operator", "", "emergency stop");
