@@ -3,6 +3,7 @@ package rsal.navigation.device;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -29,9 +30,9 @@ import rsal.time.Scheduler;
 /// another for a wall.
 ///
 /// Looks again every few seconds. A place that stays a frontier though a robot was there, or that can't be
-/// reached, is left alone ([LeftAlone]). Where a robot of its size has been, one can go again, so that none is shut
-/// in by a door that the map's cells make narrower than it is. Each robot is sent where its own body fits; how the
-/// map is drawn, the first of a team says for all.
+/// reached, is left alone ([LeftAlone]). When nothing else is left, a robot goes where one of its size has been, so
+/// that none is shut in by a door that the map's cells make narrower than it is. Each robot is sent where its own body
+/// fits; how the map is drawn, the first of a team says for all.
 final class Exploration {
     static final Duration PERIOD = Duration.ofSeconds(3);
     private static final double SLACK = 1.2; // m; from a frontier to where a robot can stand
@@ -164,32 +165,39 @@ final class Exploration {
     List<Order> orders(List<Seen> seen, List<Ready> ready, List<Point2d> alone) {
         OccupancyGrid map = map(seen, ready);
         DistanceField toNotFree = DistanceField.toNotFree(map);
-        var waysOf = new HashMap<CostMap.Clearance, Wavefront>();
-        List<Wavefront> ways = ready.stream()
-                .map(robot -> waysOf.computeIfAbsent(
-                        robot.body().clearance(), c -> new Wavefront(CostMap.of(map, toNotFree, c, driven(seen, c)))))
-                .toList();
         List<Frontier> frontiers = Frontiers.of(map, settings.shortest()).stream()
                 .filter(f -> alone.stream().noneMatch(place -> LeftAlone.isSame(place, f.place())))
                 .toList();
-        var reaches = new Reach[ready.size()][frontiers.size()];
+        var open = new HashMap<CostMap.Clearance, Wavefront>();
+        var openWhereDriven = new HashMap<CostMap.Clearance, Wavefront>();
+        var ways = new ArrayList<Wavefront>();
+        var reaches = new Reach[ready.size()][];
         var costs = new double[ready.size()][frontiers.size()];
         var complete = new boolean[ready.size()];
         for (int robot = 0; robot < ready.size(); robot++) {
-            Optional<NavigationFunction> from =
-                    ways.get(robot).everywhere(ready.get(robot).place(), SLACK);
-            complete[robot] = from.isPresent(); // else it does not know what it can get to
+            Ready one = ready.get(robot);
+            CostMap.Clearance room = one.body().clearance();
+            Wavefront way = open.computeIfAbsent(room, c -> new Wavefront(CostMap.of(map, toNotFree, c)));
+            Optional<Reach[]> found = reaches(map, way, one.place(), frontiers);
+            if (!frontiers.isEmpty() && found.filter(Exploration::leadNowhere).isPresent()) {
+                Wavefront back = openWhereDriven.computeIfAbsent(
+                        room, c -> new Wavefront(CostMap.of(map, toNotFree, c, driven(seen, c))));
+                Optional<Reach[]> further = reaches(map, back, one.place(), frontiers);
+                if (further.filter(some -> !leadNowhere(some)).isPresent()) {
+                    way = back;
+                    found = further;
+                }
+            }
+            ways.add(way);
+            reaches[robot] = found.orElseGet(() -> nowhere(frontiers));
+            complete[robot] = found.filter(Exploration::leadNowhere).isPresent();
             for (int i = 0; i < frontiers.size(); i++) {
                 Point2d place = frontiers.get(i).place();
-                Reach reach = from.map(f -> reach(map, f, place)).orElse(Reach.none(place));
-                reaches[robot][i] = reach;
-                complete[robot] &= reach.cost() == Double.POSITIVE_INFINITY;
-                boolean going = ready.get(robot)
-                        .frontier()
+                boolean going = one.frontier()
                         .filter(goal -> LeftAlone.isSame(goal, place))
                         .isPresent();
                 costs[robot][i] =
-                        ready.get(robot).goes() ? reach.cost() - (going ? LOYALTY : 0) : Double.POSITIVE_INFINITY;
+                        one.goes() ? reaches[robot][i].cost() - (going ? LOYALTY : 0) : Double.POSITIVE_INFINITY;
             }
         }
         List<Optional<Integer>> chosen = Division.assign(frontiers, costs, settings.view());
@@ -207,6 +215,23 @@ final class Exploration {
                     complete[robot] ? narrow(map, toNotFree, ready.get(robot), frontiers) : List.of()));
         }
         return orders;
+    }
+
+    /// How a robot gets to each frontier; empty when it does not know what it can get to.
+    private static Optional<Reach[]> reaches(
+            OccupancyGrid map, Wavefront ways, Point2d place, List<Frontier> frontiers) {
+        return ways.everywhere(place, SLACK)
+                .map(from -> frontiers.stream()
+                        .map(frontier -> reach(map, from, frontier.place()))
+                        .toArray(Reach[]::new));
+    }
+
+    private static Reach[] nowhere(List<Frontier> frontiers) {
+        return frontiers.stream().map(frontier -> Reach.none(frontier.place())).toArray(Reach[]::new);
+    }
+
+    private static boolean leadNowhere(Reach[] reaches) {
+        return Arrays.stream(reaches).allMatch(reach -> reach.cost() == Double.POSITIVE_INFINITY);
     }
 
     /// Where those were that need no less room.
