@@ -19,6 +19,7 @@ import rsal.recording.Recording;
 import rsal.recording.Verification;
 import rsal.recording.Verification.Compared;
 import rsal.recording.Verification.Finding;
+import rsal.scenario.Counted;
 import rsal.scenario.run.RunEvent;
 import rsal.server.ReplayServer;
 import rsal.server.RunServer;
@@ -137,9 +138,9 @@ final class ReplayCommand extends Subcommand {
     private static String words(Compared compared) {
         return "%s, %s and %s of all robots and agents"
                 .formatted(
-                        Words.counted(compared.events(), "event"),
-                        Words.counted(compared.messages(), "message"),
-                        Words.counted(compared.states(), "state"));
+                        Counted.of(compared.events(), "event"),
+                        Counted.of(compared.messages(), "message"),
+                        Counted.of(compared.states(), "state"));
     }
 
     private static void put(Map<String, Object> found, Compared compared) {

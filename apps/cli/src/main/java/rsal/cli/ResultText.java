@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
+import rsal.scenario.Counted;
 import rsal.scenario.RunPlan;
 import rsal.scenario.run.Hearing;
 import rsal.scenario.run.RunResult;
@@ -46,7 +47,7 @@ record ResultText(RunPlan plan, RunResult result) {
     private static String heard(List<Hearing> all) {
         return "%s heard, %d lost"
                 .formatted(
-                        Words.counted(all.stream().mapToLong(Hearing::heard).sum(), "message"),
+                        Counted.of(all.stream().mapToLong(Hearing::heard).sum(), "message"),
                         all.stream().mapToLong(Hearing::lost).sum());
     }
 

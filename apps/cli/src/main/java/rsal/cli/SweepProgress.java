@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.List;
 import rsal.experiment.Pace;
 import rsal.experiment.Row;
+import rsal.scenario.Counted;
 import rsal.time.AllowedToReadWallClock;
 
 /// Tells on stderr how far a sweep is: on a terminal by a bar with the time left, elsewhere by a line now and
@@ -40,9 +41,9 @@ final class SweepProgress {
         told = began;
         err.println(
                 before == 0
-                        ? "%s, %d at once; Ctrl-C breaks it off.".formatted(Words.counted(wanted, "run"), jobs)
+                        ? "%s, %d at once; Ctrl-C breaks it off.".formatted(Counted.of(wanted, "run"), jobs)
                         : "%s, of which %d are there, %d at once; Ctrl-C breaks it off."
-                                .formatted(Words.counted(wanted, "run"), before, jobs));
+                                .formatted(Counted.of(wanted, "run"), before, jobs));
         draw();
     }
 

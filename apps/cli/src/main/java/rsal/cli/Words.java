@@ -29,13 +29,6 @@ final class Words {
                 .registerConverter(ListCommand.What.class, word -> oneOf(word, ListCommand.What.values()));
     }
 
-    /// A number of things.
-    ///
-    /// @param what one of them, of which more have an s
-    static String counted(long count, String what) {
-        return "%d %s%s".formatted(count, what, count == 1 ? "" : "s");
-    }
-
     private static int whole(String word) {
         try {
             return Integer.parseInt(word);

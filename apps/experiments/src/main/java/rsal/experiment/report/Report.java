@@ -26,6 +26,7 @@ import rsal.experiment.Row;
 import rsal.experiment.statistics.BoxPlot;
 import rsal.experiment.statistics.Mean;
 import rsal.experiment.statistics.Share;
+import rsal.scenario.Counted;
 
 /// What an experiment says, as a page that carries all it needs: it can be sent to others, read without a
 /// network, and printed. Its figures are also there as files, a picture and the numbers of each.
@@ -128,9 +129,9 @@ public final class Report {
         int seeds = findings.design().seeds().size();
         String all = "%s of %s with %s (%s)"
                 .formatted(
-                        counted(wanted, "run"),
-                        counted(findings.design().combinations().size(), "combination"),
-                        counted(seeds, "seed"),
+                        Counted.of(wanted, "run"),
+                        Counted.of(findings.design().combinations().size(), "combination"),
+                        Counted.of(seeds, "seed"),
                         seeds == 1
                                 ? findings.design().seeds().getFirst()
                                 : findings.design().seeds().getFirst() + " to "
@@ -157,7 +158,7 @@ public final class Report {
                                     text(Numbers.signed(difference.value()) + unit(measure)),
                                     text(measure.name()),
                                     text(Numbers.signed(difference.interval().orElseThrow())),
-                                    counted(difference.count(), "seed"),
+                                    Counted.of(difference.count(), "seed"),
                                     judged(measure, difference.value())));
                 }
             }
@@ -359,7 +360,7 @@ public final class Report {
         }
         html.append("<section>\n<h2>Recordings</h2>\n<p>'rsal replay FILE.mcap' shows a run in the page, Foxglove opens"
                 + " the file, too.</p>\n<details>\n<summary>%s</summary>\n"
-                        .formatted(counted(all.size(), "recorded run")
+                        .formatted(Counted.of(all.size(), "recorded run")
                                 + (rows.size() < all.size() ? ", the first %d of them".formatted(rows.size()) : "")));
         html.append(Html.table(
                 "Runs with their recordings",
@@ -404,11 +405,11 @@ public final class Report {
             html.append("<p>%s, %s at once, with %s, Java %s, on %s with %s:</p>\n<pre tabindex=\"0\">%s</pre>\n"
                     .formatted(
                             text(session.started().replace("T", " ").replace("Z", " UTC")),
-                            counted(session.jobs(), "run"),
+                            Counted.of(session.jobs(), "run"),
                             text(session.machine().rsal()),
                             text(session.machine().java()),
                             text(session.machine().system()),
-                            counted(session.machine().cores(), "core"),
+                            Counted.of(session.machine().cores(), "core"),
                             text(ShellWords.of(session.command()))));
         }
         Set<String> varied =
@@ -440,10 +441,6 @@ public final class Report {
                 .findFirst()
                 .map(factor -> String.join(", ", factor.levels()))
                 .orElseGet(() -> settings.getOrDefault(argument.name(), ""));
-    }
-
-    private static String counted(long count, String what) {
-        return "%d %s%s".formatted(count, what, count == 1 ? "" : "s");
     }
 
     private static String text(String plain) {

@@ -11,6 +11,7 @@ import rsal.agent.Turns;
 import rsal.agent.bdi.Mind;
 import rsal.robot.Robot;
 import rsal.robot.RobotSpec;
+import rsal.scenario.Counted;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
@@ -95,12 +96,8 @@ final class Stage implements AutoCloseable {
                 "",
                 "%s, %s"
                         .formatted(
-                                counted(team.robots().size(), "robot"),
-                                counted(plan.agents().size(), "agent")));
-    }
-
-    private static String counted(int count, String what) {
-        return "%d %s%s".formatted(count, what, count == 1 ? "" : "s");
+                                Counted.of(team.robots().size(), "robot"),
+                                Counted.of(plan.agents().size(), "agent")));
     }
 
     private void equip(Robot robot, PlannedRobot planned) {
