@@ -43,11 +43,7 @@ public final class Wavefront {
     /// which nothing leads, is replaced by the nearest place to which something does, when that is no farther than
     /// `slack` [m] away. There is none to where ways get too long to count.
     public Plan plan(Point2d start, Point2d goal, double slack) {
-        try {
-            return find(start, goal, slack);
-        } catch (Wave.TooFar tooFar) {
-            return new Plan.None(tooFar.why());
-        }
+        return plan(start, goal, slack, List.of());
     }
 
     private Plan find(Point2d start, Point2d goal, double slack) {
@@ -67,11 +63,8 @@ public final class Wavefront {
 
     /// Plans a way that keeps the robot's radius off obstacles that are not on the map [m].
     public Plan plan(Point2d start, Point2d goal, double slack, List<Point2d> obstacles) {
-        if (obstacles.isEmpty()) {
-            return plan(start, goal, slack);
-        }
         try {
-            return around(obstacles, start, goal, slack);
+            return obstacles.isEmpty() ? find(start, goal, slack) : around(obstacles, start, goal, slack);
         } catch (Wave.TooFar tooFar) {
             return new Plan.None(tooFar.why());
         }
