@@ -3,7 +3,6 @@ package rsal.navigation.device;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -170,68 +169,68 @@ final class Exploration {
                 .toList();
         var open = new HashMap<CostMap.Clearance, Wavefront>();
         var openWhereDriven = new HashMap<CostMap.Clearance, Wavefront>();
-        var ways = new ArrayList<Wavefront>();
-        var reaches = new Reach[ready.size()][];
+        var founds = new ArrayList<Found>();
         var costs = new double[ready.size()][frontiers.size()];
-        var complete = new boolean[ready.size()];
         for (int robot = 0; robot < ready.size(); robot++) {
             Ready one = ready.get(robot);
             CostMap.Clearance room = one.body().clearance();
-            Wavefront way = open.computeIfAbsent(room, c -> new Wavefront(CostMap.of(map, toNotFree, c)));
-            Optional<Reach[]> found = reaches(map, way, one.place(), frontiers);
-            if (!frontiers.isEmpty() && found.filter(Exploration::leadNowhere).isPresent()) {
+            Wavefront ways = open.computeIfAbsent(room, c -> new Wavefront(CostMap.of(map, toNotFree, c)));
+            Found found = Found.by(ways, one.place(), frontiers);
+            if (found.leadsNowhere() && !frontiers.isEmpty()) {
                 Wavefront back = openWhereDriven.computeIfAbsent(
                         room, c -> new Wavefront(CostMap.of(map, toNotFree, c, driven(seen, c))));
-                Optional<Reach[]> further = reaches(map, back, one.place(), frontiers);
-                if (further.filter(some -> !leadNowhere(some)).isPresent()) {
-                    way = back;
-                    found = further;
-                }
+                Found further = Found.by(back, one.place(), frontiers);
+                found = further.leadsNowhere() ? found : further;
             }
-            ways.add(way);
-            reaches[robot] = found.orElseGet(() -> nowhere(frontiers));
-            complete[robot] = found.filter(Exploration::leadNowhere).isPresent();
+            founds.add(found);
             for (int i = 0; i < frontiers.size(); i++) {
                 Point2d place = frontiers.get(i).place();
                 boolean going = one.frontier()
                         .filter(goal -> LeftAlone.isSame(goal, place))
                         .isPresent();
                 costs[robot][i] =
-                        one.goes() ? reaches[robot][i].cost() - (going ? LOYALTY : 0) : Double.POSITIVE_INFINITY;
+                        one.goes() ? found.reaches().get(i).cost() - (going ? LOYALTY : 0) : Double.POSITIVE_INFINITY;
             }
         }
         List<Optional<Integer>> chosen = Division.assign(frontiers, costs, settings.view());
         var orders = new ArrayList<Order>();
         for (int robot = 0; robot < ready.size(); robot++) {
-            Reach[] own = reaches[robot];
+            Found found = founds.get(robot);
+            boolean complete = found.leadsNowhere();
             orders.add(new Order(
                     map,
-                    ways.get(robot),
+                    found.ways(),
                     toNotFree,
                     chosen.get(robot)
-                            .map(i -> new Goal(own[i].stand(), frontiers.get(i).place())),
-                    ends(frontiers, own),
-                    complete[robot],
-                    complete[robot] ? narrow(map, toNotFree, ready.get(robot), frontiers) : List.of()));
+                            .map(i -> new Goal(
+                                    found.reaches().get(i).stand(),
+                                    frontiers.get(i).place())),
+                    ends(frontiers, found.reaches()),
+                    complete,
+                    complete ? narrow(map, toNotFree, ready.get(robot), frontiers) : List.of()));
         }
         return orders;
     }
 
-    /// How a robot gets to each frontier; empty when it does not know what it can get to.
-    private static Optional<Reach[]> reaches(
-            OccupancyGrid map, Wavefront ways, Point2d place, List<Frontier> frontiers) {
-        return ways.everywhere(place, SLACK)
-                .map(from -> frontiers.stream()
-                        .map(frontier -> reach(map, from, frontier.place()))
-                        .toArray(Reach[]::new));
-    }
+    /// How a robot gets to frontiers.
+    ///
+    /// @param known whether it knows what it can get to
+    /// @param reaches of each frontier
+    private record Found(Wavefront ways, boolean known, List<Reach> reaches) {
+        static Found by(Wavefront ways, Point2d place, List<Frontier> frontiers) {
+            Optional<NavigationFunction> from = ways.everywhere(place, SLACK);
+            OccupancyGrid map = ways.map().grid();
+            List<Reach> reaches = frontiers.stream()
+                    .map(Frontier::place)
+                    .map(end -> from.map(f -> reach(map, f, end)).orElse(Reach.none(end)))
+                    .toList();
+            return new Found(ways, from.isPresent(), reaches);
+        }
 
-    private static Reach[] nowhere(List<Frontier> frontiers) {
-        return frontiers.stream().map(frontier -> Reach.none(frontier.place())).toArray(Reach[]::new);
-    }
-
-    private static boolean leadNowhere(Reach[] reaches) {
-        return Arrays.stream(reaches).allMatch(reach -> reach.cost() == Double.POSITIVE_INFINITY);
+        /// Whether it is sure that it can get to none.
+        boolean leadsNowhere() {
+            return known && reaches.stream().allMatch(reach -> reach.cost() == Double.POSITIVE_INFINITY);
+        }
     }
 
     /// Where those were that need no less room.
@@ -260,13 +259,17 @@ final class Exploration {
     }
 
     /// @param reaches of one robot, by frontier
-    private static List<Mapper.End> ends(List<Frontier> frontiers, Reach[] reaches) {
+    private static List<Mapper.End> ends(List<Frontier> frontiers, List<Reach> reaches) {
         var ends = new ArrayList<Mapper.End>();
-        for (int i = 0; i < reaches.length; i++) {
-            if (reaches[i].cost() < Double.POSITIVE_INFINITY) {
+        for (int i = 0; i < reaches.size(); i++) {
+            if (reaches.get(i).cost() < Double.POSITIVE_INFINITY) {
                 Frontier frontier = frontiers.get(i);
-                var goal = new Goal(reaches[i].stand(), frontier.place());
-                ends.add(new Mapper.End(frontier.place(), goal.mapFromStand(), frontier.length(), reaches[i].cost()));
+                var goal = new Goal(reaches.get(i).stand(), frontier.place());
+                ends.add(new Mapper.End(
+                        frontier.place(),
+                        goal.mapFromStand(),
+                        frontier.length(),
+                        reaches.get(i).cost()));
             }
         }
         return List.copyOf(ends);
