@@ -52,41 +52,44 @@ class PageClientTest {
 
     @Test
     void whatAnswersOtherwiseIsNoPageOfARun() throws IOException {
-        HttpServer other = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
-        other.createContext("/", asked -> {
-            byte[] body = "<html>Hello</html>".getBytes(StandardCharsets.UTF_8);
-            asked.sendResponseHeaders(200, body.length);
-            asked.getResponseBody().write(body);
-            asked.close();
-        });
-        other.start();
-        try {
-            var client = new PageClient(other.getAddress().getPort(), Duration.ofMinutes(1));
-            assertThatThrownBy(() -> client.get("/api/status"))
+        try (var other = new Answering(200, "<html>Hello</html>")) {
+            assertThatThrownBy(() -> other.client().get("/api/status"))
                     .isInstanceOf(Unreachable.class)
                     .hasMessageContaining("is no page of a run");
-        } finally {
-            other.stop(0);
         }
     }
 
     @Test
     void theRefusalOfAPageIsAnAnswer() throws Exception {
-        HttpServer page = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
-        page.createContext("/api/status", asked -> {
-            byte[] body = "{\"message\": \"No run has begun.\"}".getBytes(StandardCharsets.UTF_8);
-            asked.sendResponseHeaders(409, body.length);
-            asked.getResponseBody().write(body);
-            asked.close();
-        });
-        page.start();
-        try {
-            PageClient.Answer answer =
-                    new PageClient(page.getAddress().getPort(), Duration.ofMinutes(1)).get("/api/status");
+        try (var page = new Answering(409, "{\"message\": \"No run has begun.\"}")) {
+            PageClient.Answer answer = page.client().get("/api/status");
             assertThat(answer.isRefusal()).isTrue();
             assertThat(answer.said().path("message").asString()).isEqualTo("No run has begun.");
-        } finally {
-            page.stop(0);
+        }
+    }
+
+    /// Answers everything alike.
+    private static final class Answering implements AutoCloseable {
+        private final HttpServer server;
+
+        Answering(int status, String words) throws IOException {
+            byte[] body = words.getBytes(StandardCharsets.UTF_8);
+            server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
+            server.createContext("/", asked -> {
+                asked.sendResponseHeaders(status, body.length);
+                asked.getResponseBody().write(body);
+                asked.close();
+            });
+            server.start();
+        }
+
+        PageClient client() {
+            return new PageClient(server.getAddress().getPort(), Duration.ofMinutes(1));
+        }
+
+        @Override
+        public void close() {
+            server.stop(0);
         }
     }
 
