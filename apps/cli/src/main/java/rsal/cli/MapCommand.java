@@ -274,7 +274,7 @@ final class MapCommand extends Subcommand {
         var result = new Result(
                 drawn,
                 knownPoses ? null : Strained.of(strain),
-                knownPoses ? null : Contradicted.of(contradiction),
+                Contradicted.of(contradiction), // of no scans when poses are known
                 grid.width(),
                 grid.height(),
                 resolution,
