@@ -387,6 +387,15 @@ class CommunicationApiTest {
                 .isEqualTo(400);
     }
 
+    /// Whoever goes on by steps looks closely, also at what is hardly newer than what is kept.
+    @Test
+    void whatIsKnownWhereARunIsPausedIsKept() throws Exception {
+        for (double seconds : new double[] {3, 3.1, 3.2}) {
+            advanceTo(seconds);
+            await(() -> get("/api/numbers?robot=prey&time=" + seconds).get("time").asDouble() == seconds);
+        }
+    }
+
     /// What devices of a robot told, and what its agent has in mind.
     private record Known(JsonNode numbers, JsonNode readings, JsonNode state, JsonNode beliefs) {}
 
