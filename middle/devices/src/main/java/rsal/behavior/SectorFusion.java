@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntToDoubleFunction;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
 import rsal.data.Pose2d;
@@ -51,6 +52,50 @@ public final class SectorFusion {
         }
     }
 
+    /// Directions in the base frame that sensors look along, each from where its sensor is mounted.
+    private static final class Rays {
+        private final double[] cos;
+        private final double[] sin;
+        private final int[] sectors; // that they ended in last, as most do again
+
+        Rays(int count, IntToDoubleFunction direction) {
+            cos = new double[count];
+            sin = new double[count];
+            sectors = new int[count];
+            for (int i = 0; i < count; i++) {
+                cos[i] = Math.cos(direction.applyAsDouble(i));
+                sin[i] = Math.sin(direction.applyAsDouble(i));
+            }
+        }
+
+        int count() {
+            return cos.length;
+        }
+
+        /// The sector that one ends in after some way.
+        int sector(int ray, Pose2d baseFromSensor, double reach) {
+            sectors[ray] = Surroundings.sectorOf(
+                    baseFromSensor.x() + reach * cos[ray], baseFromSensor.y() + reach * sin[ray], sectors[ray]);
+            return sectors[ray];
+        }
+
+        /// @param range +∞ for nothing up to the limit; not NaN
+        /// @param ranges the nearest of each sector
+        void note(int ray, Pose2d baseFromSensor, double range, double limit, float[] ranges) {
+            double reach = Math.min(range, limit);
+            int sector = sector(ray, baseFromSensor, reach);
+            float noted = Float.POSITIVE_INFINITY;
+            if (range < noted) {
+                double x = baseFromSensor.x() + reach * cos[ray];
+                double y = baseFromSensor.y() + reach * sin[ray];
+                noted = (float) Math.sqrt(x * x + y * y);
+            }
+            if (!(ranges[sector] <= noted)) { // also when nothing was noted yet
+                ranges[sector] = noted;
+            }
+        }
+    }
+
     /// The directions that a laser's beams stand for, in the base frame: the same for all its scans.
     private static final class Fan {
         private final Pose2d baseFromLaser;
@@ -58,8 +103,7 @@ public final class SectorFusion {
         private final double angleIncrement;
         private final int count;
         private final int copies; // a coarse scanner's beams stand for all between them
-        private final double[] cos;
-        private final double[] sin;
+        private final Rays rays;
 
         Fan(LaserScan scan) {
             baseFromLaser = scan.baseFromLaser();
@@ -67,14 +111,10 @@ public final class SectorFusion {
             angleIncrement = scan.angleIncrement();
             count = scan.count();
             copies = Math.max(1, (int) Math.ceil(Math.abs(angleIncrement) / Surroundings.WIDTH));
-            cos = new double[count * copies];
-            sin = new double[count * copies];
-            for (int i = 0; i < cos.length; i++) {
+            rays = new Rays(count * copies, i -> {
                 double beside = ((i % copies + 0.5) / copies - 0.5) * angleIncrement;
-                double direction = baseFromLaser.theta() + scan.angle(i / copies) + beside;
-                cos[i] = Math.cos(direction);
-                sin[i] = Math.sin(direction);
-            }
+                return baseFromLaser.theta() + scan.angle(i / copies) + beside;
+            });
         }
 
         boolean isOf(LaserScan scan) {
@@ -90,9 +130,7 @@ public final class SectorFusion {
         private final List<Pose2d> baseFromSonars;
         private final double fieldOfView;
         private final int directions; // of each sonar
-        private final double[] cos;
-        private final double[] sin;
-        private final int[] sectors; // of the sonar that is looked at
+        private final Rays rays;
 
         Cones(RangeArray round) {
             baseFromSonars = round.baseFromSensors();
@@ -100,15 +138,10 @@ public final class SectorFusion {
             double cone = CONE * fieldOfView;
             int steps = Math.max(1, (int) Math.ceil(cone / Surroundings.WIDTH * 2)); // so that it misses no sector
             directions = steps + 1;
-            cos = new double[round.count() * directions];
-            sin = new double[round.count() * directions];
-            sectors = new int[directions];
-            for (int i = 0; i < cos.length; i++) {
+            rays = new Rays(round.count() * directions, i -> {
                 double angle = cone * ((double) (i % directions) / steps - 0.5);
-                double direction = baseFromSonars.get(i / directions).theta() + angle;
-                cos[i] = Math.cos(direction);
-                sin[i] = Math.sin(direction);
-            }
+                return baseFromSonars.get(i / directions).theta() + angle;
+            });
         }
 
         boolean isOf(RangeArray round) {
@@ -159,7 +192,7 @@ public final class SectorFusion {
             double dy = before.y[i] - odomFromBase.y();
             double x = cos * dx + sin * dy;
             double y = cos * dy - sin * dx;
-            int sector = Surroundings.sectorOf(x, y);
+            int sector = Surroundings.sectorOf(x, y, i); // nearly all are where they were
             float range = (float) Math.sqrt(x * x + y * y);
             boolean isStillThere = Float.isNaN(seen[sector]) && !(sensed[sector] > range + SAME);
             if (isStillThere && !(nearest[sector] <= range)) {
@@ -194,10 +227,11 @@ public final class SectorFusion {
             beams = new Fan(scan);
             fan = beams;
         }
-        Pose2d mount = scan.baseFromLaser();
-        for (int i = 0; i < beams.cos.length; i++) {
+        for (int i = 0; i < beams.rays.count(); i++) {
             double range = measured(scan.ranges()[i / beams.copies], scan.rangeMin(), scan.rangeMax());
-            note(mount, beams.cos[i], beams.sin[i], range, ranges);
+            if (!Double.isNaN(range)) {
+                beams.rays.note(i, beams.baseFromLaser, range, limit, ranges);
+            }
         }
     }
 
@@ -213,42 +247,41 @@ public final class SectorFusion {
     /// Without a laser, all counts that sonars hear.
     private void listen(RangeArray round, float[] ranges) {
         Cones all = cones(round);
-        for (int i = 0; i < all.cos.length; i++) {
+        for (int i = 0; i < all.rays.count(); i++) {
             int sonar = i / all.directions;
             double range = measured(round.ranges()[sonar], round.rangeMin(), round.rangeMax());
-            note(all.baseFromSonars.get(sonar), all.cos[i], all.sin[i], range, ranges);
+            if (!Double.isNaN(range)) {
+                all.rays.note(i, all.baseFromSonars.get(sonar), range, limit, ranges);
+            }
         }
     }
 
     private void listen(RangeArray round, float[] seen, float[] ranges) {
         Cones all = cones(round);
-        for (int i = 0; i < round.count(); i++) {
-            double range = measured(round.ranges()[i], round.rangeMin(), round.rangeMax());
-            Pose2d baseFromSonar = all.baseFromSonars.get(i);
-            int first = i * all.directions;
-            for (int k = 0; k < all.directions; k++) {
-                all.sectors[k] = sector(baseFromSonar, all.cos[first + k], all.sin[first + k], range);
+        for (int sonar = 0; sonar < round.count(); sonar++) {
+            double range = measured(round.ranges()[sonar], round.rangeMin(), round.rangeMax());
+            if (Double.isNaN(range)) {
+                continue;
             }
-            boolean explained = nearestSeen(baseFromSonar, all.sectors, seen) <= range + SAME + SAME_SHARE * range;
-            for (int k = 0; k < all.directions; k++) {
-                if (!explained || Float.isNaN(seen[all.sectors[k]])) {
-                    note(baseFromSonar, all.cos[first + k], all.sin[first + k], range, ranges);
+            Pose2d baseFromSonar = all.baseFromSonars.get(sonar);
+            int begin = sonar * all.directions;
+            int end = begin + all.directions;
+            double nearest = Double.POSITIVE_INFINITY; // that the laser sees within the cone, from the sonar [m]
+            for (int ray = begin; ray < end; ray++) {
+                int sector = all.rays.sector(ray, baseFromSonar, Math.min(range, limit));
+                if (seen[sector] < Float.POSITIVE_INFINITY) {
+                    double x = seen[sector] * Surroundings.cos(sector) - baseFromSonar.x();
+                    double y = seen[sector] * Surroundings.sin(sector) - baseFromSonar.y();
+                    nearest = Math.min(nearest, Math.sqrt(x * x + y * y));
+                }
+            }
+            boolean explained = nearest <= range + SAME + SAME_SHARE * range;
+            for (int ray = begin; ray < end; ray++) {
+                if (!explained || Float.isNaN(seen[all.rays.sectors[ray]])) {
+                    all.rays.note(ray, baseFromSonar, range, limit, ranges);
                 }
             }
         }
-    }
-
-    /// The shortest range that the laser sees within a sonar's cone, from the sonar [m].
-    private static double nearestSeen(Pose2d baseFromSonar, int[] sectors, float[] seen) {
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int sector : sectors) {
-            if (seen[sector] < Float.POSITIVE_INFINITY) {
-                double x = seen[sector] * Surroundings.cos(sector) - baseFromSonar.x();
-                double y = seen[sector] * Surroundings.sin(sector) - baseFromSonar.y();
-                nearest = Math.min(nearest, Math.sqrt(x * x + y * y));
-            }
-        }
-        return nearest;
     }
 
     /// A reading after REP 117 as a distance: what is too close is at the sensor's least range, what is beyond
@@ -258,26 +291,5 @@ public final class SectorFusion {
             return min;
         }
         return range > Math.min(max, limit) ? Double.POSITIVE_INFINITY : range;
-    }
-
-    /// @param cos of the direction in the base frame
-    private void note(Pose2d baseFromSensor, double cos, double sin, double range, float[] ranges) {
-        if (Double.isNaN(range)) {
-            return;
-        }
-        double reach = Math.min(range, limit);
-        double x = baseFromSensor.x() + reach * cos;
-        double y = baseFromSensor.y() + reach * sin;
-        int sector = Surroundings.sectorOf(x, y);
-        float noted = range < Double.POSITIVE_INFINITY ? (float) Math.sqrt(x * x + y * y) : Float.POSITIVE_INFINITY;
-        if (!(ranges[sector] <= noted)) { // also when nothing was noted yet
-            ranges[sector] = noted;
-        }
-    }
-
-    /// Where a sensor sees or hears what it does, or nothing up to the limit.
-    private int sector(Pose2d baseFromSensor, double cos, double sin, double range) {
-        double reach = Double.isNaN(range) ? limit : Math.min(range, limit);
-        return Surroundings.sectorOf(baseFromSensor.x() + reach * cos, baseFromSensor.y() + reach * sin);
     }
 }

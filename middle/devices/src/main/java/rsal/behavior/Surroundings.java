@@ -15,13 +15,22 @@ public final class Surroundings {
     /// others is off by a third of that at most.
     private static final double NEAR = 1e-3;
 
+    /// The same, across that border, for places at a distance of 1 m [m].
+    private static final double BESIDE = 1e-9;
+
     private static final double[] COS = new double[SECTORS];
     private static final double[] SIN = new double[SECTORS];
+    private static final double[] BORDER_COS = new double[SECTORS + 1]; // of a sector's begin
+    private static final double[] BORDER_SIN = new double[SECTORS + 1];
 
     static {
         for (int i = 0; i < SECTORS; i++) {
             COS[i] = Math.cos(direction(i));
             SIN[i] = Math.sin(direction(i));
+        }
+        for (int i = 0; i <= SECTORS; i++) {
+            BORDER_COS[i] = Math.cos(direction(i) - WIDTH / 2);
+            BORDER_SIN[i] = Math.sin(direction(i) - WIDTH / 2);
         }
     }
 
@@ -70,6 +79,14 @@ public final class Surroundings {
         int sector = (int) sectors;
         double beyond = sectors - sector;
         return beyond > NEAR && beyond < 1 - NEAR ? sector : sector(Math.atan2(y, x)); // also of what is no place
+    }
+
+    /// The same, at once where a guess is right.
+    static int sectorOf(double x, double y, int guess) {
+        double beside = BESIDE * (Math.abs(x) + Math.abs(y));
+        boolean isRight = BORDER_COS[guess] * y - BORDER_SIN[guess] * x > beside
+                && BORDER_SIN[guess + 1] * x - BORDER_COS[guess + 1] * y > beside;
+        return isRight ? guess : sectorOf(x, y);
     }
 
     /// Where the middle of a sector lies, in the base frame [rad].

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -47,9 +48,13 @@ class SurroundingsTest {
     }
 
     private static void isInTheSectorOfItsDirection(double x, double y) {
-        int sector = Surroundings.sectorOf(x, y);
-        if (sector != Surroundings.sector(Math.atan2(y, x))) { // words cost more than a million places
-            assertThat(sector).as("x %s, y %s", x, y).isEqualTo(Surroundings.sector(Math.atan2(y, x)));
+        int sector = Surroundings.sector(Math.atan2(y, x));
+        int guessed = Surroundings.sectorOf(x, y, sector);
+        int guessedWrongly = Surroundings.sectorOf(x, y, (sector + 1) % Surroundings.SECTORS);
+        if (Surroundings.sectorOf(x, y) != sector || guessed != sector || guessedWrongly != sector) {
+            assertThat(List.of(Surroundings.sectorOf(x, y), guessed, guessedWrongly)) // words cost more than places
+                    .as("x %s, y %s", x, y)
+                    .containsOnly(sector);
         }
     }
 
