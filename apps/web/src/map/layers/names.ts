@@ -6,8 +6,6 @@ import { heightOf, radius } from './robots';
 
 const HEIGHT = 17;
 const PADDING = 5;
-/** Names change while a robot is silent, as they count its seconds. */
-const MOST_WIDTHS = 5000;
 const font = (bold: boolean) => `${bold ? 650 : 500} 12px system-ui, sans-serif`;
 
 /** A robot's name; of one that is real with a mark, and for how long it has been silent. */
@@ -19,17 +17,18 @@ export function nameOf(id: string, real: RealDetails | undefined): string {
 
 const widths = new Map<string, number>();
 
-/** How wide a name is drawn [px]; measured once. */
+/** How wide a name is drawn [px], without kerning: as all its characters, which are few and measured once. */
 function widthOf(context: CanvasRenderingContext2D, name: string, bold: boolean): number {
-  const key = `${bold}${name}`;
-  let width = widths.get(key);
-  if (width === undefined) {
-    if (widths.size >= MOST_WIDTHS) {
-      widths.clear();
+  let width = 0;
+  for (const character of name) {
+    const key = `${bold}${character}`;
+    let one = widths.get(key);
+    if (one === undefined) {
+      context.font = font(bold);
+      one = context.measureText(character).width;
+      widths.set(key, one);
     }
-    context.font = font(bold);
-    width = context.measureText(name).width;
-    widths.set(key, width);
+    width += one;
   }
   return width;
 }
