@@ -91,7 +91,8 @@ function tell(socket: WebSocket, receipt: Partial<Receipt>) {
   }
 }
 
-function afterDrawing(action: () => void) {
+/** Does something when the screen has its next picture, or soon where none is drawn. */
+export function afterDrawing(action: () => void) {
   let done = false;
   const once = () => {
     if (!done) {
