@@ -1,4 +1,4 @@
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -145,6 +145,25 @@ describe.skipIf(!chromium)('a sweep', () => {
     expect(command[0]).toBe('rsal');
     await Rsal.headless(...command.slice(1));
     expect(rows()).toHaveLength(48);
+  });
+
+  it('of a server that is gone is gone on with', async () => {
+    const left = join(folder, 'wander-9');
+    cpSync(join(folder, 'wander-2'), left, { recursive: true });
+    const rows = readFileSync(join(left, 'rows.jsonl'), 'utf8').split('\n').slice(0, 40);
+    writeFileSync(join(left, 'rows.jsonl'), rows.join('\n') + '\n{"run": 41, "se');
+    const page = await opened(rsal.url);
+    await page.getByRole('button', { name: 'Newest sweep' }).click();
+    const earlier = page.locator('[data-sweep="wander-9"]');
+    await earlier.getByText('40 of 48 runs').waitFor();
+    await picture(page, 'sweeps-before');
+    await expectAccessible(page, 'dialog[open]');
+    await earlier.getByRole('button', { name: 'Go on with wander-9' }).click();
+    await eventually(async () => (await status(page).innerText()) === 'Ended', 'it ends');
+    expect(await progress(page).innerText()).toBe('48 of 48 runs');
+    const all = readFileSync(join(left, 'rows.jsonl'), 'utf8').trimEnd().split('\n');
+    expect(all.slice(0, 40)).toEqual(rows);
+    expect(new Set(all.map((row) => (JSON.parse(row) as { run: number }).run)).size).toBe(48);
   });
 
   it('can be looked at by a key and without the token, and not be touched then', async () => {

@@ -507,6 +507,7 @@ export const texts = {
     progress: 'Runs that have ended',
     stop: 'Stop',
     resume: 'Go on',
+    resumeOf: (name: string) => `Go on with ${name}`,
     resumeHint: 'Do the runs that are missing; one is done again first, to see that nothing has changed',
     report: 'Open the report',
     reportOf: (name: string) => `Open the report of ${name}`,

@@ -127,7 +127,8 @@ export const api = {
   sweeps: () => found<SweepState>('sweeps'),
   sweepSize: (wish: SweepWish) => send('POST', 'sweeps/check', wish) as Promise<SweepSize>,
   beginSweep: (wish: SweepWish) => send('POST', 'sweeps', wish),
-  resumeSweep: () => send('POST', 'sweeps/resume'),
+  /** @param sweep one from before; left out: the newest */
+  resumeSweep: (sweep = '') => send('POST', `sweeps/resume?sweep=${encodeURIComponent(sweep)}`),
   stopSweep: () => send('DELETE', 'sweeps'),
   control: () => found<Control>('control'),
   takeControl: (wish: ControlWish) => send('POST', 'control', wish) as Promise<Control>,

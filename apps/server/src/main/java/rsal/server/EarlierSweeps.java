@@ -110,11 +110,19 @@ final class EarlierSweeps {
         return few.ask(() -> written(name));
     }
 
-    private synchronized String written(String name) {
-        Path sweep = folders().stream()
+    /// Where one of them is.
+    ///
+    /// @param name of its folder
+    /// @throws Refusal when there is none
+    Path find(String name) {
+        return folders().stream()
                 .filter(one -> name(one).equals(name)) // compared, not resolved: a name leads to no other folder
                 .findFirst()
                 .orElseThrow(() -> new Refusal(404, "There is no sweep (%s).".formatted(Refusal.shortened(name))));
+    }
+
+    private synchronized String written(String name) {
+        Path sweep = find(name);
         Changed when = Changed.of(sweep);
         Written before = report;
         if (before == null || !before.sweep().equals(sweep) || !before.when().equals(when)) {

@@ -48,7 +48,7 @@ final class SweepApi {
         routes.post("/api/sweeps/resume", request -> {
             Api.authorize(request, gate);
             checkBeside();
-            sweeps.resume();
+            sweeps.resume(Api.asked(request, "sweep"));
             state(request);
         });
         routes.delete("/api/sweeps", request -> {

@@ -84,30 +84,32 @@ final class SweepReader {
             mistakes.add(new Mistake("configurations", "A sweep needs a configuration.", ""));
         }
         var design = new Design(wish.configurations(), factors, settings, seeds(), limit());
-        checkSize(design);
+        tooLarge(design).ifPresent(mistakes::add);
         if (!mistakes.isEmpty()) {
             throw refusal(mistakes);
         }
         return design;
     }
 
-    /// Before anything as long as that is made.
-    private void checkSize(Design design) {
+    /// What is wrong with a sweep that the page can't show. Asked before anything as long as that is made.
+    static Optional<Mistake> tooLarge(Design design) {
         long combinations = design.runs() / Math.max(1, design.seeds().size());
         if (combinations > MOST_COMBINATIONS) {
-            mistakes.add(new Mistake(
+            return Optional.of(new Mistake(
                     "",
                     "These are %s combinations; the page takes at most %d."
                             .formatted(
                                     combinations > Integer.MAX_VALUE ? "far too many" : combinations,
                                     MOST_COMBINATIONS),
                     "Vary less, or say 'rsal sweep' in a terminal."));
-        } else if (design.runs() > MOST_RUNS) {
-            mistakes.add(new Mistake(
+        }
+        if (design.runs() > MOST_RUNS) {
+            return Optional.of(new Mistake(
                     "",
                     "These are %d runs; the page takes at most %d.".formatted(design.runs(), MOST_RUNS),
                     "Take fewer seeds, or say 'rsal sweep' in a terminal."));
         }
+        return Optional.empty();
     }
 
     /// One when it is wrong, for the other mistakes to be found.

@@ -13,7 +13,9 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import rsal.experiment.Design;
 import rsal.experiment.Manifest;
+import rsal.experiment.Outline;
 import rsal.experiment.Sweep;
 import rsal.experiment.SweepFolder;
 import rsal.scenario.RunPlan;
@@ -76,25 +78,67 @@ final class Sweeps implements AutoCloseable {
             checkFree();
             check.run();
             Path out = unused(here.folder(), sweep.scenario().name());
-            int number = newest().map(last -> last.order().number() + 1).orElse(1);
-            var order = new BackgroundSweep.Order(number, sweep, wish.scenario(), jobs, out);
+            var order = new BackgroundSweep.Order(nextNumber(), sweep, wish.scenario(), jobs, out);
             newest = begin(order, create(order, here), false);
         }
     }
 
-    /// Goes on with the newest that was stopped, or failed.
+    /// Goes on with one that was stopped, or failed, or whose server is gone.
     ///
-    /// @throws Refusal when there is none, or it has ended
-    synchronized void resume() {
+    /// @param name of its folder, as [EarlierSweep] has it; empty for the newest of this server
+    /// @throws Refusal when there is none, it has ended, or it can't go on here
+    synchronized void resume(String name) {
         RunServer.Sweeping here = here();
         checkFree();
-        BackgroundSweep last = newest().orElseThrow(Sweeps::none);
-        if (last.hasEnded()) {
-            throw new Refusal(409, "The sweep has ended: all of its runs are there.");
-        }
-        BackgroundSweep.Order order = last.order();
+        BackgroundSweep.Order order = name.isEmpty()
+                ? stopped(newest().orElseThrow(Sweeps::none))
+                : earlierOrder(earlier().find(name));
         newest = begin(
                 order, open(order, () -> SweepFolder.resume(order.out(), order.sweep(), session(order, here))), true);
+    }
+
+    private static BackgroundSweep.Order stopped(BackgroundSweep last) {
+        if (last.hasEnded()) {
+            throw ended();
+        }
+        return last.order();
+    }
+
+    /// What is left to do of a sweep from before, by this server or by `rsal sweep`.
+    private BackgroundSweep.Order earlierOrder(Path out) {
+        try {
+            Outline outline = Outline.read(out);
+            Manifest manifest = outline.manifest();
+            if (manifest.sessions().isEmpty()) {
+                throw new Refusal(409, "Nothing tells how the sweep in (%s) was begun.".formatted(out));
+            }
+            if (outline.ended() >= outline.runs()) {
+                throw ended();
+            }
+            Manifest.Session last = manifest.sessions().getLast();
+            if (last.command().contains("--record")) {
+                throw new Refusal(409, "Its runs are recorded, as none that begin here are. Go on in a terminal.");
+            }
+            Design design = manifest.subject().design();
+            SweepReader.tooLarge(design).ifPresent(mistake -> {
+                throw new Refusal(409, mistake.message());
+            });
+            Sweep sweep = Sweep.of(shelf.load(last.scenario()), design);
+            return new BackgroundSweep.Order(
+                    nextNumber(), sweep, last.scenario(), Math.clamp(last.jobs(), 1, cores), out);
+        } catch (InvalidSettings e) {
+            throw new Refusal(409, e.problems().getFirst().message());
+        } catch (UncheckedIOException e) {
+            throw new Refusal(409, "The sweep in (%s) can't be read: %s.".formatted(out, e.getMessage()));
+        }
+    }
+
+    private static Refusal ended() {
+        return new Refusal(409, "The sweep has ended: all of its runs are there.");
+    }
+
+    private int nextNumber() {
+        return newest().map(last -> last.order().number() + 1).orElse(1);
     }
 
     private static SweepFolder create(BackgroundSweep.Order order, RunServer.Sweeping here) {

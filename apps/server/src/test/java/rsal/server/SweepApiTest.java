@@ -276,6 +276,59 @@ class SweepApiTest {
         }
     }
 
+    @Test
+    void goesOnWithOneOfAnEarlierServer() throws Exception {
+        post("", wish(List.of("long"), Map.of(), "30"));
+        await(sweep -> sweep.ended() >= 2);
+        server.close();
+        Path sweeps = Errand.sweeps(directory);
+        Path folder = sweeps.resolve("guard-1");
+        List<String> rows = Files.readAllLines(folder.resolve(SweepFolder.ROWS));
+        assertThat(rows).hasSizeBetween(2, 29);
+        Path half = Files.createDirectories(sweeps.resolve("half"));
+        Files.writeString(half.resolve(SweepFolder.MANIFEST), "{\"format\": 1, \"sessions\": []}");
+        Files.createDirectories(sweeps.resolve("empty"));
+
+        serve(Errand.plan());
+        assertThat(resume("half").status()).isEqualTo(409);
+        for (String none : List.of("guard-2", "empty", "..", "../sweeps/guard-1", folder.toString())) {
+            assertThat(resume(none).status()).isEqualTo(404);
+        }
+        assertThat(state().newest()).isEmpty();
+        assertThat(resume("guard-1").status()).isEqualTo(200);
+        SweepInfo ended = awaitEnd();
+        assertThat(ended.status()).isEqualTo(SweepStatus.ENDED);
+        assertThat(ended.problem()).isEmpty();
+        assertThat(Files.readAllLines(folder.resolve(SweepFolder.ROWS)))
+                .hasSize(30)
+                .startsWith(rows.toArray(String[]::new));
+        assertThat(resume("guard-1").body()).contains("has ended");
+    }
+
+    @Test
+    void doesNotGoOnWithWhatIsAnotherSweepNowOrWhatIsRecorded() throws Exception {
+        post("", wish(List.of("slow"), Map.of(), "20"));
+        server.close();
+        Path manifest = Errand.sweeps(directory).resolve("guard-1/" + SweepFolder.MANIFEST);
+        String written = Files.readString(manifest);
+
+        Files.writeString(scenario, GUARD.replace("time > 600", "time > 601"));
+        serve(Errand.plan());
+        assertThat(resume("guard-1").body())
+                .contains("The sweep in it is another one")
+                .contains("scenario's text");
+        Files.writeString(scenario, GUARD);
+        Files.writeString(manifest, written.replace("\"--jobs\"", "\"--record\", \"--jobs\""));
+        assertThat(resume("guard-1").body()).contains("Its runs are recorded");
+        Files.writeString(manifest, written.replace(scenario.toString(), "elsewhere.yaml"));
+        assertThat(resume("guard-1").status()).isEqualTo(404);
+        assertThat(state().newest()).isEmpty();
+    }
+
+    private Response resume(String sweep) throws IOException {
+        return post("/resume?sweep=" + URLEncoder.encode(sweep, StandardCharsets.UTF_8), Map.of());
+    }
+
     private List<EarlierSweep> before() throws IOException {
         return Json.read(RawHttp.get(port, "/api/sweeps/before", host).body(), SweepsBefore.class)
                 .sweeps();
