@@ -8,8 +8,9 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
-/// What was by when, oldest first, within a number of bytes: when it has more, every second is let go and half as many
-/// are kept from then on, so that it reaches back to the beginning, ever more coarsely. For one thread.
+/// What was by when, oldest first, within a number of bytes: when it has more, what is nearer to the one before than
+/// the spacing is let go; where that is none, only half as many are kept, from then on, too. So it reaches back to the
+/// beginning, ever more coarsely. For one thread.
 final class Thinned<T> {
     private final long most;
     private final Size<T> size;
@@ -27,7 +28,7 @@ final class Thinned<T> {
         long beyond(@Nullable T before, T value);
     }
 
-    /// @param most bytes that it keeps, but for the first and the last
+    /// @param most bytes that it keeps, but for the first and the newest
     /// @param spacing between two that are kept, at least, until there are too many
     Thinned(long most, Duration spacing, Size<T> size) {
         this.most = most;
@@ -45,7 +46,9 @@ final class Thinned<T> {
         return !entries.isEmpty() && entries.getLast().time().equals(time);
     }
 
-    /// Keeps it, in place of the newest when that is of the same time. It must not be older.
+    /// Keeps it, in place of the newest when that is of the same time, also when it is not [due][#isDue]. It must not
+    /// be
+    /// older.
     ///
     /// @param value of which nothing changes
     void keep(Duration time, T value) {
@@ -55,7 +58,11 @@ final class Thinned<T> {
         }
         add(new Entry<>(time, value));
         while (bytes > most && entries.size() > 2) {
+            int before = entries.size();
             thin();
+            if (entries.size() == before) {
+                spacing = spacing.multipliedBy(2);
+            }
         }
     }
 
@@ -68,13 +75,16 @@ final class Thinned<T> {
         return entries.isEmpty() ? null : entries.getLast().value();
     }
 
+    /// Lets go what is nearer than the spacing to the one before; not the first, so that it reaches back to there, and
+    /// not the newest.
     private void thin() {
-        spacing = spacing.multipliedBy(2);
         List<Entry<T>> before = entries;
-        entries = new ArrayList<>(before.size() / 2 + 1);
+        entries = new ArrayList<>(before.size());
         bytes = 0;
-        for (int i = 0; i < before.size(); i += 2) { // the first stays, so that it reaches back to there
-            add(before.get(i));
+        for (Entry<T> entry : before) {
+            if (isDue(entry.time()) || entry == before.getLast()) {
+                add(entry);
+            }
         }
     }
 

@@ -65,6 +65,23 @@ class ThinnedTest {
         }
     }
 
+    /// As a run is that goes on by steps.
+    @Test
+    void whatIsKeptMoreOftenMakesTheRestNoCoarser() {
+        for (int i = 0; i < 10; i++) {
+            series.keep(seconds(i), numbered(i));
+        }
+        for (int i = 1; i <= 10_000; i++) {
+            series.keep(seconds(9.001 + i / 1e5), numbered(100 + i)); // rounded to a ms: some take the place of others
+            assertThat(series.bytes()).isLessThanOrEqualTo(10_000);
+            assertThat(at(1e6)).as("the newest").isEqualTo(100 + i);
+        }
+        assertThat(series.isDue(seconds(9.7))).isTrue();
+        for (int i = 0; i < 10; i++) {
+            assertThat(at(i)).isEqualTo(i);
+        }
+    }
+
     @Test
     void tellsWhatBecameAnother() {
         var words = new Thinned<Optional<String>>(10_000, SPACING, Bytes::beyond);
