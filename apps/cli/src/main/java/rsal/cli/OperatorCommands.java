@@ -138,9 +138,9 @@ final class OperatorCommands {
         @Override
         int run() throws InterruptedException {
             if (robot.isPresent()) {
-                tell("motors", motors(robot.get(), false));
+                tellAtOnce("motors", motors(robot.get(), false));
             } else {
-                tell("estop", Map.of());
+                tellAtOnce("estop", Map.of());
             }
             return Exit.SUCCESS;
         }

@@ -15,6 +15,7 @@ import tools.jackson.databind.json.JsonMapper;
 /// What asks or tells a run that has a page on this machine.
 abstract class PageCommand extends Subcommand {
     private static final Duration PATIENCE = Duration.ofSeconds(20); // where many runs go on, answers are late
+    private static final Duration EMERGENCY = Duration.ofSeconds(3); // then somebody must see to the robots
     private static final String OPERATOR = "rsal-commands"; // one, as only one person can read the page's token
 
     @Option(
@@ -43,7 +44,7 @@ abstract class PageCommand extends Subcommand {
     /// @throws Unreachable when nobody is there, or answers in time
     /// @throws ParameterException when it is refused, with the reason
     final JsonNode ask(String path) throws InterruptedException {
-        return send(page().at(path));
+        return send(PATIENCE, page(PATIENCE).at(path));
     }
 
     /// Has something done, and waits until the server says that it is.
@@ -70,16 +71,27 @@ abstract class PageCommand extends Subcommand {
 
     /// All may act again.
     final void giveControlBack() throws InterruptedException {
-        send(asOperator("/api/control").DELETE());
+        send(PATIENCE, asOperator("/api/control").DELETE());
+    }
+
+    /// As [#tell] does, of what can't wait.
+    ///
+    /// @throws Unreachable when nobody confirms it within 3 s
+    final void tellAtOnce(String command, Object message) throws InterruptedException {
+        send(EMERGENCY, posted("/api/run/" + command, message));
     }
 
     private JsonNode post(String path, Object message) throws InterruptedException {
-        return send(asOperator(path)
-                .POST(HttpRequest.BodyPublishers.ofString(JsonMapper.shared().writeValueAsString(message))));
+        return send(PATIENCE, posted(path, message));
+    }
+
+    private HttpRequest.Builder posted(String path, Object message) {
+        return asOperator(path)
+                .POST(HttpRequest.BodyPublishers.ofString(JsonMapper.shared().writeValueAsString(message)));
     }
 
     private HttpRequest.Builder asOperator(String path) {
-        PageClient page = page();
+        PageClient page = page(PATIENCE);
         PageKey key = PageKey.of(page.port())
                 .orElseThrow(() ->
                         new Unreachable("There is no page of yours at (%s). 'rsal run' prints where; say --port P."
@@ -90,12 +102,12 @@ abstract class PageCommand extends Subcommand {
                 .header("Content-Type", "application/json");
     }
 
-    private PageClient page() {
-        return new PageClient(port(), PATIENCE);
+    private PageClient page(Duration patience) {
+        return new PageClient(port(), patience);
     }
 
-    private JsonNode send(HttpRequest.Builder asked) throws InterruptedException {
-        PageClient.Answer answer = page().send(asked);
+    private JsonNode send(Duration patience, HttpRequest.Builder asked) throws InterruptedException {
+        PageClient.Answer answer = page(patience).send(asked);
         if (answer.isRefusal()) {
             throw new ParameterException(
                     spec.commandLine(),

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
@@ -22,7 +24,7 @@ class PageClientTest {
         try (var socket = listening()) {
             free = socket.getLocalPort();
         }
-        var client = new PageClient(free, PATIENCE);
+        var client = new PageClient(free, Duration.ofMinutes(1));
         assertThatThrownBy(() -> client.get("/api/status"))
                 .isInstanceOf(Unreachable.class)
                 .hasMessageContaining("There is no run with a page at (http://127.0.0.1:" + free + ").");
@@ -47,6 +49,32 @@ class PageClientTest {
             assertThatThrownBy(() ->
                             client.send(client.at("/api/run/estop").POST(HttpRequest.BodyPublishers.ofString("{}"))))
                     .hasMessageContaining("It may be done nevertheless, or later: look with 'rsal status'.");
+        }
+    }
+
+    @Test
+    void anAnswerThatDoesNotEndIsLate() throws Exception {
+        try (var slow = listening()) {
+            Thread.ofVirtual().start(() -> {
+                try (var line = slow.accept()) {
+                    line.getOutputStream()
+                            .write("HTTP/1.1 200 OK\r\nContent-Length: 5\r\n\r\n{".getBytes(StandardCharsets.UTF_8));
+                    line.getInputStream().transferTo(OutputStream.nullOutputStream()); // until the client hangs up
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+            });
+            var client = new PageClient(slow.getLocalPort(), PATIENCE);
+            assertThatThrownBy(() -> client.get("/api/status")).hasMessageContaining("did not answer within 0.2 s");
+        }
+    }
+
+    @Test
+    void thatARunIsBusyIsNoMistakeInTheCommand() throws IOException {
+        try (var page = new Answering(503, "{\"message\": \"The run did not answer in time.\"}")) {
+            assertThatThrownBy(() -> page.client().get("/api/robots"))
+                    .isInstanceOf(Unreachable.class)
+                    .hasMessage("The run did not answer in time. Try again.");
         }
     }
 
