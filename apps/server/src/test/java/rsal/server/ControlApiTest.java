@@ -113,9 +113,9 @@ class ControlApiTest {
                         .map(RunEvent::text))
                 .containsExactly(
                         "emergency stop",
-                        "motors on by Ann",
-                        "emergency stop by somebody without control",
-                        "motors on by Ann");
+                        "motors on (by Ann)",
+                        "emergency stop (by somebody without control)",
+                        "motors on (by Ann)");
     }
 
     @Test

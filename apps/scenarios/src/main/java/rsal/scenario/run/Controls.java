@@ -162,10 +162,10 @@ final class Controls {
 
     /// Ends the grip of a driver who had not been heard for long by then. Orders are judged by when they were given,
     /// since the run may come to them late: then neither does who is gone keep others out, nor is who is there
-    /// taken for gone.
+    /// taken for gone. Nobody did that, whoever gives the order.
     private void takeBack(long then) {
         if (grip != null && grip.isOverAt(then)) {
-            end("no longer driven by keys: its driver is gone");
+            journal.byNobody(() -> end("no longer driven by keys: its driver is gone"));
         }
     }
 

@@ -73,16 +73,25 @@ final class Journal {
     ///
     /// @param operator a name for people; empty when it is not known
     <T> T by(String operator, Supplier<T> order) {
+        String before = this.operator;
         this.operator = operator;
         try {
             return order.get();
         } finally {
-            this.operator = "";
+            this.operator = before;
         }
     }
 
+    /// Something that happens while an order is carried out, but not by it.
+    void byNobody(Runnable happening) {
+        by("", () -> {
+            happening.run();
+            return Optional.empty();
+        });
+    }
+
     private void event(String kind, String subject, String words, Optional<Said> said) {
-        String text = kind.equals("operator") && !operator.isEmpty() ? words + " by " + operator : words;
+        String text = kind.equals("operator") && !operator.isEmpty() ? "%s (by %s)".formatted(words, operator) : words;
         hash(kind, subject, text);
         kinds.merge(kind, 1L, Long::sum);
         if (sequence == MOST_EVENTS - 1) {

@@ -31,7 +31,7 @@ class JournalTest {
         journal.event("operator", "r1", "motors on");
         assertThat(journal.after(0))
                 .extracting(RunEvent::text)
-                .containsExactly("motors off by Ann", "given up", "motors on");
+                .containsExactly("motors off (by Ann)", "given up", "motors on");
     }
 
     @Test
