@@ -7,6 +7,8 @@ import java.time.Instant;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -100,6 +102,48 @@ class SectorFusionTest {
         assertThat(far.range(Surroundings.sector(Math.toRadians(-89)))).isCloseTo(2f, within(0.01f));
         Surroundings later = fuse(fusion, 300, ahead, null);
         assertThat(later.range(Surroundings.sector(Math.toRadians(-89)))).isNaN();
+    }
+
+    /// Whoever has fused readings of other sensors before sees the same as one who has not.
+    @Test
+    void sensorsMayBeOthersThanBefore() {
+        var random = new Random(3);
+        for (boolean withLaser : new boolean[] {false, true}) {
+            var used = new SectorFusion(5);
+            for (int round = 0; round < 200; round++) {
+                var laser = withLaser ? Optional.of(allAround(random)) : Optional.<LaserScan>empty();
+                var sonars = Optional.of(sonars(random));
+                var fresh = new SectorFusion(5);
+                Surroundings seen = used.fuse(Instant.EPOCH, Pose2d.ORIGIN, laser, sonars);
+                Surroundings expected = fresh.fuse(Instant.EPOCH, Pose2d.ORIGIN, laser, sonars);
+                for (int sector = 0; sector < Surroundings.SECTORS; sector++) {
+                    assertThat(Float.compare(seen.range(sector), expected.range(sector)))
+                            .as("round %d, sector %d", round, sector)
+                            .isZero();
+                }
+            }
+        }
+    }
+
+    private static LaserScan allAround(Random random) {
+        var ranges = new float[random.nextBoolean() ? 180 : 360];
+        for (int i = 0; i < ranges.length; i++) {
+            ranges[i] = 0.3f + 8 * random.nextFloat();
+        }
+        double increment = 2 * Math.PI / ranges.length;
+        return new LaserScan(Pose2d.ORIGIN, -Math.PI + increment / 2, increment, 0.05, 30, ranges);
+    }
+
+    private static RangeArray sonars(Random random) {
+        double turn = 10 * random.nextInt(3);
+        List<Pose2d> mounts = IntStream.range(0, 4 + random.nextInt(2))
+                .mapToObj(i -> Pose2d.ofDegrees(0.1, 0.05 * i, turn + 30 * i))
+                .toList();
+        var ranges = new float[mounts.size()];
+        for (int i = 0; i < ranges.length; i++) {
+            ranges[i] = random.nextInt(5) == 0 ? Float.NaN : 6 * random.nextFloat();
+        }
+        return new RangeArray(mounts, Math.toRadians(random.nextBoolean() ? 15 : 30), 0.2, 5, ranges);
     }
 
     private static RangeArray toTheRight(float range) {
