@@ -81,7 +81,13 @@ export class Beginning {
   end() {
     const held = this.held ?? [];
     this.held = null;
-    held.forEach((data) => this.next(data));
+    for (const data of held) {
+      try {
+        this.next(data);
+      } catch (error) {
+        reportError(error); // the others are taken nevertheless, as if each came by itself
+      }
+    }
   }
 }
 
