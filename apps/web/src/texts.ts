@@ -499,7 +499,7 @@ export const texts = {
     begin: 'Begin',
     close: 'Close',
     none: 'No sweep goes on here. To begin one, choose a scenario (C), then “Sweep…”.',
-    serverGone: 'The server is gone',
+    serverGone: 'No connection to the server',
     status: { RUNS: 'Running', ENDED: 'Ended', STOPPED: 'Stopped', FAILED: 'Failed' },
     ended: (ended: number, runs: number) => `${ended} of ${counted(runs, 'run')}`,
     broken: (count: number) => `${count} broken`,

@@ -14,6 +14,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import rsal.scenario.Counted;
 import rsal.scenario.Scenario;
 import rsal.scene.Scene;
 import rsal.scene.yaml.SceneWriter;
@@ -163,9 +164,11 @@ final class ConvertCommand extends Subcommand {
             return;
         }
         scene.warnings().forEach(warning -> err().println(warning));
-        out().println("%s: %d things, %d robots"
+        out().println("%s: %s, %s"
                 .formatted(
-                        files.getFirst(), scene.things().size(), scene.robots().size()));
+                        files.getFirst(),
+                        Counted.of(scene.things().size(), "thing"),
+                        Counted.of(scene.robots().size(), "robot")));
         files.stream().skip(1).forEach(image -> out().println(image));
         out().flush();
     }

@@ -32,6 +32,7 @@ import rsal.navigation.slam.RelationError;
 import rsal.navigation.slam.Slam;
 import rsal.navigation.slam.Strain;
 import rsal.navigation.slam.Turns;
+import rsal.scenario.Counted;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.time.AllowedToReadWallClock;
@@ -477,8 +478,9 @@ final class MapCommand extends Subcommand {
 
     private void tell(Result result) {
         for (Drawn log : result.logs()) {
-            out().println("%s: %d scans, %d kept, %d places known again"
-                    .formatted(log.log(), log.scans(), log.kept(), log.loops()));
+            out().println("%s: %s, %d kept, %s known again"
+                    .formatted(
+                            log.log(), Counted.of(log.scans(), "scan"), log.kept(), Counted.of(log.loops(), "place")));
             tell("wheels, scan to scan", log.odometry());
             tell("map, scan to scan", log.next());
             tell("map, scans within %.0f m".formatted(NEAR), log.near());
