@@ -81,9 +81,9 @@ final class Thinned<T> {
         List<Entry<T>> before = entries;
         entries = new ArrayList<>(before.size());
         bytes = 0;
-        for (Entry<T> entry : before) {
-            if (isDue(entry.time()) || entry == before.getLast()) {
-                add(entry);
+        for (int i = 0; i < before.size(); i++) {
+            if (isDue(before.get(i).time()) || i == before.size() - 1) {
+                add(before.get(i));
             }
         }
     }
