@@ -81,7 +81,13 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         slam.knows(() -> team.mates(this));
         navigator.on(ways, DistanceField.toNotFree(ways.map().grid())); // the run's map is not for robots that explore
         team.join(this);
-        scheduler.every(Exploration.PERIOD, Phase.DEVICES, () -> team.look(scheduler));
+        Instant begin = scheduler.instant().plus(FRESH);
+        scheduler.every(Exploration.PERIOD, Phase.DEVICES, () -> {
+            if (health().isOk() && begin.isBefore(scheduler.instant()) && !ready()) {
+                health(new Health.Stale("It does not know where the robot is, and sends it nowhere."));
+            }
+            team.look(scheduler);
+        });
     }
 
     /// Whether it knows where it is; one that has left the run doesn't.
