@@ -1,5 +1,6 @@
 package rsal.cli;
 
+import java.util.List;
 import java.util.Locale;
 import rsal.data.OccupancyGrid;
 import rsal.map.Maps;
@@ -38,7 +39,12 @@ record ShownMap(
                 share(grid, OccupancyGrid.UNKNOWN));
     }
 
-    /// Whether a name is that of a map: a built-in one, or a file of ROS's.
+    /// What files of maps say, two of it at least; nothing else that can be shown does.
+    private static final List<String> MARKS =
+            List.of("image", "drawing", "resolution", "origin", "mode", "negate", "occupied_thresh", "free_thresh");
+
+    /// Whether a name is that of a map: a built-in one, or a file of ROS's, also one in which something is missing:
+    /// whoever reads it tells what.
     static boolean is(String name) {
         if (Maps.builtIn().contains(name)) {
             return true;
@@ -48,8 +54,12 @@ record ShownMap(
         }
         try {
             Value.Mapping file = FileSource.disk().yaml(name, Location.of(name));
-            return file.find("resolution").isPresent()
-                    && (file.find("image").isPresent() || file.find("drawing").isPresent());
+            return file.find("rsal").isEmpty()
+                    && file.find("scenario").isEmpty()
+                    && MARKS.stream()
+                                    .filter(mark -> file.find(mark).isPresent())
+                                    .count()
+                            > 1;
         } catch (InvalidSettings _) {
             return false; // whoever reads it next tells why
         }

@@ -4,12 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ShowTest {
@@ -55,5 +58,21 @@ class ShowTest {
         assertThat(show("show", file.toString(), "--json"))
                 .contains(
                         "\"ids\":[\"bea\"],\"mrs\":\"sim, sensorNoise=0.0\",\"proxy\":false,\"overlay\":false,\"model\":\"pioneer3at\"");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            image: lab.pgm, origin: [0, 0, 0]          | (resolution) is missing: a number.
+            resolution: 0.05, origin: [0, 0, 0]        | (image) is missing: a text.
+            resolution: 0.05, negate: 0                | (image) is missing: a text.
+            """)
+    void ofAMapInWhichSomethingIsMissingItSaysWhat(String text, String missing, @TempDir Path folder)
+            throws IOException {
+        Path file = Files.writeString(folder.resolve("lab.yaml"), "{%s}".formatted(text));
+        var err = new StringWriter();
+        var rsal = Main.commandLine(new ByteArrayOutputStream());
+        rsal.setErr(new PrintWriter(err));
+        assertThat(rsal.execute("show", file.toString())).isEqualTo(Exit.INVALID);
+        assertThat(err.toString()).contains(missing).doesNotContain("scenario");
     }
 }
