@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.DoubleStream;
 import rsal.bench.Plot;
 import rsal.bench.Result;
 import tools.jackson.databind.json.JsonMapper;
@@ -15,6 +17,7 @@ import tools.jackson.databind.json.JsonMapper;
 /// to others and read without a network.
 final class BenchPage {
     private static final String SCHEMA = "https://vega.github.io/schema/vega-lite/v6.json";
+    private static final double FAR_APART = 30; // times the least
     private static final String STYLE = """
             :root { color-scheme: light dark; font: 15px/1.5 system-ui, sans-serif; }
             body { max-width: 70rem; margin: 2rem auto; padding: 0 1rem; }
@@ -22,7 +25,8 @@ final class BenchPage {
             table { border-collapse: collapse; }
             th, td { padding: 0.2rem 0.8rem; text-align: right; border-bottom: 1px solid color-mix(in srgb, currentColor 20%, transparent); }
             th:first-child, td:first-child { text-align: left; font-family: ui-monospace, monospace; }
-            figure { margin: 1rem 0; overflow-x: auto; }
+            figure { margin: 1rem 0; }
+            figure, .table { overflow-x: auto; }
             footer { margin-top: 3rem; opacity: 0.75; }
             """;
 
@@ -75,7 +79,8 @@ final class BenchPage {
             html.append(new JsonMapper().writeValueAsString(specification(plot)).replace("</", "<\\/"));
             html.append("</script>\n</figure>\n");
         }
-        html.append("<h2>All results</h2>\n<table>\n<tr><th>name<th>median<th>unit<th>least<th>most</tr>\n");
+        html.append(
+                "<h2>All results</h2>\n<div class=\"table\" tabindex=\"0\">\n<table>\n<tr><th>name<th>median<th>unit<th>least<th>most</tr>\n");
         for (Result result : results) {
             html.append("<tr><td>%s<td>%s<td>%s<td>%s<td>%s</tr>%n"
                     .formatted(
@@ -85,7 +90,7 @@ final class BenchPage {
                             BenchCommand.number(result.least()),
                             BenchCommand.number(result.most())));
         }
-        return html.append("</table>\n<footer>")
+        return html.append("</table>\n</div>\n<footer>")
                 .append(text(machine.toString()))
                 .append("</footer>\n<script>")
                 .append(script.replace("</script", "<\\/script"))
@@ -108,20 +113,32 @@ final class BenchPage {
                         "encoding",
                         Map.of(
                                 "x", axis("x", lines.x(), "quantitative"),
-                                "y", axis("y", lines.y(), "quantitative"),
+                                "y",
+                                        quantity(
+                                                "y",
+                                                lines.y(),
+                                                isLogarithmic(
+                                                        lines.y(),
+                                                        lines.points().stream().mapToDouble(Plot.Lines.Point::y))),
                                 "color", Map.of("field", "series", "title", "")));
             }
             case Plot.Bars bars -> {
                 specification.put("width", Map.of("step", 24));
                 specification.put("height", 300);
                 specification.put("data", Map.of("values", bars.bars()));
-                specification.put("mark", Map.of("type", "bar", "tooltip", true));
+                boolean logarithmic =
+                        isLogarithmic(bars.y(), bars.bars().stream().mapToDouble(Plot.Bars.Bar::value));
+                specification.put(
+                        "mark",
+                        logarithmic // where a bar would begin anywhere, and its length mean nothing
+                                ? Map.of("type", "point", "filled", true, "size", 80, "tooltip", true)
+                                : Map.of("type", "bar", "tooltip", true));
                 specification.put(
                         "encoding",
                         Map.of(
                                 "x", axis("name", bars.x(), "nominal"),
                                 "xOffset", Map.of("field", "series"),
-                                "y", axis("value", bars.y(), "quantitative"),
+                                "y", quantity("value", bars.y(), logarithmic),
                                 "color", Map.of("field", "series", "title", "")));
             }
             case Plot.Shares shares -> {
@@ -147,6 +164,22 @@ final class BenchPage {
             }
         }
         return specification;
+    }
+
+    /// Whether values are times so far apart that the short ones would lie on the axis of a linear scale.
+    private static boolean isLogarithmic(String title, DoubleStream values) {
+        DoubleSummaryStatistics all = values.summaryStatistics();
+        return (title.endsWith("[ms]") || title.endsWith("[s]"))
+                && all.getMin() > 0
+                && all.getMax() > FAR_APART * all.getMin();
+    }
+
+    private static Map<String, Object> quantity(String field, String title, boolean logarithmic) {
+        Map<String, Object> axis = axis(field, title, "quantitative");
+        if (logarithmic) {
+            axis.put("scale", Map.of("type", "log"));
+        }
+        return axis;
     }
 
     private static Map<String, Object> axis(String field, String title, String type) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -15,6 +16,7 @@ import rsal.bench.Plot.Bars.Bar;
 import rsal.bench.Plot.Lines.Point;
 import rsal.bench.Plot.Shares.Share;
 import rsal.bench.Result;
+import tools.jackson.databind.json.JsonMapper;
 
 class BenchPageTest {
     private static final BenchCommand.Machine MACHINE = new BenchCommand.Machine("25", "Linux", 2);
@@ -45,6 +47,44 @@ class BenchPageTest {
                 .contains("\"column\":\"w7\"", "\"row\":\"nd\"", "0.75")
                 .contains("draw('<\\/script>')", "\"x\":0.5", "Java 25, Linux, 2 cores")
                 .doesNotContain("src=", "href=");
+    }
+
+    @Test
+    void timesThatAreFarApartHaveALogarithmicAxis() {
+        String logarithmic = "\"scale\":{\"type\":\"log\"}";
+        assertThat(specification(bars("time of the processor [ms]", 0.1, 109)))
+                .contains(logarithmic, "\"type\":\"point\"");
+        assertThat(specification(bars("time of the processor [ms]", 30, 109)))
+                .doesNotContain(logarithmic)
+                .contains("\"type\":\"bar\"");
+        assertThat(specification(bars("time of the processor [ms]", 0, 109))).doesNotContain(logarithmic);
+        assertThat(specification(bars("true distance to places [m]", 0.1, 109))).doesNotContain(logarithmic);
+        assertThat(specification(new Plot.Lines(
+                        "Lines",
+                        "particles",
+                        "an update [ms]",
+                        List.of(new Point("a", 1, 0.05), new Point("a", 2, 3)))))
+                .contains(logarithmic);
+    }
+
+    private static Plot bars(String y, double... values) {
+        return new Plot.Bars(
+                "Bars",
+                "",
+                y,
+                Arrays.stream(values).mapToObj(v -> new Bar("s", "n" + v, v)).toList());
+    }
+
+    private static String specification(Plot plot) {
+        return new JsonMapper().writeValueAsString(BenchPage.specification(plot));
+    }
+
+    @Test
+    void itsTableScrollsByItself() throws IOException {
+        Path file = folder.resolve("page.html");
+        page(file, "").write("navigation", List.of(), List.of(), MACHINE);
+        assertThat(Files.readString(file))
+                .contains(".table { overflow-x: auto; }", "<div class=\"table\" tabindex=\"0\">\n<table>");
     }
 
     @Test
