@@ -343,6 +343,7 @@ final class LocalizeCommand extends Subcommand {
             tell(summary);
         }
         LogOptions.tellWandering(err(), file, log);
+        LogOptions.tellOddities(err(), file, log);
         tellDoubts(course, runs);
         return Exit.SUCCESS;
     }

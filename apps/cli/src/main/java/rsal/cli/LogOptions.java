@@ -192,6 +192,21 @@ final class LogOptions {
                 .forEach(place -> err.println("  %s:%d: %s".formatted(file, place.line(), place.what())));
     }
 
+    /// What of a log is so odd that what comes of it is probably wrong.
+    static void tellOddities(PrintWriter err, String file, CarmenLog log) {
+        log.oneTime()
+                .ifPresent(time -> err.println(
+                        ("All %d scans of (%s) have one time (%.3f s): what comes of it has no times either, and ODOM can't tell"
+                                        + " where the robot was at each. If that matters, write when each was taken [s] on"
+                                        + " both sides of the host's name.")
+                                .formatted(log.scans().size(), file, time.toEpochMilli() / 1e3)));
+        log.degrees()
+                .ifPresent(most -> err.println(
+                        ("The headings in (%s) are probably degrees: they go to (%.1f), in steps of more than a radian."
+                                        + " CARMEN's are radians: multiply them by π / 180.")
+                                .formatted(file, most)));
+    }
+
     /// What of a log was read otherwise than it stands there.
     static void tellWandering(PrintWriter err, String file, CarmenLog log) {
         log.wandering()

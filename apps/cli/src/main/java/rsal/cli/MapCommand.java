@@ -285,6 +285,7 @@ final class MapCommand extends Subcommand {
                         .toList());
         robots.forEach(robot -> LogOptions.tellSkipped(err(), robot.file(), robot.log()));
         robots.forEach(robot -> LogOptions.tellWandering(err(), robot.file(), robot.log()));
+        robots.forEach(robot -> LogOptions.tellOddities(err(), robot.file(), robot.log()));
         drawn.forEach(this::warn);
         contradiction.filter(Contradiction::isTooMuch).ifPresent(most -> warn(most, slam));
         strain.tooMuch().ifPresent(step -> warn(step, slam));

@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 import rsal.data.Angles;
 import rsal.data.LaserScan;
@@ -23,13 +25,16 @@ import rsal.navigation.carmen.LogEntry.Scan;
 /// @param rangeMax from here on readings hit nothing [m], as the log itself shows it or the reader was told
 /// @param wandering how far the poses that the log tells of the laser move about on the robot, where they do: then they
 /// were taken for poses of the robot that somebody has corrected, and the laser for mounted in its middle
+/// @param degrees the largest heading of odometry when headings are degrees, by how they change; they were read as
+/// radians, as CARMEN writes them
 public record CarmenLog(
         List<Scan> scans,
         List<Motion> motions,
         List<LogEntry.Parameter> parameters,
         Skipped skipped,
         double rangeMax,
-        Optional<Wandering> wandering) {
+        Optional<Wandering> wandering,
+        OptionalDouble degrees) {
     /// 400 MB of ranges; the longest public logs have a tenth of this.
     public static final int MOST_READINGS = 100_000_000;
 
@@ -39,6 +44,7 @@ public record CarmenLog(
     private static final double SHARE_OF_CODES = 2e-3; // of all readings
     private static final double BELOW = 0.5; // m; so far below codes there are fewer readings than codes
 
+    private static final int MANY_SCANS = 5;
     private static final double MOUNT_METERS = 0.05; // a laser that is screwed on doesn't move so far
     private static final double MOUNT_RADIANS = 0.05;
     private static final double FEW_MOUNTS = 0.1; // share of scans whose poses may be at odds
@@ -66,9 +72,10 @@ public record CarmenLog(
     /// @param file its name, for messages
     public static CarmenLog read(String file, InputStream in, LogReader.Options options) throws IOException {
         var reading = new Reading();
+        var headings = new Headings();
         Skipped skipped;
         try {
-            skipped = LogReader.read(file, in, options, reading::add);
+            skipped = LogReader.read(file, in, options, headings, reading::add);
         } catch (TooMuch e) {
             throw new BrokenLog(
                     file,
@@ -81,7 +88,18 @@ public record CarmenLog(
                 .map(scan -> rangeMax < options.rangeMax() ? limited(scan, rangeMax) : scan)
                 .map(scan -> wandering.isPresent() ? inTheMiddle(scan) : scan)
                 .toList();
-        return new CarmenLog(scans, reading.motions, reading.parameters, skipped, rangeMax, wandering);
+        return new CarmenLog(
+                scans, reading.motions, reading.parameters, skipped, rangeMax, wandering, headings.degrees());
+    }
+
+    /// The time of all of its scans, when it is one and the same of many, so that it tells nothing.
+    public Optional<Instant> oneTime() {
+        return scans.size() < MANY_SCANS
+                        || scans.stream()
+                                .anyMatch(scan ->
+                                        !scan.time().equals(scans.getFirst().time()))
+                ? Optional.empty()
+                : Optional.of(scans.getFirst().time());
     }
 
     /// Whether a log has its laser move on the robot: more than a few scans are not where it is for most.

@@ -71,11 +71,13 @@ public final class LogReader {
     private final Map<String, Integer> counts = new LinkedHashMap<>();
     private final List<Skipped.Place> first = new ArrayList<>();
     private final Clock clock = new Clock();
+    private final Headings headings;
     private int otherKinds;
     private int skippedScans;
     private int understood;
 
-    private LogReader(Lines lines, Options options, Consumer<? super LogEntry> entries) {
+    private LogReader(Lines lines, Options options, Headings headings, Consumer<? super LogEntry> entries) {
+        this.headings = headings;
         this.lines = lines;
         this.options = options;
         this.entries = entries;
@@ -94,7 +96,14 @@ public final class LogReader {
     /// @param file its name, for messages
     public static Skipped read(String file, InputStream in, Options options, Consumer<? super LogEntry> entries)
             throws IOException {
-        var reader = new LogReader(new Lines(file, in), options, entries);
+        return read(file, in, options, new Headings(), entries);
+    }
+
+    /// @param headings takes those that odometry has
+    static Skipped read(
+            String file, InputStream in, Options options, Headings headings, Consumer<? super LogEntry> entries)
+            throws IOException {
+        var reader = new LogReader(new Lines(file, in), options, headings, entries);
         reader.read();
         if (reader.understood == 0 && reader.counts.isEmpty()) {
             throw new BrokenLog(
@@ -151,7 +160,7 @@ public final class LogReader {
 
     /// `ODOM x y theta speed turnRate acceleration time host loggerTime`
     private Motion motion(Fields fields) throws Misread {
-        Pose2d pose = pose(fields);
+        Pose2d pose = odometry(fields);
         double speed = fields.finite("speed");
         double turnRate = fields.finite("turn rate");
         fields.finite("acceleration");
@@ -163,7 +172,7 @@ public final class LogReader {
         int count = readingCount(fields);
         var readings = readings(fields, count, options.rangeMax());
         Pose2d mapFromLaser = pose(fields);
-        Pose2d odomFromBase = pose(fields);
+        Pose2d odomFromBase = odometry(fields);
         Pose2d mount = odomFromBase.inverse().compose(mapFromLaser);
         boolean ahead = Math.abs(mount.x()) <= FARTHEST_MOUNT
                 && Math.abs(mount.y()) < NO_OFFSET
@@ -208,7 +217,7 @@ public final class LogReader {
         Poses poses = new Poses.Untold();
         if (posed) {
             Pose2d odomFromLaser = pose(fields);
-            Pose2d odomFromBase = pose(fields);
+            Pose2d odomFromBase = odometry(fields);
             fields.skip(5);
             Pose2d mount = odomFromBase.inverse().compose(odomFromLaser);
             boolean near = Math.hypot(mount.x(), mount.y()) <= FARTHEST_MOUNT;
@@ -280,13 +289,30 @@ public final class LogReader {
         return of15Bits || of13Bits;
     }
 
+    private Pose2d odometry(Fields fields) throws Misread {
+        RawPose raw = rawPose(fields);
+        headings.add(raw.theta());
+        return raw.pose();
+    }
+
     private static Pose2d pose(Fields fields) throws Misread {
+        return rawPose(fields).pose();
+    }
+
+    /// @param theta as it stands there, in whatever unit
+    private record RawPose(double x, double y, double theta) {
+        Pose2d pose() {
+            return new Pose2d(x, y, theta);
+        }
+    }
+
+    private static RawPose rawPose(Fields fields) throws Misread {
         double x = fields.finite("pose's x");
         double y = fields.finite("pose's y");
         double theta = fields.finite("pose's heading");
         if (!(Math.max(Math.abs(x), Math.abs(y)) <= FARTHEST && Math.abs(theta) <= FARTHEST)) {
             throw new Misread("a pose that can't be", "It is at (%s, %s, %s).".formatted(x, y, theta));
         }
-        return new Pose2d(x, y, theta);
+        return new RawPose(x, y, theta);
     }
 }

@@ -6,7 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.time.Instant;
+import java.util.Arrays;
 import java.util.function.IntFunction;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -34,6 +37,51 @@ class CarmenLogTest {
         assertThat(log.scans()).isSortedAccordingTo((a, b) -> a.time().compareTo(b.time()));
         assertThat(log.skipped().counts().keySet()).isSubsetOf("back in time");
         assertThat(log.wandering()).isEmpty();
+        assertThat(log.degrees()).isEmpty();
+        assertThat(log.oneTime().isPresent()).as("all at 0 s").isEqualTo(name.equals("orebro-corrected"));
+    }
+
+    @Test
+    void headingsThatGoInLargeStepsBeyondTwoTurnsAreDegrees() throws IOException {
+        assertThat(turning(i -> 8.6 * i).degrees()).hasValue(8.6 * 40);
+        assertThat(turning(i -> 8.6 * i % 360 - 180).degrees()).isPresent();
+        assertThat(turning(i -> i % 4 == 0 ? 90.0 : 0.0).degrees())
+                .as("corners")
+                .isPresent();
+    }
+
+    @Test
+    void headingsAreRadiansWhetherTheyAreWrappedOrNot() throws IOException {
+        assertThat(turning(i -> 0.4 * i).degrees()).as("turns on and on").isEmpty();
+        assertThat(turning(i -> Math.IEEEremainder(2.5 * i, 2 * Math.PI)).degrees())
+                .as("wrapped")
+                .isEmpty();
+        assertThat(turning(i -> i == 20 ? 100.0 : 0.4 * i).degrees())
+                .as("a slip")
+                .isEmpty();
+    }
+
+    private static CarmenLog turning(IntToDoubleFunction heading) throws IOException {
+        return read(IntStream.rangeClosed(0, 40)
+                .mapToObj(i -> {
+                    double theta = heading.applyAsDouble(i);
+                    return "FLASER 3 1 2 3 0 0 %1$s 0 0 %1$s %2$d h 0\n".formatted(theta, i + 1);
+                })
+                .collect(Collectors.joining()));
+    }
+
+    @Test
+    void oneTimeOfAllScansTellsNothing() throws IOException {
+        assertThat(taken(7, 7, 7, 7, 7).oneTime()).hasValue(Instant.ofEpochSecond(7));
+        assertThat(taken(0, 0, 0, 0, 0).oneTime()).hasValue(Instant.EPOCH);
+        assertThat(taken(7, 7, 7, 7, 8).oneTime()).isEmpty();
+        assertThat(taken(7, 7).oneTime()).as("too few").isEmpty();
+    }
+
+    private static CarmenLog taken(int... times) throws IOException {
+        return read(Arrays.stream(times)
+                .mapToObj("FLASER 3 1 2 3 0 0 0 0 0 0 %d h 0\n"::formatted)
+                .collect(Collectors.joining()));
     }
 
     @Test
