@@ -48,6 +48,7 @@ final class Trip {
     private static final double GOT_ON = 1; // m
     private static final Duration BLOCKED = Duration.ofMillis(2500);
     private static final Duration HELD_UP = Duration.ofSeconds(6);
+    private static final Duration HELD_UP_AGAIN = Duration.ofMillis(1500); // before it creeps back
     private static final Duration REMEMBERED = Duration.ofSeconds(15);
     private static final Duration LOST = Duration.ofSeconds(2); // someone may stand before its sensors for a moment
     private static final double ABOUT = Math.toRadians(45); // turned so far that it sees where it drives
@@ -57,6 +58,8 @@ final class Trip {
     private static final double STANDING = 0.15; // m; less is no way at all
     private static final double ONWARD = 0.3; // m that it must be able to go on when it has turned
     private static final Duration SEARCHING = Duration.ofSeconds(5);
+    private static final double MOVED = 0.05; // m; with less, and less of a turn, shunting came to nothing
+    private static final double TURNED = Math.toRadians(10);
     private static final double SLOWLY = 2; // times the time that shunting should take
     private static final int MOST_REFUSED = 6; // beats in a row
 
@@ -90,6 +93,10 @@ final class Trip {
     private double back; // heading that leads back where it came from [rad], on the map
     private Instant manoeuvreEnds;
     private @Nullable Shunt shunt;
+    private Pose2d mapFromShunt = Pose2d.ORIGIN; // where it began
+    private double leftAtShunt; // what was left then
+    private boolean shuntedInVain; // so that something else is to be tried
+    private boolean shuntedOn; // it got nearer by that, and may have to go on so
     private int refused; // beats in a row in which it did not go on, as that was not safe
 
     private enum Manoeuvre {
@@ -319,7 +326,8 @@ final class Trip {
         boolean hitsBehind = manoeuvre == Manoeuvre.BACK_OFF && now.stalled();
         if (hitsBehind || (manoeuvre != Manoeuvre.NONE && now.now().isAfter(manoeuvreEnds))) {
             endManoeuvre(now);
-        } else if (manoeuvre == Manoeuvre.NONE && (now.stalled() || heldUp(now).compareTo(HELD_UP) > 0)) {
+        } else if (manoeuvre == Manoeuvre.NONE
+                && (now.stalled() || heldUp(now).compareTo(shuntedOn ? HELD_UP_AGAIN : HELD_UP) > 0)) {
             if (now.stalled() && bumpsAgain(left)) {
                 giveUp(
                         now,
@@ -327,10 +335,11 @@ final class Trip {
                                 .formatted(MOST_BUMPS, mapFromBase.x(), mapFromBase.y()));
                 return;
             }
-            if (!now.stalled() && isWedged(now)) {
+            if (!now.stalled() && isWedged(now) && !shuntedInVain) {
                 beginShunting(now);
                 return;
             }
+            shuntedInVain = false;
             backedOff++;
             if (now.seesBehind() || now.stalled() || arrived) {
                 begin(Manoeuvre.BACK_OFF, settings.escapeTime());
@@ -363,6 +372,10 @@ final class Trip {
     }
 
     private void endManoeuvre(Situation now) {
+        shuntedOn = manoeuvre == Manoeuvre.SHUNT && yardstick < leftAtShunt - NEARER;
+        shuntedInVain = manoeuvre == Manoeuvre.SHUNT
+                && mapFromBase.distanceTo(mapFromShunt) < MOVED
+                && Math.abs(Angles.difference(mapFromBase.theta(), mapFromShunt.theta())) < TURNED;
         if (manoeuvre == Manoeuvre.BACK_OFF || manoeuvre == Manoeuvre.DRIVE_BACK) {
             begin(Manoeuvre.TURN, TURNING);
         } else {
@@ -417,10 +430,17 @@ final class Trip {
                 : mapFromBase.bearingTo(target(way));
     }
 
+    /// Goes on by what the search found open, too: a local planner that wants more room would stand there.
     private void shuntAlong(List<Leg> legs, Pose2d odomFromBase) {
-        var next = new Shunt(legs, settings.escapeSpeed(), odomFromBase);
+        List<Leg> all = new ArrayList<>(legs);
+        if (!arrived) {
+            all.add(new Leg(ONWARD, 0));
+        }
+        var next = new Shunt(all, settings.escapeSpeed(), odomFromBase);
         shunt = next;
-        shunted++;
+        mapFromShunt = mapFromBase;
+        leftAtShunt = yardstick;
+        shunted += legs.isEmpty() ? 0 : 1;
         refused = 0;
         manoeuvreEnds = scheduler.instant().plusMillis((long) (SLOWLY * next.seconds() * 1000));
     }

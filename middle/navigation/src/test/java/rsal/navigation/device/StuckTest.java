@@ -2,10 +2,14 @@ package rsal.navigation.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,6 +25,7 @@ import rsal.device.Navigator.Tolerance;
 import rsal.device.SimulationControl.Placement;
 import rsal.device.SimulationControl.Thing;
 import rsal.map.Maps;
+import rsal.robot.RobotModels;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.testkit.DrawnMap;
@@ -81,6 +86,47 @@ class StuckTest {
             #................................................#
             ##################################################""");
 
+    private static final DrawnMap NOOK = DrawnMap.grid(0.1, """
+            ######################
+            #....................#
+            #....................#
+            #....................#
+            #..........g.........#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            ##############.......#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....r...............#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            #....................#
+            ######################""");
+
     /// It is held up before a board, and somebody comes up from behind, where its laser doesn't look.
     @ParameterizedTest
     @ValueSource(strings = {"vfh", "nd", "snd", "dwa", "mpc"})
@@ -116,6 +162,37 @@ class StuckTest {
                 .result()
                 .thenAccept(results::add);
         for (int second = 0; second < 200 && results.isEmpty(); second++) {
+            run.advance(1);
+        }
+        assertThat(results).singleElement().isInstanceOf(Result.Reached.class);
+        assertThat(run.simulation.contacts()).isEmpty();
+    }
+
+    /// A long robot in a nook that it can only leave through a gap of 0.7 m, for which its local planner wants more
+    /// room.
+    @ParameterizedTest
+    @ValueSource(strings = {"vfh", "nd", "snd"})
+    void goesOnThroughGapsThatItFitsThrough(String planner, @TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("long.yaml"), """
+                title: Long rectangle, its axis behind the middle
+                body: {length: 0.7, width: 0.44, center: [0.1, 0], height: 0.3}
+                drive: {maxSpeed: [-0.4, 0.8], maxTurnRate: 120, maxAcceleration: 0.6, maxTurnAcceleration: 150,
+                        odometryNoise: {distancePerMeter: 0.02, headingPerMeter: 1.0, headingPerDegree: 0.2}}
+                mounts: {laser: [0.4, 0, 0]}
+                """);
+        Location here = Location.of("test");
+        var model = new RobotModels(FileSource.folder(folder))
+                .read("long.yaml", here, Map.of("laser", new RobotModels.Choice("urg04lx", here)));
+        var spec = NavigationRun.robot("r", model, NOOK.pose('r', 0));
+        NavigationRun run = new NavigationRun(NOOK.grid(), 1, Runnable::run, List.of(spec))
+                .with(new AmclDriver(), Map.of())
+                .with(new NavigatorDriver(), Map.of("local", planner));
+        var results = new ArrayList<Result>();
+        run.navigator("r")
+                .goTo(NOOK.pose('g', 0), Tolerance.position(0.4))
+                .result()
+                .thenAccept(results::add);
+        for (int second = 0; second < 300 && results.isEmpty(); second++) {
             run.advance(1);
         }
         assertThat(results).singleElement().isInstanceOf(Result.Reached.class);
