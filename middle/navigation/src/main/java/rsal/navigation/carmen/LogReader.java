@@ -34,7 +34,10 @@ import rsal.navigation.carmen.LogEntry.Scan;
 ///   of message by itself; after [#RESTART] that go on from there, the clock has been set back and is believed.
 /// * **Mount.** A laser is where the log has it beside the robot; a `FLASER` only if it was moved straight ahead,
 ///   as in many logs the first of its poses is not the laser's but a corrected one of the robot. Whether a laser stays
-///   where it is mounted is known when all of a log was read ([CarmenLog]).
+///   where it is mounted is known when all of a log was read ([CarmenLog]). A `RAWLASER1` has no poses: its laser is
+///   where the parameters before it say, `robot_frontlaser_offset` (ahead of the robot's middle [m]),
+///   `robot_frontlaser_side_offset` (to the left [m]) and `robot_frontlaser_angular_offset` (counter-clockwise [rad]),
+///   put together as CARMEN's `robot` does; in the middle without them.
 ///
 /// A message that does not say what its kind promises is skipped, and counted by reason; so is the last line of a
 /// plain file that was cut within it. A packed file that is cut short or damaged is a [BrokenLog].
@@ -45,6 +48,9 @@ public final class LogReader {
     private static final double FARTHEST_MOUNT = 1.5; // m
     private static final double FARTHEST = 1e6; // m, rad
     private static final double NO_OFFSET = 1e-3; // m, rad
+    private static final String AHEAD = "robot_frontlaser_offset";
+    private static final String LEFT = "robot_frontlaser_side_offset";
+    private static final String TURNED = "robot_frontlaser_angular_offset";
 
     /// @param fieldOfView of a `FLASER` [rad]
     /// @param rangeMax readings from here on hit nothing [m]
@@ -75,6 +81,7 @@ public final class LogReader {
     private int otherKinds;
     private int skippedScans;
     private int understood;
+    private Pose2d baseFromRawLaser = Pose2d.ORIGIN; // as the parameters read so far say
 
     private LogReader(Lines lines, Options options, Headings headings, Consumer<? super LogEntry> entries) {
         this.headings = headings;
@@ -153,9 +160,38 @@ public final class LogReader {
             case "FLASER" -> plainScan(fields);
             case "RAWLASER1" -> configuredScan(fields, false);
             case "ROBOTLASER1" -> configuredScan(fields, true);
-            case "PARAM" -> new Parameter(lines.number(), fields.word(), fields.rest());
+            case "PARAM" -> parameter(fields);
             default -> null;
         };
+    }
+
+    /// `PARAM name value`, often with a time and a host behind, which stay in the value: it may be a text.
+    private Parameter parameter(Fields fields) throws Misread {
+        var parameter = new Parameter(lines.number(), fields.word(), fields.rest());
+        Pose2d told = baseFromRawLaser;
+        switch (parameter.name()) {
+            case AHEAD -> baseFromRawLaser = new Pose2d(mount(parameter, FARTHEST_MOUNT, "m"), told.y(), told.theta());
+            case LEFT -> baseFromRawLaser = new Pose2d(told.x(), mount(parameter, FARTHEST_MOUNT, "m"), told.theta());
+            case TURNED -> baseFromRawLaser = new Pose2d(told.x(), told.y(), mount(parameter, 2 * Math.PI, "rad"));
+            default -> {}
+        }
+        return parameter;
+    }
+
+    private static double mount(Parameter parameter, double most, String unit) throws Misread {
+        double value;
+        try {
+            value = new Fields(parameter.value()).finite("value");
+        } catch (Misread e) {
+            throw new Misread(e.reason(), "%s: %s It is not used.".formatted(parameter.name(), e.getMessage()));
+        }
+        if (Math.abs(value) > most) {
+            throw new Misread(
+                    "a mount that can't be",
+                    "%s is (%s), not -%4$.1f to %4$.1f %3$s. It is not used."
+                            .formatted(parameter.name(), value, unit, most));
+        }
+        return value;
     }
 
     /// `ODOM x y theta speed turnRate acceleration time host loggerTime`
@@ -213,7 +249,7 @@ public final class LogReader {
         double limit = Math.min(rangeMax, options.rangeMax());
         var readings = readings(fields, count, limit);
         fields.skip(fields.count("remissions", MOST_READINGS));
-        Pose2d baseFromLaser = Pose2d.ORIGIN;
+        Pose2d baseFromLaser = baseFromRawLaser;
         Poses poses = new Poses.Untold();
         if (posed) {
             Pose2d odomFromLaser = pose(fields);

@@ -119,6 +119,46 @@ class LogReaderTest {
     }
 
     @Test
+    void aRawLaserIsMountedWhereTheParametersBeforeItSay() throws IOException {
+        String scan = "RAWLASER1 0 -1.570796 3.141593 0.5 81.9 0.01 0 3 1 2 3 0 12 h 13\n";
+        Skipped skipped = read(scan
+                + "PARAM robot_frontlaser_offset 0.25\n"
+                + scan
+                + "PARAM robot_frontlaser_side_offset -0.1 0 nohost 0\n"
+                + "PARAM robot_frontlaser_angular_offset 0.5 0 nohost 0\n"
+                + "PARAM robot_rearlaser_offset -0.4 0 nohost 0\n"
+                + scan
+                + "ROBOTLASER1 0 -0.5 2 1 20 0.01 0 3 1 2 3 0 1.2 1 0 1 1 0 0 0 0.3 0.3 0.5 12 h 0\n"
+                + "FLASER 1 1 1 2 0 1 2 0 12 h 1\n");
+
+        assertThat(skipped.total()).isZero();
+        assertThat(scans().stream().limit(3).map(s -> s.scan().baseFromLaser()))
+                .containsExactly(Pose2d.ORIGIN, new Pose2d(0.25, 0, 0), new Pose2d(0.25, -0.1, 0.5));
+        assertThat(scans().get(3).scan().baseFromLaser().isNear(new Pose2d(0.2, 0, 0), 1e-9, 1e-9))
+                .isTrue();
+        assertThat(scans().get(4).scan().baseFromLaser()).isEqualTo(Pose2d.ORIGIN);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "robot_frontlaser_offset front | not a number | (front)",
+                "robot_frontlaser_offset nan | not finite | (NaN)",
+                "robot_frontlaser_offset | cut short | ends",
+                "robot_frontlaser_side_offset 250 nohost 0 | a mount that can't be | (250.0), not -1.5 to 1.5 m",
+                "robot_frontlaser_angular_offset 180 | a mount that can't be | (180.0), not -6.3 to 6.3 rad"
+            })
+    void aMountThatCannotBeIsToldAndNotUsed(String parameter, String reason, String told) throws IOException {
+        Skipped skipped = read("PARAM robot_frontlaser_offset 0.2\nPARAM " + parameter
+                + "\nRAWLASER1 0 -1.570796 3.141593 0.5 81.9 0.01 0 3 1 2 3 0 12 h 13\n");
+
+        assertThat(skipped.counts()).containsOnlyKeys(reason);
+        assertThat(skipped.first().getFirst().what()).contains(parameter.split(" ")[0], told, "not used");
+        assertThat(scans().getFirst().scan().baseFromLaser()).isEqualTo(new Pose2d(0.2, 0, 0));
+    }
+
+    @Test
     void aLaserOfAPlainScanIsMovedAheadButACorrectedPoseIsNoMount() throws IOException {
         read("""
                 FLASER 1 1 1.1 2 0 1 2 0 1 h 1
