@@ -1,20 +1,28 @@
 package rsal.scenario;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.device.Mapper;
 import rsal.device.Navigator;
+import rsal.map.FreeSpace;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.settings.Location;
 import rsal.settings.Problem;
 
 /// What is right in a run, but may not be what people think.
 final class Notes {
+    private static final double CLEARANCE = 0.4; // of robots that are put somewhere, from all that is not free [m]
+
     private Notes() {}
 
     /// Each only once.
@@ -32,8 +40,10 @@ final class Notes {
                         .forEach(notes::add);
             }
         }
-        if (plan.clock() == RunPlan.Clock.SIMULATED && plan.robots().stream().anyMatch(Notes::findsItsWay)) {
-            opening(plan.map())
+        List<PlannedRobot> exploring =
+                plan.robots().stream().filter(Notes::findsItsWay).toList();
+        if (plan.clock() == RunPlan.Clock.SIMULATED && !exploring.isEmpty()) {
+            opening(plan.map(), exploring)
                     .ifPresent(place -> notes.add(String.format(
                             Locale.ROOT,
                             "The map is open at its edge, at (%.1f, %.1f) first: robots can't leave it there, and their"
@@ -84,16 +94,68 @@ final class Notes {
                 .anyMatch(made -> Navigator.class.isAssignableFrom(made) || Mapper.class.isAssignableFrom(made));
     }
 
-    /// A free cell at the edge.
-    private static Optional<Point2d> opening(OccupancyGrid map) {
-        for (int row = 0; row < map.height(); row++) {
-            boolean end = row == 0 || row == map.height() - 1;
-            for (int column = 0; column < map.width(); column += end || map.width() == 1 ? 1 : map.width() - 1) {
-                if (map.at(column, row) == OccupancyGrid.FREE) {
-                    return Optional.of(new Point2d(map.x(column), map.y(row)));
+    /// A free cell at the edge that one of the robots can get to. Others are none of its business: worlds have half a
+    /// meter around their walls.
+    private static Optional<Point2d> opening(OccupancyGrid map, List<PlannedRobot> robots) {
+        int[] edge = edge(map)
+                .filter(cell -> map.cells()[cell] == OccupancyGrid.FREE)
+                .toArray();
+        if (edge.length == 0) {
+            return Optional.empty();
+        }
+        var starts = new ArrayList<Integer>();
+        boolean anywhere = false;
+        for (PlannedRobot robot : robots) {
+            Optional<Integer> start = robot.spec()
+                    .mapFromBase()
+                    .filter(pose -> map.isFree(pose.x(), pose.y()))
+                    .map(pose -> map.cell(pose.position()));
+            start.ifPresent(starts::add);
+            anywhere |= start.isEmpty();
+        }
+        if (anywhere) { // as the simulator chooses: all places it may take are connected
+            new FreeSpace(map, CLEARANCE)
+                    .choose(new SplittableRandom(0), _ -> true)
+                    .ifPresent(pose -> starts.add(map.cell(pose.position())));
+        }
+        BitSet reached = reached(map, starts);
+        return Arrays.stream(edge).filter(reached::get).mapToObj(map::middle).findFirst();
+    }
+
+    /// From the lower left on, row by row.
+    private static IntStream edge(OccupancyGrid map) {
+        int width = map.width();
+        return IntStream.range(0, map.height())
+                .flatMap(row -> row == 0 || row == map.height() - 1 || width == 1
+                        ? IntStream.range(row * width, (row + 1) * width)
+                        : IntStream.of(row * width, (row + 1) * width - 1));
+    }
+
+    /// Free cells that are connected with free ones by their sides.
+    private static BitSet reached(OccupancyGrid map, List<Integer> starts) {
+        int width = map.width();
+        var reached = new BitSet(map.cells().length);
+        var next = new ArrayDeque<Integer>();
+        for (int start : starts) {
+            if (!reached.get(start)) {
+                reached.set(start);
+                next.add(start);
+            }
+            while (!next.isEmpty()) {
+                int cell = next.remove();
+                int column = cell % width;
+                int row = cell / width;
+                for (int side = 0; side < 4; side++) {
+                    int toColumn = column + (side == 0 ? 1 : side == 1 ? -1 : 0);
+                    int toRow = row + (side == 2 ? 1 : side == 3 ? -1 : 0);
+                    int neighbor = toRow * width + toColumn;
+                    if (map.at(toColumn, toRow) == OccupancyGrid.FREE && !reached.get(neighbor)) {
+                        reached.set(neighbor);
+                        next.add(neighbor);
+                    }
                 }
             }
         }
-        return Optional.empty();
+        return reached;
     }
 }

@@ -10,6 +10,8 @@ import java.util.List;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
@@ -81,5 +83,50 @@ class NotesTest {
                 .extracting(Problem::message)
                 .anyMatch(note -> note.startsWith("A run in real time goes at speed 1"));
         assertThat(teleop("real", RunOptions.NONE).notes()).isEmpty();
+    }
+
+    /// What is noted of the map when the robots find their way.
+    ///
+    /// @param robot's fields that tell where it is
+    private List<String> notesOfTheEdge(String world, String robot) throws IOException {
+        world("rsal: 1\n" + world + "\n");
+        Path file = Files.writeString(folder.resolve("some.yaml"), """
+                rsal: 1
+                scenario: some
+                world: {file: some.world.yaml}
+                robots:
+                  r: {model: pioneer2dx, %s devices: {laser: urg04lx, localizer: {type: slam}, navigator: {}}}
+                run: {stop: [{when: time > 1, outcome: success}]}
+                """.formatted(robot));
+        return Scenario.load(file.toString()).plan(RunOptions.NONE).notes().stream()
+                .map(Problem::message)
+                .filter(note -> note.contains("open at its edge"))
+                .toList();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"pose: [3, 2, 0],", ""})
+    void whatIsAroundTheWallsOfAClosedWorldIsNoOpening(String robot) throws IOException {
+        assertThat(notesOfTheEdge("walls: [{line: [[0, 0], [6, 0], [6, 4], [0, 4]], closed: true}]", robot))
+                .isEmpty();
+        assertThat(notesOfTheEdge("walls: [{line: [[0, 0], [6, 1], [5, 5], [1, 4]], closed: true}]", robot))
+                .isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"pose: [3, 2, 0],", ""})
+    void aWorldWhoseWallsHaveAGapIsOpen(String robot) throws IOException {
+        assertThat(notesOfTheEdge("walls: [{line: [[0, 3], [0, 0], [6, 0], [6, 4], [0, 4]]}]", robot))
+                .singleElement()
+                .asString()
+                .contains("at (-0.");
+    }
+
+    @Test
+    void aWorldIsOpenForARobotThatIsOutsideItsWalls() throws IOException {
+        String world = "area: [-5, -5, 10, 10]\nwalls: [{line: [[0, 0], [6, 0], [6, 4], [0, 4]], closed: true}]";
+        assertThat(notesOfTheEdge(world, "pose: [3, 2, 0],")).isEmpty();
+        assertThat(notesOfTheEdge(world, "pose: [-3, 2, 0],")).hasSize(1);
+        assertThat(notesOfTheEdge(world, "")).hasSize(1); // it may be put there
     }
 }
