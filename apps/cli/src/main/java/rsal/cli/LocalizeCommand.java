@@ -512,7 +512,8 @@ final class LocalizeCommand extends Subcommand {
         if (lost > MOSTLY) {
             err().println(
                             ("It was lost at %.0f%% of the scans. Maybe the map is of another place, or the laser is not where"
-                                            + " the log says, or sees farther around than --field-of-view.")
+                                            + " the log says, or sees farther around than --field-of-view, or its"
+                                            + " ranges are in other units than meters, or the map's scale is off.")
                                     .formatted(100 * lost));
         }
         err().flush();

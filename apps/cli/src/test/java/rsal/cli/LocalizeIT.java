@@ -54,7 +54,29 @@ class LocalizeIT {
 
         Ended again = rsal.run("localize", "room.log", "--map", "room.yaml", "--pose", "1.3", "3.2", "5");
         assertThat(again.code()).as(again.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(again.out()).contains("localized", "converged after 1 scans");
+        assertThat(again.out())
+                .contains("localized", "converged after 1 scans");
+    }
+
+    @Test
+    void saysWhatItMayComeFromThatItWasLost() throws Exception {
+        assertThat(rsal.run("localize", "room.log", "--map-from-half", "--scans", "2", "--save-map", "room.yaml")
+                        .code())
+                .isEqualTo(Exit.SUCCESS);
+        String[] lines = RoomLog.whole().split("\n");
+        for (int i = 7; i < lines.length; i++) { // from here on they fit nowhere
+            String[] words = lines[i].split(" ");
+            for (int reading = 2; reading < 183; reading++) {
+                words[reading] = reading % 2 == 0 ? "0.4" : "1.9";
+            }
+            lines[i] = String.join(" ", words);
+        }
+        Files.writeString(folder.resolve("misfit.log"), String.join("\n", lines) + "\n");
+
+        Ended ended = rsal.run("localize", "misfit.log", "--map", "room.yaml", "--pose", "1.3", "3.2", "5");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.err()).contains("its ranges are in other units than meters");
     }
 
     @Test
