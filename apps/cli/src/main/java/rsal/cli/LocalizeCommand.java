@@ -34,6 +34,7 @@ import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.replay.Course;
 import rsal.navigation.replay.Replay;
 import rsal.navigation.replay.Verdict;
+import rsal.scenario.Counted;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -185,15 +186,15 @@ final class LocalizeCommand extends Subcommand {
                     pose.theta(),
                     new double[] {c.xx(), c.xy(), c.xTheta(), c.yy(), c.yTheta(), c.thetaTheta()},
                     estimate.confidence(),
-                    word(estimate),
+                    word(estimate.quality()),
                     step.particles(),
                     step.nanos() * 1e-6,
                     step.error().orElse(null),
                     step.headingError().orElse(null));
         }
 
-        static String word(PoseEstimate estimate) {
-            return estimate.quality().name().toLowerCase(Locale.ROOT);
+        static String word(Quality quality) {
+            return quality.name().toLowerCase(Locale.ROOT);
         }
     }
 
@@ -484,18 +485,33 @@ final class LocalizeCommand extends Subcommand {
                             run.convergedAfter == null
                                     ? "seed %d: never converged; falsely sure at %d of %d scans"
                                             .formatted(run.seed, run.falselySure, run.judged)
-                                    : ("seed %d: converged after %d scans; from there on rmse %s m, 95%% below %s m,"
+                                    : ("seed %d: converged after %s; from there on rmse %s m%s, 95%% below %s m,"
                                                     + " worst %s m; falsely sure at %d of %d scans")
                                             .formatted(
                                                     run.seed,
-                                                    run.convergedAfter,
+                                                    Counted.of(run.convergedAfter, "scan"),
                                                     meters(run.rmse),
+                                                    lostAgain(run.steps, run.convergedAfter),
                                                     meters(run.p95),
                                                     meters(run.worst),
                                                     run.falselySure,
                                                     run.judged));
         }
         out().flush();
+    }
+
+    /// ` (lost at 80% of these scans)`, where that is more than half; else nothing.
+    ///
+    /// @param converged at which of the scans, from 1, whose places are known
+    private static String lostAgain(List<StepView> steps, int converged) {
+        List<StepView> rest = steps.stream()
+                .filter(step -> step.error != null)
+                .skip(converged - 1L)
+                .toList();
+        long lost = rest.stream()
+                .filter(step -> step.quality.equals(StepView.word(Quality.LOST)))
+                .count();
+        return 2 * lost > rest.size() ? " (lost at %.0f%% of these scans)".formatted(100.0 * lost / rest.size()) : "";
     }
 
     /// What nobody should miss who looks at the last poses only.

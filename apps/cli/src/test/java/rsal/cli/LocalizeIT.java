@@ -55,11 +55,12 @@ class LocalizeIT {
         Ended again = rsal.run("localize", "room.log", "--map", "room.yaml", "--pose", "1.3", "3.2", "5");
         assertThat(again.code()).as(again.err()).isEqualTo(Exit.SUCCESS);
         assertThat(again.out())
-                .contains("localized", "converged after 1 scans");
+                .contains("localized", "converged after 1 scan;")
+                .doesNotContain("lost at 1", "of these scans");
     }
 
     @Test
-    void saysWhatItMayComeFromThatItWasLost() throws Exception {
+    void saysBesideItsErrorsThatItWasLostAfterwardsAndWhatThatMayComeFrom() throws Exception {
         assertThat(rsal.run("localize", "room.log", "--map-from-half", "--scans", "2", "--save-map", "room.yaml")
                         .code())
                 .isEqualTo(Exit.SUCCESS);
@@ -76,6 +77,7 @@ class LocalizeIT {
         Ended ended = rsal.run("localize", "misfit.log", "--map", "room.yaml", "--pose", "1.3", "3.2", "5");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(ended.out()).containsPattern("from there on rmse \\S+ m \\(lost at \\d+% of these scans\\), 95%");
         assertThat(ended.err()).contains("its ranges are in other units than meters");
     }
 
