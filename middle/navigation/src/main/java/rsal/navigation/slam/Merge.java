@@ -7,7 +7,8 @@ public sealed interface Merge {
     /// They are one now.
     ///
     /// @param mapFromOther where the frame of the other's map came to be
-    record Done(Pose2d mapFromOther) implements Merge {}
+    /// @param shared what the two have in common there
+    record Done(Pose2d mapFromOther, Shared shared) implements Merge {}
 
     /// They fit in two ways about as well, as halves of a building do that look alike; they stay two.
     ///
@@ -15,6 +16,6 @@ public sealed interface Merge {
     /// @param rival where else it may be
     record Ambiguous(Pose2d mapFromOther, Pose2d rival) implements Merge {}
 
-    /// They have nothing in common that can be told apart; they stay two.
+    /// They have nothing in common that can be told apart, or too much speaks against it; they stay two.
     record Apart() implements Merge {}
 }

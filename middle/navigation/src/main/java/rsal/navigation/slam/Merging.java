@@ -47,13 +47,23 @@ final class Merging {
     /// @param support sum of their scores
     private record Place(Pose2d aFromB, double support) {}
 
+    /// Where the map of one lies in that of another.
+    sealed interface Lie {}
+
+    record One(Pose2d aFromB) implements Lie {}
+
+    /// In two places about as well.
+    record Rivals(Pose2d aFromB, Pose2d rival) implements Lie {}
+
+    record Nowhere() implements Lie {}
+
     private Merging() {}
 
-    /// Where the map's frame of `b` is in that of `a`; told of as of a merge that is done, though nothing is yet.
-    static Merge align(List<Frame> framesA, List<Pose2d> a, List<Frame> framesB, List<Pose2d> b) {
+    /// Where the map's frame of `b` is in that of `a`, if it is there at all.
+    static Lie align(List<Frame> framesA, List<Pose2d> a, List<Frame> framesB, List<Pose2d> b) {
         List<Place> places = places(found(framesA, a, framesB, b), middle(b));
         if (places.isEmpty()) {
-            return new Merge.Apart();
+            return new Nowhere();
         }
         double most = places.getFirst().support();
         List<Place> rivals =
@@ -70,16 +80,15 @@ final class Merging {
             best = seenThrough.get(i) < seenThrough.get(best) ? i : best;
         }
         if (seenThrough.get(best) > MOST_THROUGH) {
-            return new Merge.Apart();
+            return new Nowhere();
         }
         double bound = MORE * seenThrough.get(best) + MORE_AT_LEAST;
         for (int i = 0; i < rivals.size(); i++) {
             if (i != best && seenThrough.get(i) <= bound) {
-                return new Merge.Ambiguous(
-                        rivals.get(best).aFromB(), rivals.get(i).aFromB());
+                return new Rivals(rivals.get(best).aFromB(), rivals.get(i).aFromB());
             }
         }
-        return new Merge.Done(rivals.get(best).aFromB());
+        return new One(rivals.get(best).aFromB());
     }
 
     private static List<Found> found(List<Frame> framesA, List<Pose2d> a, List<Frame> framesB, List<Pose2d> b) {

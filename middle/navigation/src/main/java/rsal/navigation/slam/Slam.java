@@ -356,7 +356,8 @@ public final class Slam {
     }
 
     /// Adds the map of another robot to this one, wherever it began: finds how they lie to each other
-    /// ([Merging]), then fits both to what their scans have in common. The other stays as it is.
+    /// ([Merging]), then fits both to what their scans have in common, and believes it if they then share enough
+    /// and little speaks against it ([Shared]). The other stays as it is.
     ///
     /// @return how they lie to each other; nothing changes when that can't be told, or not for sure
     /// @throws IllegalArgumentException when they hold too many scans together
@@ -368,21 +369,39 @@ public final class Slam {
         if (frames.isEmpty() || other.frames.isEmpty()) {
             return new Merge.Apart();
         }
-        Merge merge = Merging.align(frames, poses, other.frames, other.poses);
-        if (!(merge instanceof Merge.Done(Pose2d mapFromOther))) {
-            return merge;
+        Pose2d mapFromOther;
+        switch (Merging.align(frames, poses, other.frames, other.poses)) {
+            case Merging.One(Pose2d place) -> mapFromOther = place;
+            case Merging.Rivals(Pose2d one, Pose2d rival) -> {
+                return new Merge.Ambiguous(one, rival);
+            }
+            case Merging.Nowhere _ -> {
+                return new Merge.Apart();
+            }
         }
         int first = frames.size();
+        List<Pose2d> posesBefore = List.copyOf(poses);
+        List<Relation> relationsBefore = List.copyOf(relations);
+        int fitsBefore = fits;
         for (int i = 0; i < other.frames.size(); i++) {
             Frame frame = other.frames.get(i);
             frames.add(new Frame(frame.odomFromBase(), traveled + FAR + frame.traveled(), frame.scan(), frame.cloud()));
             poses.add(mapFromOther.compose(other.poses.get(i)));
         }
-        traveled += FAR + other.traveled;
         other.relations.forEach(r -> relations.add(
                 new Relation(r.from() + first, r.to() + first, r.fromFromTo(), r.covariance(), r.source())));
         polish(2);
-        return new Merge.Done(poses.getLast().compose(other.poses.getLast().inverse()));
+        Shared shared = Shared.of(frames, poses, first);
+        if (!shared.isEnough()) {
+            frames.subList(first, frames.size()).clear();
+            poses = new ArrayList<>(posesBefore);
+            relations.clear();
+            relations.addAll(relationsBefore);
+            fits = fitsBefore;
+            return new Merge.Apart();
+        }
+        traveled += FAR + other.traveled;
+        return new Merge.Done(poses.getLast().compose(other.poses.getLast().inverse()), shared);
     }
 
     /// How many scans were kept.

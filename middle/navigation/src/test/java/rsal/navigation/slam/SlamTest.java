@@ -424,6 +424,49 @@ class SlamTest {
                                 .isTrue());
     }
 
+    /// 5.5 m × 6 m with a door below and a cabinet in a corner.
+    private static Walls room(double door) {
+        return new Walls()
+                .chain(door - 0.45, 0, 0, 0, 0, 6, 5.5, 6, 5.5, 0, door + 0.45, 0)
+                .chain(door - 0.45, 0, door - 0.45, -2, -8, -2)
+                .chain(door + 0.45, -2, 9, -2)
+                .box(0, 4.8, 1, 6); // or half a turn would fit, too
+    }
+
+    private static Slam around(Walls room, SplittableRandom random) {
+        var slam = new Slam(Slam.Settings.DEFAULT);
+        for (int i = 0; i < 36; i++) {
+            double bearing = i * Math.PI / 18;
+            var pose = new Pose2d(2.75 + 1.5 * Math.sin(bearing), 2 - 1.2 * Math.cos(bearing), bearing);
+            slam.add(pose, room.scan(pose, 0.01, random));
+        }
+        return slam;
+    }
+
+    @Test
+    void likeRoomsWithOtherFurnitureStayTwo() {
+        var random = new SplittableRandom(4);
+        Slam first = around(room(3).box(2, 4, 3, 5), random);
+        Slam second = around(room(2.5).box(3.5, 3.6, 5.5, 4.2), random);
+        List<Pose2d> before = first.poses();
+
+        assertThat(first.merge(second)).isEqualTo(new Merge.Apart());
+        assertThat(first.poses()).isEqualTo(before);
+    }
+
+    @Test
+    void aRoomAndTheSameRoomBecomeOne() {
+        var random = new SplittableRandom(4);
+        Slam first = around(room(3).box(2, 4, 3, 5), random);
+        Slam second = around(room(3).box(2, 4, 3, 5), random);
+
+        assertThat(first.merge(second)).isInstanceOfSatisfying(Merge.Done.class, done -> {
+            assertThat(done.mapFromOther().isNear(Pose2d.ORIGIN, 0.1, 0.03)).isTrue();
+            assertThat(done.shared().squareMeters()).isBetween(20.0, 45.0);
+            assertThat(done.shared().against()).isLessThan(0.01);
+        });
+    }
+
     @Test
     void mapsWithNothingInCommonStayTwo() {
         var random = new SplittableRandom(4);
