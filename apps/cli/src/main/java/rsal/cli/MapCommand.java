@@ -188,12 +188,37 @@ final class MapCommand extends Subcommand {
         }
     }
 
+    /// Where the map of a log lies in that of the first, and what speaks for it.
+    ///
+    /// @param x of its frame in that of the first [m]
+    /// @param y likewise
+    /// @param degrees likewise, the heading
+    /// @param squareMeters of floor that both saw
+    /// @param against share of the cells hit by either, within that floor, that the other saw as free
+    /// @param throughWalls share of the beams of either that go through what the other hit
+    record Merged(
+            String log, double x, double y, double degrees, double squareMeters, double against, double throughWalls) {
+        static Merged of(String log, Merge.Done done) {
+            Pose2d at = done.mapFromOther();
+            return new Merged(
+                    log,
+                    at.x(),
+                    at.y(),
+                    Math.toDegrees(at.theta()),
+                    done.shared().squareMeters(),
+                    done.shared().against(),
+                    done.shared().through());
+        }
+    }
+
+    /// @param merged the logs after the first
     /// @param columns of the map
     /// @param rows of the map
     /// @param strain null when poses were known
     /// @param contradiction likewise, and when there were too few scans to tell
     record Result(
             List<Drawn> logs,
+            List<Merged> merged,
             @Nullable Strained strain,
             @Nullable Contradicted contradiction,
             int columns,
@@ -231,6 +256,7 @@ final class MapCommand extends Subcommand {
         var contents = new LinkedHashMap<String, byte[]>();
         OccupancyGrid grid;
         List<Drawn> drawn;
+        var merged = new ArrayList<Merged>();
         if (knownPoses) {
             Robot robot = robots.getFirst();
             slam = new Slam(Slam.Settings.DEFAULT);
@@ -258,7 +284,7 @@ final class MapCommand extends Subcommand {
             drawn = all;
             slam = slams.getFirst();
             for (int i = 1; i < slams.size(); i++) {
-                merge(slam, slams.get(i), robots.get(i));
+                merged.add(Merged.of(robots.get(i).file(), merge(slam, slams.get(i), robots.get(i))));
             }
             grid = grid(robots.getFirst(), slam.posedScans());
             for (int i = 0; i < robots.size(); i++) {
@@ -275,6 +301,7 @@ final class MapCommand extends Subcommand {
         double seconds = Duration.ofNanos(System.nanoTime() - start).toMillis() / 1e3;
         var result = new Result(
                 drawn,
+                merged,
                 knownPoses ? null : Strained.of(strain),
                 Contradicted.of(contradiction), // of no scans when poses are known
                 grid.width(),
@@ -362,7 +389,7 @@ final class MapCommand extends Subcommand {
                 .count();
     }
 
-    private void merge(Slam slam, Slam other, Robot robot) {
+    private Merge.Done merge(Slam slam, Slam other, Robot robot) {
         Merge merged;
         try {
             merged = slam.merge(other);
@@ -370,12 +397,13 @@ final class MapCommand extends Subcommand {
             throw new InvalidSettings(
                     Location.of(robot.file()), String.valueOf(e.getMessage()), "Map fewer logs, or parts of them.");
         }
-        switch (merged) {
-            case Merge.Done _ -> {}
+        return switch (merged) {
+            case Merge.Done done -> done;
             case Merge.Apart _ ->
                 throw new InvalidSettings(
                         Location.of(robot.file()),
-                        "Its map has nothing in common with (%s) that can be told apart.".formatted(files.getFirst()),
+                        "Its map has nothing in common with that of (%s) that can be told apart, or too much speaks against it."
+                                .formatted(files.getFirst()),
                         "Maybe the robots saw different places, or too little of the same.");
             case Merge.Ambiguous(Pose2d one, Pose2d rival) ->
                 throw new InvalidSettings(
@@ -384,7 +412,7 @@ final class MapCommand extends Subcommand {
                                 .formatted(files.getFirst(), words(one), words(rival)),
                         "Maybe the place looks the same from two sides; let the robots see more of what tells them"
                                 + " apart, or map the logs one by one.");
-        }
+        };
     }
 
     private static String words(Pose2d pose) {
@@ -486,6 +514,20 @@ final class MapCommand extends Subcommand {
             tell("wheels, scan to scan", log.odometry());
             tell("map, scan to scan", log.next());
             tell("map, scans within %.0f m".formatted(NEAR), log.near());
+        }
+        for (Merged one : result.merged()) {
+            out().println(
+                            ("%s lies at %.2f m, %.2f m, %.1f° in the map of %s: both saw %.0f m² of floor, %.1f%% of what was"
+                                            + " hit there stands in what the other saw free, %.0f%% of the beams go through walls")
+                                    .formatted(
+                                            one.log(),
+                                            one.x(),
+                                            one.y(),
+                                            one.degrees(),
+                                            files.getFirst(),
+                                            one.squareMeters(),
+                                            100 * one.against(),
+                                            100 * one.throughWalls()));
         }
         if (result.strain() != null) {
             tell(result.strain());

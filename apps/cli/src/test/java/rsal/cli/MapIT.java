@@ -180,6 +180,13 @@ class MapIT {
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
         JsonNode told = new JsonMapper().readTree(ended.out());
         assertThat(told.path("logs").size()).isEqualTo(2);
+        assertThat(told.path("merged").size()).isEqualTo(1);
+        JsonNode merged = told.path("merged").path(0);
+        assertThat(merged.path("log").asText()).isEqualTo("other.log");
+        assertThat(Math.hypot(merged.path("x").asDouble(), merged.path("y").asDouble()))
+                .isGreaterThan(10);
+        assertThat(merged.path("squareMeters").asDouble()).isGreaterThan(10);
+        assertThat(merged.path("against").asDouble()).isLessThan(0.03);
         assertThat(told.path("columns").asInt() * 0.05).isBetween(9.0, 11.0);
         assertThat(folder.resolve("both/trajectory-2.txt")).isNotEmptyFile();
     }
