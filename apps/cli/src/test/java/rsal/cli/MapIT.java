@@ -182,7 +182,7 @@ class MapIT {
         assertThat(told.path("logs").size()).isEqualTo(2);
         assertThat(told.path("merged").size()).isEqualTo(1);
         JsonNode merged = told.path("merged").path(0);
-        assertThat(merged.path("log").asText()).isEqualTo("other.log");
+        assertThat(merged.path("log").asString()).isEqualTo("other.log");
         assertThat(Math.hypot(merged.path("x").asDouble(), merged.path("y").asDouble()))
                 .isGreaterThan(10);
         assertThat(merged.path("squareMeters").asDouble()).isGreaterThan(10);

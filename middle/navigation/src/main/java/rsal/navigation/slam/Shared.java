@@ -17,14 +17,13 @@ public record Shared(double squareMeters, double against, double through) {
     private static final double LEAST_SQUARE_METERS = 2;
 
     // Rooms of a made-up building that were taken for each other, four pairs: 0.021 to 0.067. Maps that share a place:
-    // 0.003 at most (two logs, alternate fours of scans, usual noise, own maps 0.5 m off), though up to 0.24 of the
+    // 0.011 at most (parts, and alternate fours of scans, of four public logs, usual noise), though up to 0.28 of the
     // beams go through.
     private static final double MOST_AGAINST = 0.015;
 
     private static final double CELL = 0.1; // m
     private static final double SHORT = 0.3; // m; free floor ends so far before a hit
-    private static final int NEAR =
-            7; // cells; maps that are right differ by so much: 3 make 0.09 against of such a log
+    private static final int NEAR = 7; // cells, as right maps bend: with 3, fours of Seattle have 0.09 against
     private static final int SEEN_BY = 2; // scans, so that who passed by is no wall
     private static final int LOOKED_THROUGH = 24; // frames of either map
 
