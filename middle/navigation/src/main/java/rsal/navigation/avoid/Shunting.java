@@ -19,13 +19,10 @@ import rsal.data.Twist2d;
 
 /// Finds how a robot turns where it has no room to turn in place: to and fro, straight and in arcs, as one turns a car
 /// in three points. A search by A* (P. E. Hart, N. J. Nilsson, B. Raphael, A Formal Basis for the Heuristic
-/// Determination of
-/// Minimum Cost Paths, 1968) over cells of place and heading, each with the first pose found in it, as hybrid A* does
-/// it
-/// (D. Dolgov, S. Thrun, M. Montemerlo, J. Diebel, Practical Search Techniques in Path Planning for Autonomous Driving,
-/// 2008).
-/// Its heuristic is only what the missing turn takes in place, as half a meter around the robot is all that is
-/// searched.
+/// Determination of Minimum Cost Paths, 1968) over cells of place and heading, each with the first pose found in it, as
+/// hybrid A* does it (D. Dolgov, S. Thrun, M. Montemerlo, J. Diebel, Practical Search Techniques in Path Planning for
+/// Autonomous Driving, 2008). Its heuristic is only what the missing turn takes in place, as half a meter around the
+/// robot is all that is searched.
 ///
 /// Immutable; may be used by several threads.
 public final class Shunting {
