@@ -159,6 +159,10 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
     }
 
     void take(Exploration.Order order) {
+        if (!health().isOk()) { // it stood meanwhile, for no fault of the frontier's
+            nearest = Double.POSITIVE_INFINITY;
+            since = scheduler.instant();
+        }
         health(Health.ok());
         looksForNothing = order.complete() ? looksForNothing + 1 : 0;
         if (looksForNothing == SURE && !order.narrow().isEmpty()) {
@@ -217,7 +221,9 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         if (ended.equals(drive) && !(result instanceof Navigator.Result.Cancelled)) {
             drive = null;
             frontier = null;
-            team.leaveAlone(goal, scheduler.instant());
+            if (ready()) {
+                team.leaveAlone(goal, scheduler.instant());
+            }
         }
     }
 
