@@ -94,9 +94,9 @@ final class Trip {
     private Instant manoeuvreEnds;
     private @Nullable Shunt shunt;
     private Pose2d mapFromShunt = Pose2d.ORIGIN; // where it began
-    private double leftAtShunt; // what was left then
+    private int searches; // for ways to turn
     private boolean shuntedInVain; // so that something else is to be tried
-    private boolean shuntedOn; // it got nearer by that, and may have to go on so
+    private boolean shuntedOn; // it got somewhere by that, and may have to go on so
     private int refused; // beats in a row in which it did not go on, as that was not safe
 
     private enum Manoeuvre {
@@ -146,8 +146,10 @@ final class Trip {
         planned = old.planned;
         nearer = old.nearer;
         yardstick = left(route);
-        manoeuvre = old.manoeuvre;
-        manoeuvreEnds = old.manoeuvreEnds;
+        if (old.manoeuvre != Manoeuvre.SHUNT) { // where that leads is for the old goal
+            manoeuvre = old.manoeuvre;
+            manoeuvreEnds = old.manoeuvreEnds;
+        }
     }
 
     private boolean isSeeable(Point2d from, Point2d to, double within) {
@@ -199,8 +201,12 @@ final class Trip {
             return lookAround(now);
         }
         double distance = mapFromBase.distanceTo(mapFromGoal);
+        boolean wasThere = arrived;
         arrived = distance <= (arrived ? 1.3 : 1.0) * tolerance.distance();
         if (arrived) {
+            if (!wasThere && manoeuvre == Manoeuvre.SHUNT) {
+                endManoeuvre(now); // it would lead on, past the goal
+            }
             return turnToGoal(now);
         }
         if (route == null) {
@@ -327,7 +333,7 @@ final class Trip {
         if (hitsBehind || (manoeuvre != Manoeuvre.NONE && now.now().isAfter(manoeuvreEnds))) {
             endManoeuvre(now);
         } else if (manoeuvre == Manoeuvre.NONE
-                && (now.stalled() || heldUp(now).compareTo(shuntedOn ? HELD_UP_AGAIN : HELD_UP) > 0)) {
+                && (now.stalled() || heldUp(now).compareTo(isShunting(now) ? HELD_UP_AGAIN : HELD_UP) > 0)) {
             if (now.stalled() && bumpsAgain(left)) {
                 giveUp(
                         now,
@@ -372,7 +378,7 @@ final class Trip {
     }
 
     private void endManoeuvre(Situation now) {
-        shuntedOn = manoeuvre == Manoeuvre.SHUNT && yardstick < leftAtShunt - NEARER;
+        shuntedOn = manoeuvre == Manoeuvre.SHUNT && mapFromBase.distanceTo(mapFromShunt) > STANDING;
         shuntedInVain = manoeuvre == Manoeuvre.SHUNT
                 && mapFromBase.distanceTo(mapFromShunt) < MOVED
                 && Math.abs(Angles.difference(mapFromBase.theta(), mapFromShunt.theta())) < TURNED;
@@ -402,19 +408,40 @@ final class Trip {
         return mapFromBase.distanceTo(mapFromNearer) < STANDING;
     }
 
+    /// Whether it got on by turning to and fro here, and may have to again.
+    private boolean isShunting(Situation now) {
+        return shuntedOn && mapFromBase.distanceTo(mapFromShunt) < GOT_ON && isWedged(now);
+    }
+
     /// Looks for a way to turn to and fro to where it has to go on.
     private void beginShunting(Situation now) {
         manoeuvre = Manoeuvre.SHUNT;
         manoeuvreEnds = now.now().plus(SEARCHING);
         shunt = null;
+        mapFromShunt = mapFromBase;
+        int search = ++searches;
+        double ahead = ahead();
         Pose2d odomFromBase = now.motion().odomFromBase();
         scheduler
-                .compute(parts.shunting().search(now.obstacles(), toTurn(), arrived ? 0 : ONWARD))
+                .compute(parts.shunting().search(now.obstacles(), toTurn(), ahead))
                 .thenAccept(legs -> {
-                    if (manoeuvre == Manoeuvre.SHUNT && shunt == null) {
-                        legs.ifPresentOrElse(found -> shuntAlong(found, odomFromBase), this::backOffInstead);
+                    if (search == searches && manoeuvre == Manoeuvre.SHUNT) {
+                        legs.ifPresentOrElse(found -> shuntAlong(found, ahead, odomFromBase), this::backOffInstead);
+                    }
+                })
+                .whenComplete((_, error) -> {
+                    if (error != null) { // of the search, or of what came of it
+                        end(new Result.NoPath("The search for a way to turn failed: %s".formatted(error)));
                     }
                 });
+    }
+
+    /// How far it must be able to go on when it has turned, which is not past its goal [m].
+    private double ahead() {
+        Route way = route;
+        return arrived || way == null
+                ? 0
+                : Math.min(ONWARD, mapFromBase.position().distanceTo(target(way)));
     }
 
     private void backOffInstead() {
@@ -431,15 +458,15 @@ final class Trip {
     }
 
     /// Goes on by what the search found open, too: a local planner that wants more room would stand there.
-    private void shuntAlong(List<Leg> legs, Pose2d odomFromBase) {
+    ///
+    /// @param ahead how far that is [m]
+    private void shuntAlong(List<Leg> legs, double ahead, Pose2d odomFromBase) {
         List<Leg> all = new ArrayList<>(legs);
-        if (!arrived) {
-            all.add(new Leg(ONWARD, 0));
+        if (ahead > 0) {
+            all.add(new Leg(ahead, 0));
         }
         var next = new Shunt(all, settings.escapeSpeed(), odomFromBase);
         shunt = next;
-        mapFromShunt = mapFromBase;
-        leftAtShunt = yardstick;
         shunted += legs.isEmpty() ? 0 : 1;
         refused = 0;
         manoeuvreEnds = scheduler.instant().plusMillis((long) (SLOWLY * next.seconds() * 1000));
