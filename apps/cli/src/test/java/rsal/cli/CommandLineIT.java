@@ -1161,7 +1161,7 @@ class CommandLineIT {
         writeStageWorld();
         Ended converted = rsal.run("convert", "hall.world");
         assertThat(converted.code()).as(converted.err()).isZero();
-        assertThat(converted.out()).contains("hall.world.yaml: 1 things, 2 robots", "hall-1.png");
+        assertThat(converted.out()).contains("hall.world.yaml: 1 thing, 2 robots", "hall-1.png");
         assertThat(converted.err()).contains("hall.world:8:", "(colour)");
         assertThat(folder.resolve("hall.world.yaml")).content().contains("title: hall", "crate:", "program: wander");
 
