@@ -33,7 +33,6 @@ final class Merging {
     private static final double ELSEWHERE_METERS = 1.5;
     private static final double ELSEWHERE_RADIANS = 0.3;
     private static final double RIVAL = 0.8; // of the support of the best
-    private static final int LOOKED_THROUGH = 24; // frames of either map
     private static final double MOST_THROUGH = 0.35; // of the beams, at a place that may be right
     private static final double MORE = 1.5; // times the beams that go through walls, by which a rival is out
     private static final double MORE_AT_LEAST = 0.015; // of the beams
@@ -48,19 +47,19 @@ final class Merging {
     private record Place(Pose2d aFromB, double support) {}
 
     /// Where the map of one lies in that of another.
-    sealed interface Lie {}
+    sealed interface Alignment {}
 
-    record One(Pose2d aFromB) implements Lie {}
+    record One(Pose2d aFromB) implements Alignment {}
 
     /// In two places about as well.
-    record Rivals(Pose2d aFromB, Pose2d rival) implements Lie {}
+    record Rivals(Pose2d aFromB, Pose2d rival) implements Alignment {}
 
-    record Nowhere() implements Lie {}
+    record Nowhere() implements Alignment {}
 
     private Merging() {}
 
     /// Where the map's frame of `b` is in that of `a`, if it is there at all.
-    static Lie align(List<Frame> framesA, List<Pose2d> a, List<Frame> framesB, List<Pose2d> b) {
+    static Alignment align(List<Frame> framesA, List<Pose2d> a, List<Frame> framesB, List<Pose2d> b) {
         List<Place> places = places(found(framesA, a, framesB, b), middle(b));
         if (places.isEmpty()) {
             return new Nowhere();
@@ -74,8 +73,8 @@ final class Merging {
         int best = 0;
         for (int i = 0; i < rivals.size(); i++) {
             Pose2d aFromB = rivals.get(i).aFromB();
-            seenThrough.add((through(hitsOfA, a.getFirst(), framesB, b, aFromB)
-                            + through(hitsOfB, b.getFirst(), framesA, a, aFromB.inverse()))
+            seenThrough.add((hitsOfA.through(framesB, b, a.getFirst().inverse().compose(aFromB))
+                            + hitsOfB.through(framesA, a, b.getFirst().inverse().compose(aFromB.inverse())))
                     / 2);
             best = seenThrough.get(i) < seenThrough.get(best) ? i : best;
         }
@@ -160,20 +159,5 @@ final class Merging {
 
     private static boolean isSame(Pose2d aFromB, Pose2d other, Pose2d middle) {
         return other.compose(middle).isNear(aFromB.compose(middle), AGREE_METERS, AGREE_RADIANS);
-    }
-
-    /// Share of the beams of one map that go through what the other hit.
-    ///
-    /// @param first pose of the other, in whose frame its hits are
-    private static double through(
-            Transparency hits, Pose2d first, List<Frame> frames, List<Pose2d> poses, Pose2d otherFromMap) {
-        Pose2d hitsFromMap = first.inverse().compose(otherFromMap);
-        int looked = Math.min(LOOKED_THROUGH, frames.size());
-        double sum = 0;
-        for (int i = 0; i < looked; i++) {
-            int frame = (int) ((i + 0.5) * frames.size() / looked);
-            sum += hits.through(frames.get(frame), hitsFromMap.compose(poses.get(frame)));
-        }
-        return sum / looked;
     }
 }

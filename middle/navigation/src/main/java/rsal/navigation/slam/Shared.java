@@ -25,7 +25,6 @@ public record Shared(double squareMeters, double against, double through) {
     private static final double SHORT = 0.3; // m; free floor ends so far before a hit
     private static final int NEAR = 7; // cells, as right maps bend: with 3, fours of Seattle have 0.09 against
     private static final int SEEN_BY = 2; // scans, so that who passed by is no wall
-    private static final int LOOKED_THROUGH = 24; // frames of either map
 
     /// Whether they are of one place.
     boolean isEnough() {
@@ -42,23 +41,15 @@ public record Shared(double squareMeters, double against, double through) {
         int[] aInB = a.standingIn(b);
         int[] bInA = b.standingIn(a);
         double against = (aInB[0] + bInA[0]) / Math.max(1.0, aInB[0] + bInA[0] + aInB[1] + bInA[1]);
-        double through = (through(frames, poses, 0, first, first, frames.size())
-                        + through(frames, poses, first, frames.size(), 0, first))
+        int end = frames.size();
+        var hitsOfA = new Transparency(Surroundings.of(frames, poses, 0, first - 1, 0));
+        var hitsOfB = new Transparency(Surroundings.of(frames, poses, first, end - 1, first));
+        Pose2d bFromMap = poses.get(first).inverse();
+        Pose2d aFromMap = poses.getFirst().inverse();
+        double through = (hitsOfB.through(frames.subList(0, first), poses.subList(0, first), bFromMap)
+                        + hitsOfA.through(frames.subList(first, end), poses.subList(first, end), aFromMap))
                 / 2;
         return new Shared(both * CELL * CELL, against, through);
-    }
-
-    private static double through(
-            List<Frame> frames, List<Pose2d> poses, int from, int to, int otherFrom, int otherTo) {
-        var hits = new Transparency(Surroundings.of(frames, poses, otherFrom, otherTo - 1, otherFrom));
-        Pose2d hitsFromMap = poses.get(otherFrom).inverse();
-        int looked = Math.min(LOOKED_THROUGH, to - from);
-        double sum = 0;
-        for (int i = 0; i < looked; i++) {
-            int frame = from + (int) ((i + 0.5) * (to - from) / looked);
-            sum += hits.through(frames.get(frame), hitsFromMap.compose(poses.get(frame)));
-        }
-        return sum / looked;
     }
 
     /// How many scans saw a cell free, or hit something in it.

@@ -1,6 +1,7 @@
 package rsal.navigation.slam;
 
 import java.util.BitSet;
+import java.util.List;
 import rsal.data.Pose2d;
 import rsal.navigation.scanmatch.Cloud;
 
@@ -9,6 +10,7 @@ final class Transparency {
     private static final double CELL = 0.1; // m
     private static final double SHORT = 0.3; // m; before a hit
     private static final int MOST_CELLS = 1 << 24;
+    private static final int LOOKED = 24; // scans of many
 
     private final double originX;
     private final double originY;
@@ -44,6 +46,19 @@ final class Transparency {
         double column = Math.floor((x - originX) / CELL);
         double row = Math.floor((y - originY) / CELL);
         return column >= 0 && column < width && row >= 0 && row < height ? (int) (row * width + column) : -1;
+    }
+
+    /// Share of the beams of some of many scans, evenly chosen, that went through something.
+    ///
+    /// @param mapFromBases of the scans
+    double through(List<Frame> frames, List<Pose2d> mapFromBases, Pose2d referenceFromMap) {
+        int looked = Math.min(LOOKED, frames.size());
+        double sum = 0;
+        for (int i = 0; i < looked; i++) {
+            int frame = (int) ((i + 0.5) * frames.size() / looked);
+            sum += through(frames.get(frame), referenceFromMap.compose(mapFromBases.get(frame)));
+        }
+        return sum / looked;
     }
 
     /// Share of the beams of a scan that went through something.
