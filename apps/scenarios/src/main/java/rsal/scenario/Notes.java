@@ -1,6 +1,5 @@
 package rsal.scenario;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -118,7 +117,7 @@ final class Notes {
                     .choose(new SplittableRandom(0), _ -> true)
                     .ifPresent(pose -> starts.add(map.cell(pose.position())));
         }
-        BitSet reached = reached(map, starts);
+        BitSet reached = FreeSpace.connected(map, starts);
         return Arrays.stream(edge).filter(reached::get).mapToObj(map::middle).findFirst();
     }
 
@@ -129,33 +128,5 @@ final class Notes {
                 .flatMap(row -> row == 0 || row == map.height() - 1 || width == 1
                         ? IntStream.range(row * width, (row + 1) * width)
                         : IntStream.of(row * width, (row + 1) * width - 1));
-    }
-
-    /// Free cells that are connected with free ones by their sides.
-    private static BitSet reached(OccupancyGrid map, List<Integer> starts) {
-        int width = map.width();
-        var reached = new BitSet(map.cells().length);
-        var next = new ArrayDeque<Integer>();
-        for (int start : starts) {
-            if (!reached.get(start)) {
-                reached.set(start);
-                next.add(start);
-            }
-            while (!next.isEmpty()) {
-                int cell = next.remove();
-                int column = cell % width;
-                int row = cell / width;
-                for (int side = 0; side < 4; side++) {
-                    int toColumn = column + (side == 0 ? 1 : side == 1 ? -1 : 0);
-                    int toRow = row + (side == 2 ? 1 : side == 3 ? -1 : 0);
-                    int neighbor = toRow * width + toColumn;
-                    if (map.at(toColumn, toRow) == OccupancyGrid.FREE && !reached.get(neighbor)) {
-                        reached.set(neighbor);
-                        next.add(neighbor);
-                    }
-                }
-            }
-        }
-        return reached;
     }
 }

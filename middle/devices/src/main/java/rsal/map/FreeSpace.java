@@ -1,6 +1,8 @@
 package rsal.map;
 
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -34,7 +36,7 @@ public final class FreeSpace {
         int largestTo = 0;
         for (int cell = 0; cell < open.length; cell++) {
             if (open[cell]) {
-                int to = collectPart(cell, open, found, from);
+                int to = collectPart(map, cell, open, found, from);
                 if (to - from > largestTo - largestFrom) {
                     largestFrom = from;
                     largestTo = to;
@@ -53,6 +55,23 @@ public final class FreeSpace {
     /// @param clearance as for a free space [m]
     public static int reach(OccupancyGrid map, double clearance) {
         return (int) Math.ceil(clearance / map.resolution() - 0.5);
+    }
+
+    /// Free cells that are connected with some by their sides, whatever room there is.
+    ///
+    /// @param starts cells; those that are not free lead nowhere
+    public static BitSet connected(OccupancyGrid map, Collection<Integer> starts) {
+        boolean[] open = open(map, 0);
+        int[] found = new int[open.length];
+        int end = 0;
+        for (int start : starts) {
+            if (open[start]) {
+                end = collectPart(map, start, open, found, end);
+            }
+        }
+        var connected = new BitSet(open.length);
+        Arrays.stream(found, 0, end).forEach(connected::set);
+        return connected;
     }
 
     /// Cells with none but free ones `reach` cells around, by a summed-area table of the others.
@@ -83,7 +102,7 @@ public final class FreeSpace {
     /// Moves all cells that are connected with one from `open` to the end of `found`.
     ///
     /// @return the new end
-    private int collectPart(int first, boolean[] open, int[] found, int from) {
+    private static int collectPart(OccupancyGrid map, int first, boolean[] open, int[] found, int from) {
         int end = from;
         open[first] = false;
         found[end++] = first;
