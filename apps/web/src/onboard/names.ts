@@ -1,3 +1,5 @@
+import { overlap, type Box } from '../map/labels';
+
 /** Height of a line of text [px]. */
 const LINE = 14;
 
@@ -17,13 +19,13 @@ export function placeNames(seen: Seen[], pictureWidth: number): Seen[] {
   for (const one of [...seen].sort((a, b) => a.depth - b.depth)) {
     const half = Math.min(one.width, pictureWidth) / 2;
     const moved = { ...one, px: Math.min(pictureWidth - half, Math.max(half, one.px)) };
-    if (!placed.some((other) => overlap(other, moved))) {
+    if (!placed.some((other) => overlap(boxOf(other), boxOf(moved)) > 0)) {
       placed.push(moved);
     }
   }
   return placed;
 }
 
-function overlap(a: Seen, b: Seen): boolean {
-  return Math.abs(a.px - b.px) < (a.width + b.width) / 2 && Math.abs(a.py - b.py) < LINE;
+function boxOf({ px, py, width }: Seen): Box {
+  return { x: px - width / 2, y: py - LINE, width, height: LINE };
 }
