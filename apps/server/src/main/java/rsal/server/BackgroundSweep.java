@@ -186,7 +186,7 @@ final class BackgroundSweep implements AutoCloseable {
         try {
             return order.sweep().plan(trials.get(run - 1), 1);
         } catch (InvalidSettings e) {
-            throw new Refusal(409, e.problems().getFirst().message());
+            throw new Refusal(409, e);
         }
     }
 

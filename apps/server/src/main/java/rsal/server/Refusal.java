@@ -1,6 +1,7 @@
 package rsal.server;
 
 import java.util.List;
+import rsal.settings.InvalidSettings;
 
 /// A request is turned down: with a status, a sentence, and for settings all their mistakes.
 final class Refusal extends RuntimeException {
@@ -12,6 +13,11 @@ final class Refusal extends RuntimeException {
 
     Refusal(int status, String message) {
         this(status, message, List.of());
+    }
+
+    /// With the first of the mistakes alone, where there is no form to show all of them in.
+    Refusal(int status, InvalidSettings mistaken) {
+        this(status, mistaken.problems().getFirst().message());
     }
 
     Refusal(int status, String message, List<Messages.Mistake> problems) {

@@ -72,7 +72,7 @@ final class Shelf {
             return new ScenarioText(
                     id, Scenario.fileOf(id), text, Optional.of(text).filter(_ -> isFile(id)));
         } catch (InvalidSettings e) {
-            throw new Refusal(404, e.problems().getFirst().message());
+            throw new Refusal(404, e);
         }
     }
 

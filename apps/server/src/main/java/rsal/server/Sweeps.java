@@ -127,7 +127,7 @@ final class Sweeps implements AutoCloseable {
             return new BackgroundSweep.Order(
                     nextNumber(), sweep, last.scenario(), Math.clamp(last.jobs(), 1, cores), out);
         } catch (InvalidSettings e) {
-            throw new Refusal(409, e.problems().getFirst().message());
+            throw new Refusal(409, e);
         } catch (UncheckedIOException e) {
             throw new Refusal(409, "The sweep in (%s) can't be read: %s.".formatted(out, e.getMessage()));
         }
@@ -163,7 +163,7 @@ final class Sweeps implements AutoCloseable {
         try {
             return opening.get();
         } catch (InvalidSettings e) {
-            throw new Refusal(409, e.problems().getFirst().message());
+            throw new Refusal(409, e);
         } catch (UncheckedIOException e) {
             throw unwritable(order.out(), e);
         }
