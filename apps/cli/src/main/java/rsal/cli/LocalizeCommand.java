@@ -46,8 +46,7 @@ import rsal.time.AllowedToReadWallClock;
         description = "Follow a robot's log on a map: where it was at each scan, how sure that is, and how right.",
         footer = {
             "",
-            "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip. RAWLASER1's"
-                    + " laser is where PARAM robot_frontlaser_offset (and _side_offset, _angular_offset) says. Errors are told"
+            LogOptions.LOGS + " Errors are told"
                     + " against the poses in the log, or in that of --reference. In 'corrected' logs the odometry is"
                     + " these poses, without any error: add some with --odometry-noise.",
             "",

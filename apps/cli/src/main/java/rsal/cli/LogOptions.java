@@ -26,6 +26,11 @@ final class LogOptions {
     private static final double MANY = 0.1; // share of scans skipped that nobody should miss
     private static final double TOO_MANY = 0.5; // likewise, that leaves too little to go by
 
+    /// Which logs commands read, for their help.
+    static final String LOGS =
+            "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip."
+                    + " RAWLASER1's laser is where PARAM robot_frontlaser_offset (and _side_offset, _angular_offset) says.";
+
     @Spec(Spec.Target.MIXEE)
     @SuppressWarnings("NullAway.Init") // picocli fills it in
     private CommandSpec spec;

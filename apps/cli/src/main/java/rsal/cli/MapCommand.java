@@ -43,8 +43,7 @@ import rsal.time.AllowedToReadWallClock;
         description = "Draw a map from a robot's log, or one from those of several robots.",
         footer = {
             "",
-            "Logs are CARMEN's (FLASER, ROBOTLASER1, RAWLASER1 with ODOM), plain or packed with gzip. RAWLASER1's"
-                    + " laser is where PARAM robot_frontlaser_offset (and _side_offset, _angular_offset) says. Written are"
+            LogOptions.LOGS + " Written are"
                     + " map.yaml and map.pgm as ROS reads them, picture.png with ways (blue) and places that were"
                     + " known again (red), trajectory.txt as TUM writes it (time x y z qx qy qz qw), and residuals.csv.",
             "Errors are told against the poses in the log, or in that of --reference. In 'corrected' logs the"

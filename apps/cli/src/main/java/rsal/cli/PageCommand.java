@@ -44,7 +44,7 @@ abstract class PageCommand extends Subcommand {
     /// @throws Unreachable when nobody is there, or answers in time
     /// @throws ParameterException when it is refused, with the reason
     final JsonNode ask(String path) throws InterruptedException {
-        return send(PATIENCE, page(PATIENCE).at(path));
+        return send(page(), page().at(path));
     }
 
     /// Has something done, and waits until the server says that it is.
@@ -71,18 +71,18 @@ abstract class PageCommand extends Subcommand {
 
     /// All may act again.
     final void giveControlBack() throws InterruptedException {
-        send(PATIENCE, asOperator("/api/control").DELETE());
+        send(page(), asOperator("/api/control").DELETE());
     }
 
     /// As [#tell] does, of what can't wait.
     ///
     /// @throws Unreachable when nobody confirms it within 3 s
     final void tellAtOnce(String command, Object message) throws InterruptedException {
-        send(EMERGENCY, posted("/api/run/" + command, message));
+        send(new PageClient(port(), EMERGENCY), posted("/api/run/" + command, message));
     }
 
     private JsonNode post(String path, Object message) throws InterruptedException {
-        return send(PATIENCE, posted(path, message));
+        return send(page(), posted(path, message));
     }
 
     private HttpRequest.Builder posted(String path, Object message) {
@@ -91,7 +91,7 @@ abstract class PageCommand extends Subcommand {
     }
 
     private HttpRequest.Builder asOperator(String path) {
-        PageClient page = page(PATIENCE);
+        PageClient page = page();
         PageKey key = PageKey.of(page.port())
                 .orElseThrow(() ->
                         new Unreachable("There is no page of yours at (%s). 'rsal run' prints where; say --port P."
@@ -102,12 +102,12 @@ abstract class PageCommand extends Subcommand {
                 .header("Content-Type", "application/json");
     }
 
-    private PageClient page(Duration patience) {
-        return new PageClient(port(), patience);
+    private PageClient page() {
+        return new PageClient(port(), PATIENCE);
     }
 
-    private JsonNode send(Duration patience, HttpRequest.Builder asked) throws InterruptedException {
-        PageClient.Answer answer = page(patience).send(asked);
+    private JsonNode send(PageClient page, HttpRequest.Builder asked) throws InterruptedException {
+        PageClient.Answer answer = page.send(asked);
         if (answer.isRefusal()) {
             throw new ParameterException(
                     spec.commandLine(),
