@@ -187,6 +187,7 @@ class MapIT {
                 .isGreaterThan(10);
         assertThat(merged.path("squareMeters").asDouble()).isGreaterThan(10);
         assertThat(merged.path("against").isNumber()).isTrue();
+        assertThat(merged.path("against").asDouble()).isLessThan(0.03);
         assertThat(told.path("columns").asInt() * 0.05).isBetween(9.0, 11.0);
         assertThat(folder.resolve("both/trajectory-2.txt")).isNotEmptyFile();
     }
