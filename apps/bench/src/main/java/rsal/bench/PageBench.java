@@ -40,11 +40,10 @@ import rsal.time.AllowedToReadWallClock;
 ///
 /// Names are `page.<robots>.<what>`. What: `fps`, frames drawn per second at the speed of real time; `states`, new
 /// states of the run drawn per second while it has 20, at twice that speed; `first`, from the call of the page until
-/// its
-/// map shows the run, after which the lists beside it follow; `cost.percent`, how much slower the run is while the page
-/// is open, both as fast as they can, and `cost.run.percent`,
-/// how much more processor time the run's own threads take meanwhile, as the browser draws on the run's cores where
-/// there are few; `heap.mb.min`, by how much the page's memory grows in a minute. `page.gzip.kb` is what a
+/// its map shows the run, after which the lists beside it follow; `cost.percent`, how much slower the run is while the
+/// page is open, both as fast as they can, and `cost.run.percent`, how much more processor time
+/// the run's own threads take meanwhile, as the browser draws on the run's cores where there are few; `heap.mb.min`, by
+/// how much the page's memory grows in a minute. `page.gzip.kb` is what a
 /// browser loads before it draws, `page.whole.gzip.kb` also what it loads when somebody wants it, as the
 /// editor. Of all medians count; of the costs pairs, one after the other.
 @AllowedToReadWallClock("Benchmarks measure real time.")

@@ -46,9 +46,8 @@ final class Thinned<T> {
         return !entries.isEmpty() && entries.getLast().time().equals(time);
     }
 
-    /// Keeps it, in place of the newest when that is of the same time, also when it is not [due][#isDue]. It must not
-    /// be
-    /// older.
+    /// Keeps it, in place of the newest when that is of the same time, also when it is not [due][#isDue]. It must
+    /// not be older.
     ///
     /// @param value of which nothing changes
     void keep(Duration time, T value) {
