@@ -56,6 +56,7 @@ class LauncherIT {
 
     private static final String NPM = """
             #!/bin/sh
+            [ -z "$NODE_ENV" ] || { echo "npm error What is built depends on NODE_ENV=$NODE_ENV"; exit 1; }
             echo "$3 $4" >> "$2/../../builds"
             if [ -e "$2/broken" ]; then echo "npm error code EUSAGE"; yes "npm error" | head -n 40; exit 1; fi
             case "$3" in
@@ -471,6 +472,7 @@ class LauncherIT {
         var builder = new ProcessBuilder(Ended.interruptible(List.of(command))).directory(in.toFile());
         builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
         builder.environment().compute("PATH", (_, path) -> folder.resolve("bin") + ":" + path);
+        builder.environment().put("NODE_ENV", "test"); // as where tests in a browser start it
         return builder;
     }
 
