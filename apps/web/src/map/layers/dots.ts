@@ -7,8 +7,14 @@ export class Dots {
   private image = new ImageData(1, 1);
   private width = 1;
   private height = 1;
-  private pixels = new Uint32Array(this.image.data.buffer);
-  private matrix = [1, 0, 0, 1, 0, 0]; // from the map to the canvas' own pixels
+  private pixels = new Int32Array(this.image.data.buffer); // unsigned, most would be no small integers
+  /** From the map to the canvas' own pixels, as columns of a matrix; the last is that of a dot's corner. */
+  private xx = 1;
+  private xy = 0;
+  private yx = 0;
+  private yy = 1;
+  private atX = 0;
+  private atY = 0;
   private side = 1;
   private strength = 255;
   private last = -1; // where the dot before this one is
@@ -26,13 +32,14 @@ export class Dots {
       this.width = this.canvas.width = width;
       this.height = this.canvas.height = height;
       this.image = new ImageData(width, height);
-      this.pixels = new Uint32Array(this.image.data.buffer);
+      this.pixels = new Int32Array(this.image.data.buffer);
     } else {
       this.pixels.fill(0);
     }
-    const { a, b, c, d, e, f } = context.getTransform();
-    this.matrix = [a, b, c, d, e, f]; // a DOMMatrix takes longer to read than a dot to set
+    const { a, b, c, d, e, f } = context.getTransform(); // a DOMMatrix takes longer to read than a dot to set
     this.side = Math.max(1, Math.round(side * Math.hypot(a, b)));
+    [this.xx, this.xy, this.yx, this.yy] = [a, b, c, d];
+    [this.atX, this.atY] = [e - this.side / 2, f - this.side / 2];
     this.strength = Math.ceil(255 * strength);
     this.last = -1;
   }
@@ -45,23 +52,23 @@ export class Dots {
    */
   set(x: number, y: number, bgr: number, share = 1) {
     const { pixels, side, width, height } = this;
-    const [a, b, c, d, e, f] = this.matrix as [number, number, number, number, number, number];
-    const left = Math.round(a * x + c * y + e - side / 2);
-    const top = Math.round(b * x + d * y + f - side / 2);
+    const left = Math.floor(this.xx * x + this.yx * y + this.atX + 0.5);
+    const top = Math.floor(this.xy * x + this.yy * y + this.atY + 0.5);
     const place = top * width + left;
     if (place === this.last) {
       return;
     }
     this.last = place;
-    const strength = this.strength * share;
+    const strength = Math.round(this.strength * share * 257); // of 65535
     const right = Math.min(width, left + side);
     const bottom = Math.min(height, top + side);
     for (let row = Math.max(0, top); row < bottom; row++) {
       const begin = row * width;
-      for (let at = begin + Math.max(0, left); at < begin + right; at++) {
+      const end = begin + right;
+      for (let at = begin + Math.max(0, left); at < end; at++) {
         const before = pixels[at]! >>> 24;
-        const alpha = before + Math.ceil(((255 - before) * strength) / 255);
-        pixels[at] = ((alpha << 24) | bgr) >>> 0;
+        const alpha = before + (((255 - before) * strength + 65535) >>> 16); // rounded up
+        pixels[at] = (alpha << 24) | bgr;
       }
     }
   }

@@ -1,7 +1,9 @@
-import { describe, expect, it } from 'vitest';
-import { BROKEN, NOTHING, TOO_CLOSE } from '../../live/frame';
+import { describe, expect, it, vi } from 'vitest';
+import { BROKEN, NOTHING, TOO_CLOSE, type Pose } from '../../live/frame';
+import { bgrOf, Dots } from './dots';
 import { ellipse } from './estimates';
 import { poolCells } from './floor';
+import { compose } from './frames';
 import { gridStep } from './grid';
 import { nameOf } from './names';
 import { motionOf } from './paths';
@@ -142,5 +144,55 @@ describe('beams of a scan', () => {
     expect(ends.map(({ hit }) => hit)).toEqual(wanted.map(({ hit }) => hit));
     const off = ends.map(({ x, y }, i) => Math.hypot(x - wanted[i]!.x, y - wanted[i]!.y));
     expect(Math.max(...off)).toBeLessThan(1e-9);
+
+    const laser = { x: 3, y: -2, heading: 2.5 };
+    const onMap: Pose[] = [];
+    eachBeam(scan, (x, y) => onMap.push({ x, y, heading: 0 }), laser);
+    const apart = onMap.map(({ x, y }, i) => {
+      const there = compose(laser, { ...ends[i]!, heading: 0 });
+      return Math.hypot(x - there.x, y - there.y);
+    });
+    expect(apart).toHaveLength(ends.length);
+    expect(Math.max(...apart)).toBeLessThan(1e-9);
+  });
+});
+
+describe('dots', () => {
+  it('are squares as strong as they should be, stronger where they lie upon each other, cut at the edge', () => {
+    const drawn: ImageData[] = [];
+    const image = class {
+      data: Uint8ClampedArray;
+      constructor(
+        readonly width: number,
+        readonly height: number,
+      ) {
+        this.data = new Uint8ClampedArray(4 * width * height);
+      }
+    };
+    vi.stubGlobal('ImageData', image);
+    vi.stubGlobal('document', {
+      createElement: () => ({ getContext: () => ({ putImageData: (one: ImageData) => drawn.push(one) }) }),
+    });
+    const nothing = () => undefined;
+    const context = {
+      canvas: { width: 5, height: 4 },
+      getTransform: () => ({ a: 1, b: 0, c: 0, d: -1, e: 0, f: 4 }), // a metre is a pixel, y up
+      save: nothing,
+      resetTransform: nothing,
+      drawImage: nothing,
+      restore: nothing,
+    } as unknown as CanvasRenderingContext2D;
+    const dots = new Dots();
+    dots.begin(context, 2, 0.5);
+    dots.set(1, 3, bgrOf('#102030'));
+    dots.set(1, 3, bgrOf('#102030')); // the same again is one
+    dots.set(2, 3, bgrOf('#405060'), 0.5);
+    dots.set(5, 0, bgrOf('#405060'));
+    dots.set(-9, 3, bgrOf('#405060'));
+    dots.draw(context);
+    const alphas = drawn[0]!.data.filter((_, i) => i % 4 === 3);
+    expect([...alphas]).toEqual([128, 160, 64, 0, 0, 128, 160, 64, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 128]);
+    expect([...drawn[0]!.data.slice(0, 7)]).toEqual([0x10, 0x20, 0x30, 128, 0x40, 0x50, 0x60]);
+    vi.unstubAllGlobals();
   });
 });

@@ -43,16 +43,28 @@ export const drawScans: Layer = (context, { info, frame, view, selected }) => {
   }
 };
 
-/** Tells of each beam that measured something where it ended, in the laser's frame. */
-export function eachBeam(scan: Scan, tell: (x: number, y: number, hit: boolean) => void) {
-  let [cos, sin] = [Math.cos(scan.angleMin), Math.sin(scan.angleMin)];
+/** The frame's own middle. */
+const ORIGIN: Pose = { x: 0, y: 0, heading: 0 };
+
+/**
+ * Tells of each beam that measured something where it ended.
+ *
+ * @param laser in the frame that ends are told in; left out: they are told in the laser's
+ */
+export function eachBeam(scan: Scan, tell: (x: number, y: number, hit: boolean) => void, laser = ORIGIN) {
+  const first = laser.heading + scan.angleMin;
   const [cosStep, sinStep] = [Math.cos(scan.angleIncrement), Math.sin(scan.angleIncrement)];
-  for (const value of scan.ranges) {
+  let [cos, sin] = [Math.cos(first), Math.sin(first)];
+  const { ranges } = scan;
+  for (let beam = 0; beam < ranges.length; beam++) {
+    const value = ranges[beam]!;
     if (value !== TOO_CLOSE && value !== BROKEN) {
       const range = value === NOTHING ? scan.rangeMax : value * scan.unit;
-      tell(range * cos, range * sin, value !== NOTHING);
+      tell(laser.x + range * cos, laser.y + range * sin, value !== NOTHING);
     }
-    [cos, sin] = [cos * cosStep - sin * sinStep, sin * cosStep + cos * sinStep]; // to the next beam
+    const next = cos * cosStep - sin * sinStep;
+    sin = sin * cosStep + cos * sinStep;
+    cos = next;
   }
 }
 
@@ -85,12 +97,11 @@ function drawScan(
 }
 
 function setHits(into: Dots, pose: Pose, scan: Scan, color: string) {
-  const laser = compose(pose, scan.baseFromLaser);
-  const [cos, sin] = [Math.cos(laser.heading), Math.sin(laser.heading)];
   const bgr = bgrOf(color);
-  eachBeam(scan, (x, y, hit) => {
+  const set = (x: number, y: number, hit: boolean) => {
     if (hit) {
-      into.set(laser.x + cos * x - sin * y, laser.y + sin * x + cos * y, bgr);
+      into.set(x, y, bgr);
     }
-  });
+  };
+  eachBeam(scan, set, compose(pose, scan.baseFromLaser));
 }

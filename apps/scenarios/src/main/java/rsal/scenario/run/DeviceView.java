@@ -47,16 +47,19 @@ public record DeviceView(String name, String driver, String type, Health health)
             Pilot.class,
             SimulationControl.class);
 
-    static DeviceView of(Device device) {
-        return new DeviceView(device.info().name(), device.info().driver(), type(device), device.health());
-    }
+    /// The contract that devices of a class fulfil: `LaserScanner`.
+    private static final ClassValue<String> TYPES = new ClassValue<>() {
+        @Override
+        protected String computeValue(Class<?> device) {
+            return CONTRACTS.stream()
+                    .filter(contract -> contract.isAssignableFrom(device))
+                    .map(Class::getSimpleName)
+                    .findFirst()
+                    .orElse("Device");
+        }
+    };
 
-    /// The contract that it fulfils: `LaserScanner`.
-    private static String type(Device device) {
-        return CONTRACTS.stream()
-                .filter(contract -> contract.isInstance(device))
-                .map(Class::getSimpleName)
-                .findFirst()
-                .orElse("Device");
+    static DeviceView of(Device device) {
+        return new DeviceView(device.info().name(), device.info().driver(), TYPES.get(device.getClass()), device.health());
     }
 }
