@@ -1,8 +1,10 @@
 import type { RealDetails } from '../../api/messages';
 import { texts } from '../../texts';
 import { placeLabels, type Box } from '../labels';
-import type { Layer, Scene } from '../scene';
+import type { Palette } from '../palette';
+import type { Context, Layer, Scene } from '../scene';
 import { heightOf, radius } from './robots';
+import { pictureOf } from './sprites';
 
 const HEIGHT = 17;
 const PADDING = 5;
@@ -15,20 +17,25 @@ export function nameOf(id: string, real: RealDetails | undefined): string {
     .join(' ');
 }
 
+/** Of characters and, of so many at most, of names; bold ones have a key of their own. */
 const widths = new Map<string, number>();
+const MOST_WIDTHS = 5000;
 
 /** How wide a name is drawn [px], without kerning: as all its characters, which are few and measured once. */
 function widthOf(context: CanvasRenderingContext2D, name: string, bold: boolean): number {
-  let width = 0;
-  for (const character of name) {
-    const key = `${bold}${character}`;
-    let one = widths.get(key);
-    if (one === undefined) {
-      context.font = font(bold);
-      one = context.measureText(character).width;
-      widths.set(key, one);
+  const key = bold ? `bold ${name}` : name;
+  let width = widths.get(key);
+  if (width === undefined) {
+    if (widths.size > MOST_WIDTHS) {
+      widths.clear();
     }
-    width += one;
+    context.font = font(bold);
+    const characters = [...name];
+    width =
+      characters.length === 1
+        ? context.measureText(name).width
+        : characters.reduce((sum, one) => sum + widthOf(context, one, bold), 0);
+    widths.set(key, width);
   }
   return width;
 }
@@ -96,36 +103,80 @@ export const drawNames: Layer = (context, scene) => {
   const { info, poses, view, palette } = scene;
   context.save();
   view.leave(context); // text stands upright and keeps its size
-  context.textAlign = 'center';
-  context.textBaseline = 'middle';
-  for (const { robot, name, bold, box } of labelsOf(context, scene)) {
-    const pose = poses[robot];
+  const density = context.getTransform().a;
+  const plateOf = info.robots.length > MANY ? plates.begin(palette, density) : null;
+  if (plateOf) {
+    context.resetTransform();
+  }
+  for (const label of labelsOf(context, scene)) {
+    const pose = poses[label.robot];
     if (pose) {
-      const { px, py } = view.toPixel(pose, heightOf(info.robots[robot]!, view.scale));
-      const [x, y] = [px + box.x, py + box.y];
-      drawFrame(context, { ...box, x, y }, info.robots[robot]!.color, palette.halo, bold);
-      context.font = font(bold);
-      context.fillStyle = palette.text;
-      context.fillText(name, x + box.width / 2, y + box.height / 2 + 0.5);
+      const robot = info.robots[label.robot]!;
+      const { px, py } = view.toPixel(pose, heightOf(robot, view.scale));
+      const [x, y] = [px + label.box.x, py + label.box.y];
+      if (plateOf) {
+        const left = Math.round((x - EDGE) * density);
+        context.drawImage(plateOf(label, robot.color), left, Math.round((y - EDGE) * density));
+      } else {
+        drawPlate(context, { ...label, box: { ...label.box, x, y } }, robot.color, palette);
+      }
     }
   }
   context.restore();
 };
 
-function drawFrame(
-  context: CanvasRenderingContext2D,
-  { x, y, width, height }: Box,
-  color: string,
-  halo: string,
-  bold: boolean,
-) {
+/** More robots than this have pictures of their names, at whole pixels: to write them takes three times as long. */
+const MANY = 60;
+/** How far a frame's line reaches around its box, and a bit [px]. */
+const EDGE = 2;
+/** Pictures that are kept; names that say for how long a robot has been silent become others all the time. */
+const MOST = 2000;
+
+/** Pictures of names. */
+class Plates {
+  private readonly made = new Map<string, ImageBitmap>();
+  private palette: Palette | null = null;
+  private density = 1;
+
+  /** @returns gives the picture of a name in its frame, `EDGE` around that included */
+  begin(palette: Palette, density: number): (label: Label, color: string) => ImageBitmap {
+    if (palette !== this.palette || density !== this.density || this.made.size > MOST) {
+      this.made.forEach((picture) => picture.close());
+      this.made.clear();
+      [this.palette, this.density] = [palette, density];
+    }
+    return (label, color) => {
+      const key = `${label.bold} ${color} ${label.name}`;
+      let picture = this.made.get(key);
+      if (!picture) {
+        const box = { ...label.box, x: EDGE, y: EDGE };
+        const size = (length: number) => Math.ceil((length + 2 * EDGE) * density);
+        picture = pictureOf(size(box.width), size(box.height), density, (context) =>
+          drawPlate(context, { ...label, box }, color, palette),
+        );
+        this.made.set(key, picture);
+      }
+      return picture;
+    };
+  }
+}
+
+const plates = new Plates();
+
+function drawPlate(context: Context, { name, bold, box }: Label, color: string, palette: Palette) {
+  const { x, y, width, height } = box;
   context.beginPath();
   context.roundRect(x, y, width, height, 5);
   context.globalAlpha = 0.85;
-  context.fillStyle = halo;
+  context.fillStyle = palette.halo;
   context.fill();
   context.globalAlpha = 1;
   context.lineWidth = bold ? 2.5 : 1.5;
   context.strokeStyle = color;
   context.stroke();
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  context.font = font(bold);
+  context.fillStyle = palette.text;
+  context.fillText(name, x + width / 2, y + height / 2 + 0.5);
 }

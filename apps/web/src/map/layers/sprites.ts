@@ -67,12 +67,29 @@ export class Sprites {
   private make(heading: number, reach: number, draw: Draw): ImageBitmap {
     const { scale, turn, oblique } = this.view;
     const half = Math.ceil(reach * this.density);
-    const canvas = new OffscreenCanvas(2 * half, 2 * half);
-    const context = canvas.getContext('2d')!;
-    const view = new View(scale, half / this.density, half / this.density, { turn, oblique });
-    context.scale(this.density, this.density);
-    view.enter(context);
-    draw(context, heading, view);
-    return canvas.transferToImageBitmap();
+    return pictureOf(2 * half, 2 * half, this.density, (context) => {
+      const view = new View(scale, half / this.density, half / this.density, { turn, oblique });
+      view.enter(context);
+      draw(context, heading, view);
+    });
   }
+}
+
+/**
+ * Draws once what is to be copied.
+ *
+ * @param width and height in the picture's own pixels, of which a CSS pixel is `density`
+ * @param draw in CSS pixels
+ */
+export function pictureOf(
+  width: number,
+  height: number,
+  density: number,
+  draw: (context: Context) => void,
+): ImageBitmap {
+  const canvas = new OffscreenCanvas(width, height);
+  const context = canvas.getContext('2d')!;
+  context.scale(density, density);
+  draw(context);
+  return canvas.transferToImageBitmap();
 }
