@@ -22,13 +22,12 @@ function combination(mean: number, half: number | null, outside: number[] = []):
 describe('the scale of a measure', () => {
   it('has room for the intervals and outliers of all combinations', () => {
     const scale = scaleOf('way', [combination(10, 2), combination(20, 1, [28])])!;
-    expect(scale(8)).toBe(0);
-    expect(scale(18)).toBe(0.5);
-    expect(scale(28)).toBe(1);
+    expect(scale).toMatchObject({ least: 8, most: 28 });
+    expect([8, 18, 28].map(scale.at)).toEqual([0, 0.5, 1]);
   });
 
   it('puts the only value in the middle', () => {
-    expect(scaleOf('way', [combination(3, null)])!(3)).toBe(0.5);
+    expect(scaleOf('way', [combination(3, null)])!.at(3)).toBe(0.5);
   });
 
   it('is none where nothing was measured', () => {

@@ -1,7 +1,12 @@
 import type { SweepCombination, SweepEstimate } from '../api/messages';
 
-/** Where values lie in a plot, from 0 at its left to 1 at its right. */
-export type Scale = (value: number) => number;
+/** Where values lie in plots of a measure. */
+export interface Scale {
+  least: number;
+  most: number;
+  /** From 0 at the left to 1 at the right. */
+  at: (value: number) => number;
+}
 
 /** Of a measure, the same for all combinations, so that their plots can be compared; null when there is nothing. */
 export function scaleOf(measure: string, combinations: readonly SweepCombination[]): Scale | null {
@@ -9,9 +14,9 @@ export function scaleOf(measure: string, combinations: readonly SweepCombination
   if (values.length === 0) {
     return null;
   }
-  const least = Math.min(...values);
-  const span = Math.max(...values) - least;
-  return span === 0 ? () => 0.5 : (value) => (value - least) / span;
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  const span = most - least;
+  return { least, most, at: span === 0 ? () => 0.5 : (value) => (value - least) / span };
 }
 
 function ends({ mean, low, high, box }: SweepEstimate): number[] {
