@@ -34,6 +34,8 @@ export interface Scene {
   /** What the selected robot's cameras make out, while that is shown. */
   cameras: readonly CameraView[];
   view: View;
+  /** How many pixels of a canvas a CSS pixel is wide. */
+  density: number;
   palette: Palette;
   selected: number | null;
   selectedThing: number | null;

@@ -8,6 +8,13 @@ import { pictureOf } from './sprites';
 
 const HEIGHT = 17;
 const PADDING = 5;
+/** More robots than this have pictures of their names, at whole pixels: to write them takes three times as long. */
+const MANY = 60;
+/** How far a frame's line reaches around its box, and a bit [px]. */
+const EDGE = 2;
+/** Pictures that are kept; names that say for how long a robot has been silent become others all the time. */
+const MOST = 2000;
+
 const font = (bold: boolean) => `${bold ? 650 : 500} 12px system-ui, sans-serif`;
 
 /** A robot's name; of one that is real with a mark, and for how long it has been silent. */
@@ -23,7 +30,7 @@ const MOST_WIDTHS = 5000;
 
 /** How wide a name is drawn [px], without kerning: as all its characters, which are few and measured once. */
 function widthOf(context: CanvasRenderingContext2D, name: string, bold: boolean): number {
-  const key = bold ? `bold ${name}` : name;
+  const key = `${bold} ${name}`;
   let width = widths.get(key);
   if (width === undefined) {
     if (widths.size > MOST_WIDTHS) {
@@ -100,10 +107,9 @@ export function boxesOf(context: CanvasRenderingContext2D, scene: Scene): Box[] 
 
 /** Names of robots, each in a frame of its robot's color; in a crowd those for which there is room. */
 export const drawNames: Layer = (context, scene) => {
-  const { info, poses, view, palette } = scene;
+  const { info, poses, view, density, palette } = scene;
   context.save();
   view.leave(context); // text stands upright and keeps its size
-  const density = context.getTransform().a;
   const plateOf = info.robots.length > MANY ? plates.begin(palette, density) : null;
   if (plateOf) {
     context.resetTransform();
@@ -124,13 +130,6 @@ export const drawNames: Layer = (context, scene) => {
   }
   context.restore();
 };
-
-/** More robots than this have pictures of their names, at whole pixels: to write them takes three times as long. */
-const MANY = 60;
-/** How far a frame's line reaches around its box, and a bit [px]. */
-const EDGE = 2;
-/** Pictures that are kept; names that say for how long a robot has been silent become others all the time. */
-const MOST = 2000;
 
 /** Pictures of names. */
 class Plates {

@@ -49,9 +49,8 @@ export const drawRobots: Layer = (context, scene) => {
  * @returns it tells whether it has copied one
  */
 export function drawerOf(context: CanvasRenderingContext2D, scene: Scene): (i: number) => boolean {
-  const { info, view, palette } = scene;
+  const { info, view, density, palette } = scene;
   const { a, b, c, d, e, f } = context.getTransform();
-  const density = Math.sqrt(Math.abs(a * d - b * c) / view.squeeze) / view.scale;
   if (info.robots.length <= MANY || !sprites.begin(view, density, palette)) {
     return (i) => {
       drawInState(context, scene, i);
