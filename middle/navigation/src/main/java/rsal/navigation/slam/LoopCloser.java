@@ -171,7 +171,7 @@ final class LoopCloser {
     }
 
     /// Where the map's frame should be for the newer part of the map.
-    private static Pose2d correction(Relation relation, List<Pose2d> poses) {
+    static Pose2d correction(Relation relation, List<Pose2d> poses) {
         return poses.get(relation.from())
                 .compose(relation.fromFromTo())
                 .compose(poses.get(relation.to()).inverse());

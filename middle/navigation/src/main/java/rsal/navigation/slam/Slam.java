@@ -55,6 +55,7 @@ public final class Slam {
     private final LoopCloser loops;
     private final List<Frame> frames = new ArrayList<>();
     private final List<Relation> relations = new ArrayList<>();
+    private final Refused refused = new Refused();
     private List<Pose2d> poses = new ArrayList<>();
     private int fits;
     private int blindFrom = Integer.MAX_VALUE; // the first frame that was kept without a match since a loop closed
@@ -302,7 +303,7 @@ public final class Slam {
         search = around.count() == 0 ? Optional.empty() : Optional.of(new CorrelativeMatcher(around, SEARCH));
     }
 
-    private void close(List<Relation> closing) {
+    void close(List<Relation> closing) {
         if (closing.isEmpty()) {
             return;
         }
@@ -319,21 +320,60 @@ public final class Slam {
         if (!near && strained(poses) > strained) { // those that are right bend no others
             poses = before;
             relations.subList(known, relations.size()).clear();
+            refused.add(closing.stream().filter(this::contradicts).toList(), frames.size() - 1);
+            reconsider();
         } else {
-            closing.forEach(loops::trust);
-            if (closing.stream().anyMatch(r -> r.from() < blindFrom)) {
-                tracking = tracking.closed();
-                blindFrom = Integer.MAX_VALUE;
-            }
+            believe(closing);
+        }
+    }
+
+    private boolean contradicts(Relation loop) {
+        return square(loop) > PoseGraph.LOOP_PHI;
+    }
+
+    private void believe(List<Relation> closing) {
+        closing.forEach(loops::trust);
+        if (closing.stream().anyMatch(r -> r.from() < blindFrom)) {
+            tracking = tracking.closed();
+            blindFrom = Integer.MAX_VALUE;
+        }
+    }
+
+    /// Believes loops that were refused once more frames tell them than those they contradict, and scans that were
+    /// matched with those just before them don't; then these others are dropped.
+    private void reconsider() {
+        List<Relation> agreeing = refused.agreeing(poses);
+        if (agreeing.isEmpty()) {
+            return;
+        }
+        var all = new ArrayList<>(relations);
+        all.addAll(agreeing);
+        List<Pose2d> fitted = PoseGraph.fitFromAfar(poses, all).poses();
+        List<Relation> wrong = all.stream()
+                .filter(r -> r.source() != Relation.Source.ODOMETRY && isStrained(r, fitted) && !isStrained(r, poses))
+                .toList();
+        boolean loopsOnly = wrong.stream().allMatch(r -> r.source() == Relation.Source.LOOP);
+        if (loopsOnly
+                && Refused.frames(wrong) < Refused.frames(agreeing)
+                && agreeing.stream().noneMatch(r -> isStrained(r, fitted))) {
+            relations.removeAll(wrong);
+            relations.addAll(agreeing);
+            refused.forget(agreeing);
+            poses = new ArrayList<>(fitted);
+            fit();
+            believe(agreeing);
         }
     }
 
     /// How many relations hardly fit, besides what the wheels say.
     private long strained(List<Pose2d> poses) {
         return relations.stream()
-                .filter(r -> r.source() != Relation.Source.ODOMETRY
-                        && PoseGraph.square(r, poses.get(r.from()), poses.get(r.to())) > MISFIT)
+                .filter(r -> r.source() != Relation.Source.ODOMETRY && isStrained(r, poses))
                 .count();
+    }
+
+    private static boolean isStrained(Relation relation, List<Pose2d> poses) {
+        return PoseGraph.square(relation, poses.get(relation.from()), poses.get(relation.to())) > MISFIT;
     }
 
     private void fit() {
