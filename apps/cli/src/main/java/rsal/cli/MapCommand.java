@@ -29,6 +29,7 @@ import rsal.navigation.slam.Contradiction;
 import rsal.navigation.slam.Merge;
 import rsal.navigation.slam.Relation;
 import rsal.navigation.slam.RelationError;
+import rsal.navigation.slam.Shared;
 import rsal.navigation.slam.Slam;
 import rsal.navigation.slam.Strain;
 import rsal.navigation.slam.Turns;
@@ -66,6 +67,12 @@ final class MapCommand extends Subcommand {
 
     @Option(names = "--force", description = "Overwrite files that are there.")
     private boolean force;
+
+    @Option(
+            names = "--despite-contradictions",
+            description = "Join maps of several logs, too, when what one robot saw contradicts what another did, as"
+                    + " where a box was moved between their runs.")
+    private boolean despiteContradictions;
 
     @Option(names = "--known-poses", description = "The log's poses are right: only draw.")
     private boolean knownPoses;
@@ -187,26 +194,47 @@ final class MapCommand extends Subcommand {
         }
     }
 
-    /// Where the map of a log lies in that of the first, and what speaks for it.
+    /// Where the map of a log lies in that of the first, and what spoke for it when it was joined to those before it.
     ///
-    /// @param x of its frame in that of the first [m]
+    /// @param x of its frame in that of the first, now that all are joined [m]
     /// @param y likewise
     /// @param degrees likewise, the heading
     /// @param squareMeters of floor that both saw
     /// @param against share of the cells hit by either, within that floor, that the other saw as free
+    /// @param tooMuch whether that is so much that they are joined only as that was asked for
+    /// @param worst where most of that is; null when there is none
     /// @param throughWalls share of the beams of either that go through what the other hit
     record Merged(
-            String log, double x, double y, double degrees, double squareMeters, double against, double throughWalls) {
-        static Merged of(String log, Merge.Done done) {
-            Pose2d at = done.mapFromOther();
+            String log,
+            double x,
+            double y,
+            double degrees,
+            double squareMeters,
+            double against,
+            boolean tooMuch,
+            @Nullable Clash worst,
+            double throughWalls) {
+        static Merged of(String log, Pose2d at, Shared shared, @Nullable Clash worst) {
             return new Merged(
                     log,
                     at.x(),
                     at.y(),
                     Math.toDegrees(at.theta()),
-                    done.shared().squareMeters(),
-                    done.shared().against(),
-                    done.shared().through());
+                    shared.squareMeters(),
+                    shared.against(),
+                    shared.isContradicted(),
+                    worst,
+                    shared.through());
+        }
+    }
+
+    /// A place in the first log's map where one log saw something stand, and another free floor.
+    ///
+    /// @param hitBy that log
+    /// @param freeBy the other
+    record Clash(double x, double y, String hitBy, String freeBy) {
+        String words() {
+            return "at (%.1f, %.1f), where (%s) hit what (%s) saw free".formatted(x, y, hitBy, freeBy);
         }
     }
 
@@ -244,6 +272,7 @@ final class MapCommand extends Subcommand {
             throw new ParameterException(
                     spec.commandLine(), "--known-poses draws by poses that --no-reference says are not right.");
         }
+        check(!despiteContradictions || files.size() > 1, "--despite-contradictions goes with two logs or more.");
         if (recorded.hasReference() && files.size() > 1) {
             throw new ParameterException(spec.commandLine(), "--reference goes with one log.");
         }
@@ -282,12 +311,23 @@ final class MapCommand extends Subcommand {
             }
             drawn = all;
             slam = slams.getFirst();
+            var starts = new ArrayList<>(List.of(0)); // numbers of the robots' first scans in the whole graph
+            var shared = new ArrayList<Shared>();
             for (int i = 1; i < slams.size(); i++) {
-                merged.add(Merged.of(robots.get(i).file(), merge(slam, slams.get(i), robots.get(i))));
+                starts.add(slam.frameCount());
+                shared.add(merge(slam, slams.get(i), starts));
+            }
+            for (int i = 1; i < slams.size(); i++) { // not before: each that joins moves the others a little
+                Shared both = shared.get(i - 1);
+                merged.add(Merged.of(
+                        files.get(i),
+                        mapFromOwn(slam, slams.get(i), starts.get(i)),
+                        both,
+                        worst(both, starts).orElse(null)));
             }
             grid = grid(robots.getFirst(), slam.posedScans());
             for (int i = 0; i < robots.size(); i++) {
-                contents.put(trajectoryName(i), text(trajectory(robots.get(i), slams.get(i), slam, offset(slams, i))));
+                contents.put(trajectoryName(i), text(trajectory(robots.get(i), slams.get(i), slam, starts.get(i))));
             }
             contents.put("residuals.csv", text(residuals(slam)));
         }
@@ -314,6 +354,7 @@ final class MapCommand extends Subcommand {
         robots.forEach(robot -> LogOptions.tellWandering(err(), robot.file(), robot.log()));
         robots.forEach(robot -> LogOptions.tellOddities(err(), robot.file(), robot.log()));
         drawn.forEach(this::warn);
+        merged.stream().filter(Merged::tooMuch).forEach(this::warn);
         contradiction.filter(Contradiction::isTooMuch).ifPresent(most -> warn(most, slam));
         strain.tooMuch().ifPresent(step -> warn(step, slam));
         if (json) {
@@ -322,15 +363,6 @@ final class MapCommand extends Subcommand {
             tell(result);
         }
         return Exit.SUCCESS;
-    }
-
-    private static int offset(List<Slam> slams, int robot) {
-        return robot == 0
-                ? 0
-                : slams.getFirst().frameCount()
-                        - slams.subList(robot, slams.size()).stream()
-                                .mapToInt(Slam::frameCount)
-                                .sum();
     }
 
     private String trajectoryName(int log) {
@@ -388,30 +420,70 @@ final class MapCommand extends Subcommand {
                 .count();
     }
 
-    private Merge.Done merge(Slam slam, Slam other, Robot robot) {
+    /// @param starts of the robots so far, the other's last
+    private Shared merge(Slam slam, Slam other, List<Integer> starts) {
+        String file = files.get(starts.size() - 1);
+        String before = String.join(", ", files.subList(0, starts.size() - 1));
         Merge merged;
         try {
-            merged = slam.merge(other);
+            merged = despiteContradictions ? slam.mergeDespiteContradictions(other) : slam.merge(other);
         } catch (IllegalArgumentException e) {
             throw new InvalidSettings(
-                    Location.of(robot.file()), String.valueOf(e.getMessage()), "Map fewer logs, or parts of them.");
+                    Location.of(file), String.valueOf(e.getMessage()), "Map fewer logs, or parts of them.");
         }
         return switch (merged) {
-            case Merge.Done done -> done;
+            case Merge.Done done -> done.shared();
+            case Merge.Contradicted(Pose2d place, Shared shared) ->
+                throw new InvalidSettings(
+                        Location.of(file),
+                        "Its map fits that of (%s), moved by (%s), but they contradict each other: %s."
+                                .formatted(before, words(place), against(shared.against(), worst(shared, starts))),
+                        "Maybe these are two places that look alike. If something was moved there between the runs,"
+                                + " join them with --despite-contradictions.");
             case Merge.Apart _ ->
                 throw new InvalidSettings(
-                        Location.of(robot.file()),
-                        "Its map has nothing in common with that of (%s) that can be told apart, or too much speaks against it."
-                                .formatted(files.getFirst()),
-                        "Maybe the robots saw different places, or too little of the same.");
+                        Location.of(file),
+                        "Nothing tells that its map shares a place with that of (%s).".formatted(before),
+                        "Maybe the robots saw different places, or too little of the same: let one drive through"
+                                + " more of what the other saw.");
             case Merge.Ambiguous(Pose2d one, Pose2d rival) ->
                 throw new InvalidSettings(
-                        Location.of(robot.file()),
+                        Location.of(file),
                         "Its map fits that of (%s) in two ways: moved by (%s), or by (%s)."
-                                .formatted(files.getFirst(), words(one), words(rival)),
+                                .formatted(before, words(one), words(rival)),
                         "Maybe the place looks the same from two sides; let the robots see more of what tells them"
                                 + " apart, or map the logs one by one.");
         };
+    }
+
+    private static String against(double share, Optional<Clash> worst) {
+        return ("of what either hit in the floor that both saw, %.1f%% stands in what the other saw free, %.1f m and"
+                        + " more from all it hit (at most %.1f%% in maps that share a place)%s")
+                .formatted(
+                        100 * share,
+                        Shared.NEAR,
+                        100 * Shared.MOST_AGAINST,
+                        worst.map(c -> ", most of it " + c.words()).orElse(""));
+    }
+
+    private Optional<Clash> worst(Shared shared, List<Integer> starts) {
+        return shared.worst().map(c -> new Clash(c.x(), c.y(), fileOf(c.hitBy(), starts), fileOf(c.freeBy(), starts)));
+    }
+
+    private String fileOf(int scan, List<Integer> starts) {
+        int robot = starts.size() - 1;
+        while (starts.get(robot) > scan) {
+            robot--;
+        }
+        return files.get(robot);
+    }
+
+    /// Where the frame of a robot's own map is in the whole one.
+    ///
+    /// @param start number of its first scan there
+    private static Pose2d mapFromOwn(Slam whole, Slam own, int start) {
+        int last = own.frameCount() - 1;
+        return whole.poses().get(start + last).compose(own.poses().get(last).inverse());
     }
 
     private static String words(Pose2d pose) {
@@ -527,6 +599,13 @@ final class MapCommand extends Subcommand {
                                             one.squareMeters(),
                                             100 * one.against(),
                                             100 * one.throughWalls()));
+            if (one.tooMuch() && one.worst() != null) {
+                out().println("  they contradict each other: %.1f%% is more than %.1f%%, most of it %s"
+                        .formatted(
+                                100 * one.against(),
+                                100 * Shared.MOST_AGAINST,
+                                one.worst().words()));
+            }
         }
         if (result.strain() != null) {
             tell(result.strain());
@@ -559,6 +638,13 @@ final class MapCommand extends Subcommand {
                         step.meters(),
                         Math.toDegrees(step.radians()),
                         step.deviations()));
+    }
+
+    private void warn(Merged one) {
+        err().println(("The map is probably wrong: (%s) contradicts what it was joined to, %s. Maybe these are two"
+                        + " places that look alike, or something was moved there between the runs; then the map may be"
+                        + " right.")
+                .formatted(one.log(), against(one.against(), Optional.ofNullable(one.worst()))));
     }
 
     private void warn(Drawn log) {

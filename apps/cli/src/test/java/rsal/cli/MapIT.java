@@ -204,6 +204,80 @@ class MapIT {
         assertThat(folder.resolve("both")).doesNotExist();
     }
 
+    @Test
+    void tellsWhereMapsContradictEachOtherAndJoinsThemWhenAsked() throws Exception {
+        Files.writeString(folder.resolve("other.log"), RoomLog.withBox(10, 40, new Pose2d(30, -7, 2)));
+
+        Ended refused = rsal.run("map", "room.log", "other.log", "--out", "both");
+
+        assertThat(refused.code()).as(refused.err()).isEqualTo(Exit.INVALID);
+        assertThat(refused.err())
+                .contains("other.log", "that of (room.log)", "contradict", "at most 1.5%", "0.7 m")
+                .containsPattern("at \\(6\\.\\d, [12]\\.\\d\\), where \\(other.log\\) hit what \\(room.log\\) saw free")
+                .contains("--despite-contradictions");
+        assertThat(folder.resolve("both")).doesNotExist();
+
+        Ended json = rsal.run("map", "room.log", "other.log", "--out", "json", "--json", "--despite-contradictions");
+        assertThat(json.code()).as(json.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(json.err()).contains("probably wrong: (other.log) contradicts", "at most 1.5%");
+        JsonNode merged = new JsonMapper().readTree(json.out()).path("merged").path(0);
+        assertThat(merged.path("tooMuch").asBoolean()).isTrue();
+        assertThat(merged.path("against").asDouble()).isGreaterThan(0.015);
+        assertThat(merged.path("worst").path("x").asDouble()).isBetween(5.9, 6.6);
+        assertThat(merged.path("worst").path("y").asDouble()).isBetween(1.4, 2.1);
+        assertThat(merged.path("worst").path("hitBy").asString()).isEqualTo("other.log");
+        assertThat(merged.path("worst").path("freeBy").asString()).isEqualTo("room.log");
+
+        Ended text = rsal.run("map", "room.log", "other.log", "--out", "text", "--despite-contradictions");
+        assertThat(text.out()).contains("they contradict each other", "is more than 1.5%", "most of it at (6.");
+    }
+
+    @Test
+    void joinsNoMapsThatNothingTellsToShareAPlaceWhateverIsAsked() throws Exception {
+        Files.writeString(folder.resolve("scan.log"), RoomLog.part(0, 0, Pose2d.ORIGIN));
+
+        Ended ended = rsal.run("map", "room.log", "scan.log", "--out", "both", "--despite-contradictions");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.INVALID);
+        assertThat(ended.err())
+                .contains("scan.log", "Nothing tells", "that of (room.log)")
+                .doesNotContain("contradict");
+    }
+
+    @Test
+    void tellsWhereEachOfThreeMapsLiesWhenAllAreJoined() throws Exception {
+        Files.writeString(folder.resolve("second.log"), RoomLog.part(10, 40, new Pose2d(30, -7, 2)));
+        Files.writeString(folder.resolve("third.log"), RoomLog.part(0, 30, new Pose2d(-8, 4, 1)));
+
+        Ended ended = rsal.run("map", "room.log", "second.log", "third.log", "--out", "all", "--json");
+
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        JsonNode merged = new JsonMapper().readTree(ended.out()).path("merged");
+        for (int i = 0; i < 2; i++) {
+            String log = List.of("second", "third").get(i);
+            assertThat(rsal.run("map", log + ".log", "--out", log).code()).isEqualTo(Exit.SUCCESS);
+            Pose2d right = lastOf("all/trajectory-%d.txt".formatted(i + 2))
+                    .compose(lastOf(log + "/trajectory.txt").inverse());
+            JsonNode told = merged.path(i);
+            var pose = new Pose2d(
+                    told.path("x").asDouble(),
+                    told.path("y").asDouble(),
+                    Math.toRadians(told.path("degrees").asDouble()));
+            assertThat(pose.isNear(right, 1e-5, 1e-6))
+                    .as("%s told, %s written", pose, right)
+                    .isTrue();
+        }
+    }
+
+    private Pose2d lastOf(String trajectory) throws IOException {
+        String[] words =
+                Files.readAllLines(folder.resolve(trajectory)).getLast().split(" ");
+        return new Pose2d(
+                Double.parseDouble(words[1]),
+                Double.parseDouble(words[2]),
+                2 * Math.atan2(Double.parseDouble(words[6]), Double.parseDouble(words[7])));
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             map room.log                                          | --out              | 2
@@ -213,6 +287,7 @@ class MapIT {
             map room.log room.log --out x --known-poses           | --known-poses      | 2
             map room.log --out x --known-poses --no-reference     | --no-reference     | 2
             map room.log room.log --out x --reference room.log    | --reference        | 2
+            map room.log --out x --despite-contradictions         | --despite-contradictions | 2
             map room.log --out x --seed 1.5                       | (1.5) is not a whole | 2
             map room.log --out x --max-range 0                    | --max-range must be | 2
             map room.log --out /proc/x                            | /proc/x: Nothing can be written | 3

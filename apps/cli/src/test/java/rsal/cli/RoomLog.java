@@ -19,6 +19,19 @@ final class RoomLog {
             #################
             """);
 
+    /// The same with a box.
+    private static final DrawnMap WITH_BOX = DrawnMap.grid(0.5, """
+            #####################
+            #...................#
+            #.a.............b...#
+            #.......##..........#
+            #.......##..........#
+            #...........#...#####
+            #...............#
+            #.....#.........#
+            #################
+            """);
+
     /// Half a turn makes the same of it.
     private static final DrawnMap TWO_SIDED = DrawnMap.grid(0.5, """
             #####################
@@ -45,6 +58,11 @@ final class RoomLog {
     /// @param shift of the poses that it tells
     static String part(int first, int last, Pose2d shift) {
         return log(ROOM, first, last, shift, Pose2d.ORIGIN, false);
+    }
+
+    /// Likewise of the room when a box of 0.5 m stands in it around (6.25, 1.75).
+    static String withBox(int first, int last, Pose2d shift) {
+        return log(WITH_BOX, first, last, shift, Pose2d.ORIGIN, false);
     }
 
     /// Likewise of a room that looks the same from both ends.

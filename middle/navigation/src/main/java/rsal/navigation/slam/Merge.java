@@ -16,6 +16,12 @@ public sealed interface Merge {
     /// @param rival where else it may be
     record Ambiguous(Pose2d mapFromOther, Pose2d rival) implements Merge {}
 
-    /// They have nothing in common that can be told apart, or too much speaks against it; they stay two.
+    /// They fit in one way, but what one saw there contradicts what the other did; they stay two.
+    ///
+    /// @param mapFromOther where the frame of the other's map would be
+    /// @param shared what the two would have in common there
+    record Contradicted(Pose2d mapFromOther, Shared shared) implements Merge {}
+
+    /// Nothing tells that they share a place; they stay two.
     record Apart() implements Merge {}
 }

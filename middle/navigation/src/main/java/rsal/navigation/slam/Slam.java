@@ -402,6 +402,16 @@ public final class Slam {
     /// @return how they lie to each other; nothing changes when that can't be told, or not for sure
     /// @throws IllegalArgumentException when they hold too many scans together
     public Merge merge(Slam other) {
+        return merge(other, false);
+    }
+
+    /// Likewise, but believes it, too, when what one saw contradicts what the other did, as where something was moved
+    /// in between: [Shared#isContradicted] tells.
+    public Merge mergeDespiteContradictions(Slam other) {
+        return merge(other, true);
+    }
+
+    private Merge merge(Slam other, boolean despiteContradictions) {
         if (frames.size() + other.frames.size() > settings.mostFrames()) {
             throw new IllegalArgumentException("The maps hold (%d) and (%d) scans; together at most (%d)."
                     .formatted(frames.size(), other.frames.size(), settings.mostFrames()));
@@ -432,16 +442,17 @@ public final class Slam {
                 new Relation(r.from() + first, r.to() + first, r.fromFromTo(), r.covariance(), r.source())));
         polish(2);
         Shared shared = Shared.of(frames, poses, first);
-        if (!shared.isEnough()) {
+        Pose2d mapFromOtherNow = poses.getLast().compose(other.poses.getLast().inverse());
+        if (!shared.isEnough() || (shared.isContradicted() && !despiteContradictions)) {
             frames.subList(first, frames.size()).clear();
             poses = new ArrayList<>(posesBefore);
             relations.clear();
             relations.addAll(relationsBefore);
             fits = fitsBefore;
-            return new Merge.Apart();
+            return shared.isEnough() ? new Merge.Contradicted(mapFromOtherNow, shared) : new Merge.Apart();
         }
         traveled += FAR + other.traveled;
-        return new Merge.Done(poses.getLast().compose(other.poses.getLast().inverse()), shared);
+        return new Merge.Done(mapFromOtherNow, shared);
     }
 
     /// How many scans were kept.

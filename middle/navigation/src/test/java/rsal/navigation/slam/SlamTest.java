@@ -482,10 +482,56 @@ class SlamTest {
         var random = new SplittableRandom(4);
         Slam first = around(room(3).box(2, 4, 3, 5), random);
         Slam second = around(room(2.5).box(3.5, 3.6, 5.5, 4.2), random);
-        List<Pose2d> before = first.poses();
+        List<Pose2d> poses = first.poses();
+        List<Relation> relations = first.relations();
+        int fits = first.fits();
+        byte[] map = first.map(ScanMapper.Settings.of(0.1)).cells();
 
-        assertThat(first.merge(second)).isEqualTo(new Merge.Apart());
-        assertThat(first.poses()).isEqualTo(before);
+        assertThat(first.merge(second)).isInstanceOf(Merge.Contradicted.class);
+        assertThat(first.poses()).isEqualTo(poses);
+        assertThat(first.relations()).isEqualTo(relations);
+        assertThat(first.fits()).isEqualTo(fits);
+        assertThat(first.map(ScanMapper.Settings.of(0.1)).cells()).isEqualTo(map);
+    }
+
+    @Test
+    void aBoxThatWasMovedContradictsAndTheRoomsBecomeOneNevertheless() {
+        var random = new SplittableRandom(4);
+        Slam first = around(room(3).box(2, 4, 3, 5), random);
+        Slam second = around(room(3).box(2, 4, 3, 5).box(4, 4, 4.8, 4.8), random);
+        int before = first.frameCount();
+
+        assertThat(first.merge(second)).isInstanceOfSatisfying(Merge.Contradicted.class, refused -> {
+            assertThat(refused.mapFromOther().isNear(Pose2d.ORIGIN, 0.1, 0.03)).isTrue();
+            assertBoxIsTold(refused.shared(), before);
+        });
+        assertThat(first.frameCount()).isEqualTo(before);
+
+        assertThat(first.mergeDespiteContradictions(second)).isInstanceOfSatisfying(Merge.Done.class, done -> {
+            assertThat(done.mapFromOther().isNear(Pose2d.ORIGIN, 0.1, 0.03)).isTrue();
+            assertBoxIsTold(done.shared(), before);
+        });
+        assertThat(first.frameCount()).isEqualTo(before + second.frameCount());
+    }
+
+    private static void assertBoxIsTold(Shared shared, int firstOfSecond) {
+        assertThat(shared.isContradicted()).isTrue();
+        assertThat(shared.against()).isBetween(Shared.MOST_AGAINST, 0.2);
+        assertThat(shared.worst()).hasValueSatisfying(worst -> {
+            assertThat(worst.x()).isBetween(3.9, 4.9);
+            assertThat(worst.y()).isBetween(3.9, 4.9);
+            assertThat(worst.hitBy()).isGreaterThanOrEqualTo(firstOfSecond);
+            assertThat(worst.freeBy()).isLessThan(firstOfSecond);
+        });
+    }
+
+    @Test
+    void whatSharesNothingStaysTwoDespiteContradictions() {
+        var random = new SplittableRandom(4);
+        Slam first = around(room(3), random);
+
+        assertThat(first.mergeDespiteContradictions(new Slam(Slam.Settings.DEFAULT)))
+                .isEqualTo(new Merge.Apart());
     }
 
     @Test
