@@ -59,6 +59,10 @@ class CarmenLogTest {
         assertThat(turning(i -> i == 20 ? 100.0 : 0.4 * i).degrees())
                 .as("a slip")
                 .isEmpty();
+        assertThat(turning(i -> i == 20 ? 100.0 : Math.IEEEremainder(0.9 * i, 2 * Math.PI))
+                        .degrees())
+                .as("a slip between wrapped ones")
+                .isEmpty();
     }
 
     private static CarmenLog turning(IntToDoubleFunction heading) throws IOException {
