@@ -18,7 +18,7 @@ import rsal.scenario.run.Snapshot;
 final class Progress {
     private static final long PERIOD_MILLIS = 250;
     private static final Set<String> KINDS =
-            Set.of("bridge", "caught", "collision", "fault", "health", "mapped", "operator");
+            Set.of("bridge", "caught", "collision", "fault", "health", "mapped", "operator", "unreached");
     private static final String CLEAR_LINE = "\r\033[K";
 
     private final PrintWriter err;
@@ -54,7 +54,7 @@ final class Progress {
     private void show(LiveRun run) {
         for (RunEvent event : run.events(lastEvent)) {
             lastEvent = event.sequence();
-            if (KINDS.contains(event.kind())) {
+            if (tells(event)) {
                 clear();
                 err.println(line(event));
             }
@@ -64,6 +64,11 @@ final class Progress {
             err.printf(Locale.ROOT, "%s%8.1f s  %.3g × real time", CLEAR_LINE, seconds(now.time()), now.rate());
             err.flush();
         }
+    }
+
+    /// Whether people want to know without a page.
+    static boolean tells(RunEvent event) {
+        return KINDS.contains(event.kind());
     }
 
     /// `    12.3 s  hunter-1: ran into wall`.

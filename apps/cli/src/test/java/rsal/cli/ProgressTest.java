@@ -16,4 +16,15 @@ class ProgressTest {
         assertThat(Progress.line(new RunEvent(2, time, "operator", "", "emergency stop", Optional.empty())))
                 .isEqualTo("    12.3 s  emergency stop");
     }
+
+    @Test
+    void tellsOfRobotsThatDidNotGetWhereTheyWereSent() {
+        assertThat(Progress.tells(event("unreached", "can't get to (3.00, 1.00), 0°: stuck"))).isTrue();
+        assertThat(Progress.tells(event("collision", "ran into wall"))).isTrue();
+        assertThat(Progress.tells(event("goal", "is at (3.00, 1.00), 0°"))).isFalse();
+    }
+
+    private static RunEvent event(String kind, String text) {
+        return new RunEvent(1, Duration.ofSeconds(1), kind, "robot-1", text, Optional.empty());
+    }
 }
