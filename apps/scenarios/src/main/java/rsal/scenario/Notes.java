@@ -20,8 +20,6 @@ import rsal.settings.Problem;
 
 /// What is right in a run, but may not be what people think.
 final class Notes {
-    private static final double CLEARANCE = 0.4; // of robots that are put somewhere, from all that is not free [m]
-
     private Notes() {}
 
     /// Each only once.
@@ -113,7 +111,7 @@ final class Notes {
             anywhere |= start.isEmpty();
         }
         if (anywhere) { // as the simulator chooses: all places it may take are connected
-            new FreeSpace(map, CLEARANCE)
+            new FreeSpace(map, FreeSpace.START_CLEARANCE)
                     .choose(new SplittableRandom(0), _ -> true)
                     .ifPresent(pose -> starts.add(map.cell(pose.position())));
         }

@@ -13,6 +13,9 @@ import rsal.data.Pose2d;
 /// The largest connected part of a map in which a robot can be with some distance to all that is not free: places
 /// to start from, from each of which all others can be reached.
 public final class FreeSpace {
+    /// Of robots that are put somewhere at random, from all that is not free and from other robots [m].
+    public static final double START_CLEARANCE = 0.4;
+
     private static final int TRIES = 1000;
 
     private final OccupancyGrid map;

@@ -26,7 +26,7 @@ import rsal.system.RobotSystemProvider.InvalidRobots.Problem;
 /// Puts things and robots into the world: first those that have a place, then the others at random free places,
 /// each drawing from a stream of its own.
 final class Lineup {
-    private static final double CLEARANCE = 0.4; // of random places from walls and from other robots [m]
+    private static final double CLEARANCE = FreeSpace.START_CLEARANCE; // from walls and from other robots [m]
     private static final double MARGIN = 0.05; // of a robot that may turn in place, from all else [m]
 
     private final OccupancyGrid map;
