@@ -60,6 +60,7 @@ public record DeviceView(String name, String driver, String type, Health health)
     };
 
     static DeviceView of(Device device) {
-        return new DeviceView(device.info().name(), device.info().driver(), TYPES.get(device.getClass()), device.health());
+        return new DeviceView(
+                device.info().name(), device.info().driver(), TYPES.get(device.getClass()), device.health());
     }
 }

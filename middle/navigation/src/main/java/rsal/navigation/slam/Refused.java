@@ -34,7 +34,8 @@ final class Refused {
         Pose2d place = poses.get(newest.to());
         Pose2d corrected = LoopCloser.correction(newest, poses).compose(place);
         List<Relation> agreeing = loops.stream()
-                .filter(loop -> LoopCloser.correction(loop, poses).compose(place)
+                .filter(loop -> LoopCloser.correction(loop, poses)
+                        .compose(place)
                         .isNear(corrected, AGREE_METERS, AGREE_RADIANS))
                 .toList();
         return frames(agreeing) >= FEWEST ? agreeing : List.of();
