@@ -21,9 +21,10 @@ import rsal.navigation.scanmatch.Match;
 
 /// Maps a place and finds its way in it at once, from a laser and odometry: each scan is matched with those
 /// just before it, scans that lie some way apart are kept as the nodes of a graph, places that are seen again
-/// close loops ([LoopCloser]), and the graph is fitted to all of that ([PoseGraph]). After E. Olson, Robust
-/// and Efficient Robotic Mapping (PhD thesis, MIT 2008), and W. Hess, D. Kohler, H. Rapp, D. Andor, Real-Time
-/// Loop Closure in 2D LIDAR SLAM (ICRA 2016).
+/// close loops ([LoopCloser]), and the graph is fitted to all of that ([PoseGraph]). Loops that contradict others
+/// are refused, until more frames tell them ([Refused]). After E. Olson, Robust and Efficient Robotic Mapping (PhD
+/// thesis, MIT 2008), and W. Hess, D. Kohler, H. Rapp, D. Andor, Real-Time Loop Closure in 2D LIDAR SLAM (ICRA
+/// 2016).
 ///
 /// The first scan kept is where the odometry says; the map's frame begins there. The same input gives the
 /// same map. It keeps at most [Settings#mostFrames] scans, and after that only finds its way, by those that it
