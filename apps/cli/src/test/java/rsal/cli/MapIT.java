@@ -271,7 +271,7 @@ class MapIT {
 
     private Pose2d lastOf(String trajectory) throws IOException {
         String[] words =
-                Files.readAllLines(folder.resolve(trajectory)).getLast().split(" ");
+                Files.readAllLines(folder.resolve(trajectory)).getLast().split(" ", -1);
         return new Pose2d(
                 Double.parseDouble(words[1]),
                 Double.parseDouble(words[2]),
