@@ -1,9 +1,10 @@
 import type { SweepCombination, SweepEstimate } from '../api/messages';
+import { axisOf, type Axis } from '../plots/axis';
 
 /** Where values lie in plots of a measure. */
 export interface Scale {
-  least: number;
-  most: number;
+  /** From the left end of the plots to the right one. */
+  axis: Axis;
   /** From 0 at the left to 1 at the right. */
   at: (value: number) => number;
 }
@@ -14,9 +15,9 @@ export function scaleOf(measure: string, combinations: readonly SweepCombination
   if (values.length === 0) {
     return null;
   }
-  const [least, most] = [Math.min(...values), Math.max(...values)];
-  const span = most - least;
-  return { least, most, at: span === 0 ? () => 0.5 : (value) => (value - least) / span };
+  const axis = axisOf(Math.min(...values), Math.max(...values));
+  const span = axis.greatest - axis.least;
+  return { axis, at: span === 0 ? () => 0.5 : (value) => (value - axis.least) / span };
 }
 
 function ends({ mean, low, high, box }: SweepEstimate): number[] {
