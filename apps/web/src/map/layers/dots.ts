@@ -7,7 +7,7 @@ export class Dots {
   private image = new ImageData(1, 1);
   private width = 1;
   private height = 1;
-  private pixels = new Int32Array(this.image.data.buffer); // unsigned, most would be no small integers
+  private pixels = new Int32Array(this.image.data.buffer); // set twice as fast as unsigned ones
   /** From the map to the canvas' own pixels, as columns of a matrix; the last is that of a dot's corner. */
   private xx = 1;
   private xy = 0;
@@ -17,7 +17,8 @@ export class Dots {
   private atY = 0;
   private side = 1;
   private strength = 255;
-  private last = -1; // where the dot before this one is
+  private lastLeft = NaN; // where the dot before this one is
+  private lastTop = NaN;
 
   /**
    * Begins anew.
@@ -41,7 +42,7 @@ export class Dots {
     [this.xx, this.xy, this.yx, this.yy] = [a, b, c, d];
     [this.atX, this.atY] = [e - this.side / 2, f - this.side / 2];
     this.strength = Math.ceil(255 * strength);
-    this.last = -1;
+    this.lastLeft = this.lastTop = NaN;
   }
 
   /**
@@ -54,11 +55,11 @@ export class Dots {
     const { pixels, side, width, height } = this;
     const left = Math.floor(this.xx * x + this.yx * y + this.atX + 0.5);
     const top = Math.floor(this.xy * x + this.yy * y + this.atY + 0.5);
-    const place = top * width + left;
-    if (place === this.last) {
+    if (left === this.lastLeft && top === this.lastTop) {
       return;
     }
-    this.last = place;
+    this.lastLeft = left;
+    this.lastTop = top;
     const strength = Math.round(this.strength * share * 257); // of 65535
     const right = Math.min(width, left + side);
     const bottom = Math.min(height, top + side);

@@ -12,8 +12,8 @@ const PADDING = 5;
 const MANY = 60;
 /** How far a frame's line reaches around its box, and a bit [px]. */
 const EDGE = 2;
-/** Pictures that are kept; names that say for how long a robot has been silent become others all the time. */
-const MOST = 2000;
+/** Pictures that are kept, 10 MB at most on usual screens; names that say for how long a robot is silent become others. */
+const MOST = 1000;
 
 const font = (bold: boolean) => `${bold ? 650 : 500} 12px system-ui, sans-serif`;
 
@@ -24,7 +24,7 @@ export function nameOf(id: string, real: RealDetails | undefined): string {
     .join(' ');
 }
 
-/** Of characters and, of so many at most, of names; bold ones have a key of their own. */
+/** Of characters, and of names until these are too many. */
 const widths = new Map<string, number>();
 const MOST_WIDTHS = 5000;
 
