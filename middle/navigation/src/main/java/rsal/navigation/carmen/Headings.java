@@ -1,12 +1,12 @@
 package rsal.navigation.carmen;
 
 import java.util.OptionalDouble;
-import rsal.data.Angles;
 
 /// Whether the headings of odometry are degrees: they go beyond two turns, so that they are no angles in [-π, π), and
-/// from one message to the next by more than a radian again and again, as what was never wrapped does not. Steps are
-/// taken modulo 2π: wrapped radians jump by that.
+/// from one message to the next by more than a radian again and again, as what was never wrapped does not. Steps from
+/// one angle in [-2π, 2π] to another don't count: wrapped radians jump there.
 final class Headings {
+    private static final double ONE_TURN = 2 * Math.PI; // rad
     private static final double TWO_TURNS = 4 * Math.PI; // rad
     private static final double LARGE = 1; // rad
     private static final int MANY = 5; // large steps
@@ -22,7 +22,8 @@ final class Headings {
         most = Math.max(most, Math.abs(heading));
         if (heading != last) {
             steps++;
-            largeSteps += Math.abs(Angles.difference(last, heading)) > LARGE ? 1 : 0; // none before the first
+            boolean beyond = Math.max(Math.abs(last), Math.abs(heading)) > ONE_TURN;
+            largeSteps += beyond && Math.abs(heading - last) > LARGE ? 1 : 0; // none before the first
         }
         last = heading;
     }

@@ -45,6 +45,7 @@ class CarmenLogTest {
     void headingsThatGoInLargeStepsBeyondTwoTurnsAreDegrees() throws IOException {
         assertThat(turning(i -> 8.6 * i).degrees()).hasValue(8.6 * 40);
         assertThat(turning(i -> 8.6 * i % 360 - 180).degrees()).isPresent();
+        assertThat(turning(i -> 6.0 * i).degrees()).as("steps of about 2π").isPresent();
         assertThat(turning(i -> i % 4 == 0 ? 90.0 : 0.0).degrees())
                 .as("corners")
                 .isPresent();
