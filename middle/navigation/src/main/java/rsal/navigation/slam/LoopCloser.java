@@ -27,7 +27,7 @@ final class LoopCloser {
     private static final double KNOWN_PLACE = 0.1; // m; deviation of a match that is led by more than one wall
     private static final int MOST_RUNS = 3; // searched for each scan
     private static final int AROUND = 5; // frames to either side, searched in
-    private static final int RECENT = 4; // frames, searched for
+    static final int RECENT = 4; // frames, searched for
     private static final int PENDING = 20; // frames for which what was found is kept
     private static final int AGREEING = 2;
     private static final double AGREE_METERS = 0.4;
@@ -93,6 +93,11 @@ final class LoopCloser {
     /// Learns that a loop was right.
     void trust(Relation loop) {
         step(loop.from(), loop.to(), loop.fromFromTo(), loop.covariance());
+    }
+
+    /// Learns that it was wrong after all.
+    void distrust(Relation loop) {
+        uncertainty.remove(loop.from(), loop.to());
     }
 
     /// The nearest frame of each run of frames in a row near which the robot may be, nearest first.

@@ -304,27 +304,35 @@ public final class Slam {
         search = around.count() == 0 ? Optional.empty() : Optional.of(new CorrelativeMatcher(around, SEARCH));
     }
 
+    /// Those that would bend others are refused.
     void close(List<Relation> closing) {
         if (closing.isEmpty()) {
             return;
         }
-        List<Pose2d> before = poses;
-        long strained = strained(poses);
-        int known = relations.size();
-        relations.addAll(closing);
-        boolean near = closing.stream().allMatch(r -> square(r) <= PoseGraph.LOOP_PHI);
-        poses = new ArrayList<>(
-                near
-                        ? PoseGraph.fit(poses, relations).poses()
-                        : PoseGraph.fitFromAfar(poses, relations).poses());
-        fits++;
-        if (!near && strained(poses) > strained) { // those that are right bend no others
-            poses = before;
-            relations.subList(known, relations.size()).clear();
-            refused.add(closing.stream().filter(this::contradicts).toList(), frames.size() - 1);
-            reconsider();
-        } else {
+        List<Relation> contradicting =
+                closing.stream().filter(this::contradicts).toList();
+        if (contradicting.isEmpty()) {
+            relations.addAll(closing);
+            fit();
             believe(closing);
+            return;
+        }
+        var all = new ArrayList<>(relations);
+        all.addAll(closing);
+        List<Pose2d> fitted = PoseGraph.fitFromAfar(poses, all).poses();
+        fits++;
+        if (strained(all, fitted) <= strained(relations, poses)) { // those that are right bend no others
+            relations.addAll(closing);
+            poses = new ArrayList<>(fitted);
+            believe(closing);
+            return;
+        }
+        List<Relation> fitting =
+                closing.stream().filter(loop -> !contradicts(loop)).toList();
+        close(fitting);
+        if (fitting.isEmpty()) { // else it is where the graph says
+            refused.add(contradicting, frames.size() - 1);
+            reconsider();
         }
     }
 
@@ -340,8 +348,8 @@ public final class Slam {
         }
     }
 
-    /// Believes loops that were refused once more frames tell them than those they contradict, and scans that were
-    /// matched with those just before them don't; then these others are dropped.
+    /// Believes loops that were refused once they outweigh those that they contradict, and scans that were matched with
+    /// those just before them don't; then these others are dropped.
     private void reconsider() {
         List<Relation> agreeing = refused.agreeing(poses);
         if (agreeing.isEmpty()) {
@@ -354,10 +362,9 @@ public final class Slam {
                 .filter(r -> r.source() != Relation.Source.ODOMETRY && isStrained(r, fitted) && !isStrained(r, poses))
                 .toList();
         boolean loopsOnly = wrong.stream().allMatch(r -> r.source() == Relation.Source.LOOP);
-        if (loopsOnly
-                && Refused.frames(wrong) < Refused.frames(agreeing)
-                && agreeing.stream().noneMatch(r -> isStrained(r, fitted))) {
+        if (loopsOnly && Refused.outweigh(agreeing, wrong) && agreeing.stream().noneMatch(r -> isStrained(r, fitted))) {
             relations.removeAll(wrong);
+            wrong.forEach(loops::distrust);
             relations.addAll(agreeing);
             refused.forget(agreeing);
             poses = new ArrayList<>(fitted);
@@ -367,7 +374,7 @@ public final class Slam {
     }
 
     /// How many relations hardly fit, besides what the wheels say.
-    private long strained(List<Pose2d> poses) {
+    private static long strained(List<Relation> relations, List<Pose2d> poses) {
         return relations.stream()
                 .filter(r -> r.source() != Relation.Source.ODOMETRY && isStrained(r, poses))
                 .count();

@@ -31,6 +31,12 @@ final class Uncertainty {
         this.from.get(to).add(new Step(from, fromFromTo.inverse(), reversed(fromFromTo, forward)));
     }
 
+    /// Forgets all that was told of how two lie to each other.
+    void remove(int from, int to) {
+        this.from.get(from).removeIf(step -> step.to == to);
+        this.from.get(to).removeIf(step -> step.to == from);
+    }
+
     private static double[] reversed(Pose2d pose, double[] covariance) {
         double cos = Math.cos(pose.theta());
         double sin = Math.sin(pose.theta());
