@@ -95,7 +95,7 @@ final class RawHttp {
 
     private static Response exchange(int port, byte[] request, boolean onlyHead) throws IOException {
         try (var socket = new Socket(InetAddress.ofLiteral("127.0.0.1"), port)) {
-            socket.setSoTimeout(10_000);
+            socket.setSoTimeout(60_000); // ten seconds are too few beside other work
             var answer = new ByteArrayOutputStream();
             try {
                 socket.getOutputStream().write(request);
