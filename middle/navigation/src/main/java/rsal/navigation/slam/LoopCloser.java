@@ -161,12 +161,7 @@ final class LoopCloser {
     /// Those found far away that agree on where the robot really is.
     private List<Relation> agreed(List<Pose2d> poses) {
         for (Relation one : pending) {
-            Pose2d place = poses.get(one.to());
-            Pose2d corrected = correction(one, poses).compose(place);
-            List<Relation> agreeing = pending.stream()
-                    .filter(other ->
-                            correction(other, poses).compose(place).isNear(corrected, AGREE_METERS, AGREE_RADIANS))
-                    .toList();
+            List<Relation> agreeing = agreeing(one, pending, poses, AGREE_METERS, AGREE_RADIANS);
             if (agreeing.stream().map(Relation::to).distinct().count() >= AGREEING) {
                 pending.removeAll(agreeing);
                 return agreeing;
@@ -175,8 +170,21 @@ final class LoopCloser {
         return List.of();
     }
 
+    /// Those loops that put the newer frame of one where that one does.
+    ///
+    /// @param meters how far off that may be
+    /// @param radians likewise
+    static List<Relation> agreeing(
+            Relation one, List<Relation> loops, List<Pose2d> poses, double meters, double radians) {
+        Pose2d place = poses.get(one.to());
+        Pose2d corrected = correction(one, poses).compose(place);
+        return loops.stream()
+                .filter(loop -> correction(loop, poses).compose(place).isNear(corrected, meters, radians))
+                .toList();
+    }
+
     /// Where the map's frame should be for the newer part of the map.
-    static Pose2d correction(Relation relation, List<Pose2d> poses) {
+    private static Pose2d correction(Relation relation, List<Pose2d> poses) {
         return poses.get(relation.from())
                 .compose(relation.fromFromTo())
                 .compose(poses.get(relation.to()).inverse());

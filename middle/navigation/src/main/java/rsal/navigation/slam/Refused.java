@@ -3,7 +3,6 @@ package rsal.navigation.slam;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.Stream;
 import rsal.data.Pose2d;
 
 /// Loops that were not believed because others, which were there before, contradict them. One is the wrong one as a
@@ -37,23 +36,13 @@ final class Refused {
         int newest = loops.stream().mapToInt(Relation::to).max().orElse(-1);
         List<Relation> most = loops.stream()
                 .filter(loop -> loop.to() == newest)
-                .map(loop -> agreeingWith(loop, poses))
-                .max(Comparator.comparingInt(Refused::looks)) // of several the last
+                .map(loop -> LoopCloser.agreeing(loop, loops, poses, AGREE_METERS, AGREE_RADIANS))
+                .max(Comparator.comparingInt(Refused::looks)) // of several the first
                 .orElse(List.of());
         int looks = looks(most);
         boolean more = looks >= FEWEST && looks > tried;
         tried = looks;
         return more ? most : List.of();
-    }
-
-    private List<Relation> agreeingWith(Relation one, List<Pose2d> poses) {
-        Pose2d place = poses.get(one.to());
-        Pose2d corrected = LoopCloser.correction(one, poses).compose(place);
-        return loops.stream()
-                .filter(loop -> LoopCloser.correction(loop, poses)
-                        .compose(place)
-                        .isNear(corrected, AGREE_METERS, AGREE_RADIANS))
-                .toList();
     }
 
     /// Whether loops weigh more than those that they contradict.
@@ -65,16 +54,12 @@ final class Refused {
     private static int looks(List<Relation> loops) {
         int looks = 0;
         int last = -LoopCloser.RECENT;
-        for (int frame : frames(loops).sorted().toList()) {
+        for (int frame : loops.stream().mapToInt(Relation::to).sorted().toArray()) {
             if (frame - last >= LoopCloser.RECENT) {
                 looks++;
                 last = frame;
             }
         }
         return looks;
-    }
-
-    private static Stream<Integer> frames(List<Relation> loops) {
-        return loops.stream().map(Relation::to).distinct();
     }
 }

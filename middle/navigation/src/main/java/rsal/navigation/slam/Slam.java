@@ -398,7 +398,7 @@ public final class Slam {
             relations.removeIf(r -> r.source() == Relation.Source.LOOP);
             relations.addAll(loops.everywhere(poses));
             fit();
-            relations.removeIf(r -> r.source() == Relation.Source.LOOP && square(r) > MISFIT);
+            relations.removeIf(r -> r.source() == Relation.Source.LOOP && isStrained(r, poses));
             fit();
         }
     }
