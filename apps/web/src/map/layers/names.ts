@@ -4,12 +4,10 @@ import { placeLabels, type Box } from '../labels';
 import type { Palette } from '../palette';
 import type { Context, Layer, Scene } from '../scene';
 import { heightOf, radius } from './robots';
-import { pictureOf } from './sprites';
+import { MANY, pictureOf } from './sprites';
 
 const HEIGHT = 17;
 const PADDING = 5;
-/** More robots than this have pictures of their names, at whole pixels: to write them takes three times as long. */
-const MANY = 60;
 /** How far a frame's line reaches around its box, and a bit [px]. */
 const EDGE = 2;
 /** Pictures that are kept, 10 MB at most on usual screens; names that say for how long a robot is silent become others. */
@@ -131,7 +129,7 @@ export const drawNames: Layer = (context, scene) => {
   context.restore();
 };
 
-/** Pictures of names. */
+/** Pictures of the names of many robots, drawn at whole pixels. */
 class Plates {
   private readonly made = new Map<string, ImageBitmap>();
   private palette: Palette | null = null;

@@ -8,7 +8,7 @@ import { drawBody } from './bodies';
 import { carriedPieces, carrierOf, movedTo, withPaddles } from './carried';
 import { enter } from './frames';
 import { ROBOT_HEIGHT } from './heights';
-import { Sprites } from './sprites';
+import { MANY, Sprites } from './sprites';
 
 /** A robot is drawn at least this long [px], so that it is seen on a large map. */
 const LEAST_PIXELS = 18;
@@ -20,8 +20,7 @@ const GLOW = 0.3;
 /** Robots of at least this lightness (of OKLab) have dark arrows. */
 const LIGHT = 0.72;
 export const HANDLE_PIXELS = 5;
-/** More robots than this are drawn as sprites while they are no larger than so [px]. */
-const MANY = 60;
+/** Many robots are drawn as sprites while they are no larger than so [px]. */
 const SMALL = 24;
 /** How wide the lines around a robot are [px]. */
 const LINES = 4;

@@ -3,6 +3,9 @@ import type { Palette } from '../palette';
 import type { Context } from '../scene';
 import { View } from '../view';
 
+/** Of more robots than this, what is drawn again and again is copied from pictures. */
+export const MANY = 60;
+
 const HEADINGS = 128;
 const TURN = 2 * Math.PI;
 
