@@ -1,31 +1,59 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { Beginning } from './connection';
+import { Bundles } from './connection';
 
 const FRAME = new ArrayBuffer(8);
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
-it('what a line brings before its first frame comes with that, in its order', () => {
+function bundles() {
   const taken: unknown[] = [];
-  const beginning = new Beginning((data) => taken.push(data));
-  beginning.take('run');
-  beginning.take('details');
-  expect(taken).toEqual([]);
-  beginning.take(FRAME);
-  expect(taken).toEqual(['run', 'details', FRAME]);
-  beginning.take('events');
-  vi.runAllTimers();
-  expect(taken).toEqual(['run', 'details', FRAME, 'events']);
+  return { taken, line: new Bundles((data) => taken.push(data)) };
+}
+
+it('words come with the frame behind them, in their order', () => {
+  const { taken, line } = bundles();
+  for (const round of [1, 2]) {
+    line.take(`run ${round}`);
+    line.take('details');
+    expect(taken).toEqual([]);
+    line.take(FRAME);
+    expect(taken.splice(0)).toEqual([`run ${round}`, 'details', FRAME]);
+  }
 });
 
-it('a first frame that does not come is not waited for', () => {
-  const taken: unknown[] = [];
-  const beginning = new Beginning((data) => taken.push(data));
-  beginning.take('run');
+it('words behind a frame come a little later', () => {
+  const { taken, line } = bundles();
+  line.take(FRAME);
+  line.take('events');
+  vi.advanceTimersByTime(20);
+  line.take('more events');
+  vi.advanceTimersByTime(20); // counted from the first
+  expect(taken).toEqual([FRAME, 'events', 'more events']);
+});
+
+it('a first frame is waited for longer, but not for ever', () => {
+  const { taken, line } = bundles();
+  line.take('run');
+  vi.advanceTimersByTime(200);
+  expect(taken).toEqual([]);
   vi.runAllTimers();
-  beginning.end();
   expect(taken).toEqual(['run']);
-  beginning.take('details');
-  expect(taken).toEqual(['run', 'details']);
+});
+
+it('what can not be taken keeps nothing else back', () => {
+  const reported = vi.fn();
+  vi.stubGlobal('reportError', reported);
+  const taken: unknown[] = [];
+  const line = new Bundles((data) => {
+    if (data === 'nonsense') {
+      throw new Error();
+    }
+    taken.push(data);
+  });
+  line.take('nonsense');
+  line.take(FRAME);
+  expect(taken).toEqual([FRAME]);
+  expect(reported).toHaveBeenCalledOnce();
+  vi.unstubAllGlobals();
 });

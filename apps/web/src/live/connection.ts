@@ -7,6 +7,8 @@ const CLOSED = 4000;
 const LONGEST_DRAW_MILLIS = 1000;
 /** For how long the first frame is waited for. */
 const LONGEST_BEGINNING_MILLIS = 300;
+/** For how long words wait for the frame behind them, which the server sends along with them. */
+const LONGEST_BUNDLE_MILLIS = 30;
 
 export interface Listener {
   onFrame(bytes: ArrayBuffer): void;
@@ -43,10 +45,10 @@ export function connect(listener: Listener): void {
       afterDrawing(() => tell(socket, { frame: sequence }));
     }
   };
-  const beginning = new Beginning(take);
-  socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => beginning.take(data);
+  const bundles = new Bundles(take);
+  socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => bundles.take(data);
   socket.onclose = ({ code }) => {
-    beginning.end();
+    bundles.pass();
     listener.onGone(code === CLOSED);
     if (code !== CLOSED) {
       setTimeout(() => connect(listener), RETRY_MILLIS);
@@ -55,32 +57,32 @@ export function connect(listener: Listener): void {
 }
 
 /**
- * Passes on what a line brings; what comes before its first frame only with that. So the page is laid out once for
- * all of it, and the first picture is there sooner.
+ * Passes on what a line brings: words together with the frame that comes behind them, for which they wait a little. So
+ * the page is laid out and drawn once for all of it; at the beginning the first picture is there sooner.
  */
-export class Beginning {
-  private held: (ArrayBuffer | string)[] | null = [];
+export class Bundles {
+  private held: (ArrayBuffer | string)[] = [];
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private patience = LONGEST_BEGINNING_MILLIS;
 
   constructor(private readonly next: (data: ArrayBuffer | string) => void) {}
 
   take(data: ArrayBuffer | string) {
-    if (this.held === null) {
-      this.next(data);
-      return;
-    }
-    if (this.held.length === 0) {
-      setTimeout(() => this.end(), LONGEST_BEGINNING_MILLIS);
-    }
     this.held.push(data);
-    if (typeof data !== 'string') {
-      this.end();
+    if (typeof data === 'string') {
+      this.timer ??= setTimeout(() => this.pass(), this.patience);
+    } else {
+      this.pass();
     }
   }
 
   /** Waits no longer. */
-  end() {
-    const held = this.held ?? [];
-    this.held = null;
+  pass() {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    this.patience = LONGEST_BUNDLE_MILLIS;
+    const held = this.held;
+    this.held = [];
     for (const data of held) {
       try {
         this.next(data);

@@ -29,7 +29,10 @@ final class Viewer {
     /// In offers, which come 20 times a second.
     static final int PATIENCE = 20 * 20;
 
+    /// At least so many offers lie between two times that it is told how far it can look back.
     private static final int OFFERS_PER_REACH = 5;
+    /// It is told that along with a frame, so that its page is drawn once for both; after so many offers by itself.
+    private static final int LONGEST_WITHOUT_REACH = 2 * OFFERS_PER_REACH;
 
     /// Where messages go. Sending does not wait.
     interface Line {
@@ -62,7 +65,7 @@ final class Viewer {
     private @Nullable Looking looking; // null is the present
     private int looks = 1; // elsewhere than where it was going
     private @Nullable Reach reach; // as it was told
-    private long offers;
+    private int offersSinceReach;
 
     /// @param counts where is counted what it was sent
     Viewer(Line line, ViewerCounts counts) {
@@ -83,9 +86,13 @@ final class Viewer {
         look(live, past, passed);
         Feed feed = looking == null ? live : looking;
         if (feed != null) {
-            offer(feed);
-            tellReach(past, live == null ? MotorsOff.NONE : live.motorsOff());
+            offer(feed, Optional.of(reach(past, live == null ? MotorsOff.NONE : live.motorsOff())));
         }
+    }
+
+    private static Reach reach(Past past, MotorsOff motors) {
+        return new Reach(
+                past.number(), past.from().toNanos() / 1e9, past.until().toNanos() / 1e9, motors);
     }
 
     private void look(@Nullable Feed live, Past past, Duration passed) {
@@ -110,19 +117,12 @@ final class Viewer {
         }
     }
 
-    private void tellReach(Past past, MotorsOff motors) {
-        var now = new Reach(run, past.from().toNanos() / 1e9, past.until().toNanos() / 1e9, motors);
-        boolean due =
-                reach == null || reach.run() != run || !reach.motors().equals(motors) || offers % OFFERS_PER_REACH == 0;
-        offers++;
-        if (due && run == past.number() && !now.equals(reach) && line.isClear()) {
-            reach = now;
-            send(Kind.REACH, Json.write(ServerMessage.of(now)));
-        }
-    }
-
     /// Sends what is new of the run, as far as the viewer has taken what it was sent before.
     synchronized void offer(Feed feed) {
+        offer(feed, Optional.empty());
+    }
+
+    private void offer(Feed feed, Optional<Reach> reach) {
         if (isWaitedFor() && ++offersWaited > PATIENCE) {
             if (offersWaited == PATIENCE + 1) { // it is not gone at once
                 counts.letGo(Reason.SILENT);
@@ -133,6 +133,7 @@ final class Viewer {
                 begin(feed);
             }
             sendNews(feed);
+            reach.ifPresent(now -> sendReach(now, isDue(feed)));
             sendFrame(feed);
             sendEvents(feed);
         }
@@ -156,8 +157,26 @@ final class Viewer {
         }
     }
 
+    /// @param along whether a frame is sent along with it
+    private void sendReach(Reach now, boolean along) {
+        offersSinceReach++;
+        boolean due = reach == null
+                || reach.run() != run
+                || !reach.motors().equals(now.motors())
+                || offersSinceReach >= (along ? OFFERS_PER_REACH : LONGEST_WITHOUT_REACH);
+        if (due && now.run() == run && !now.equals(reach)) {
+            reach = now;
+            offersSinceReach = 0;
+            send(Kind.REACH, Json.write(ServerMessage.of(now)));
+        }
+    }
+
+    private boolean isDue(Feed feed) {
+        return newestFrame < feed.sequence() && framesUnderWay.size() < FRAMES;
+    }
+
     private void sendFrame(Feed feed) {
-        if (newestFrame >= feed.sequence() || framesUnderWay.size() == FRAMES) {
+        if (!isDue(feed)) {
             return;
         }
         if (details != feed.detailsVersion()) {

@@ -54,6 +54,7 @@ class LiveTest {
         assertThat(late.next(m -> true).text())
                 .startsWith("{\"run\":{\"number\":1,")
                 .contains("\"scenario\":\"errand\"");
+        assertThat(late.next(m -> true).text()).startsWith("{\"reach\":{\"run\":1");
         assertThat(late.next(m -> true).text()).startsWith("{\"details\":{\"run\":1");
         assertThat(late.next(Message::isFrame).header().getInt(4)).isEqualTo(1);
         assertThat(late.next(m -> m.text().startsWith("{\"events\"")).text()).contains("\"sequence\":1,");

@@ -186,6 +186,83 @@ class ViewerTest {
                 .hasSize(3);
     }
 
+    @Test
+    void isToldHowFarItCanLookBackAlongWithAFrame() {
+        for (int offer = 1; offer <= 40; offer++) {
+            int frame = 1 + (offer - 1) / 5; // of a run that goes by too fast for more
+            viewer.offer(feed(1, frame, 0), past(offer), Duration.ZERO);
+            viewer.received(frame(frame));
+            List<String> sent = line.takeAll();
+            assertThat(sent.stream().anyMatch(message -> message.startsWith("{\"reach\"")))
+                    .as("offer %d: %s", offer, sent)
+                    .isEqualTo(sent.contains("frame " + frame));
+        }
+    }
+
+    @Test
+    void isToldHowFarItCanLookBackEvenWhereNoFrameComes() {
+        viewer.offer(feed(1, 1, 0), past(1), Duration.ZERO);
+        line.takeAll();
+        for (int offer = 1; offer <= 40; offer++) {
+            viewer.offer(feed(1, 1, 0), past(2), Duration.ZERO);
+        }
+        assertThat(line.takeAll()).singleElement().asString().contains("\"until\":2.0");
+    }
+
+    private static Past past(int seconds) {
+        return new Past() {
+            @Override
+            public int number() {
+                return 1;
+            }
+
+            @Override
+            public String info() {
+                throw new UnsupportedOperationException();
+            }
+
+            @Override
+            public int robots() {
+                throw new UnsupportedOperationException();
+            }
+
+            @Override
+            public String newcomers(int known) {
+                throw new UnsupportedOperationException();
+            }
+
+            @Override
+            public Duration from() {
+                return Duration.ZERO;
+            }
+
+            @Override
+            public Duration until() {
+                return Duration.ofSeconds(seconds);
+            }
+
+            @Override
+            public boolean isRecording() {
+                return false;
+            }
+
+            @Override
+            public Moment at(Duration time) {
+                throw new UnsupportedOperationException();
+            }
+
+            @Override
+            public Duration near(Duration time, int after) {
+                throw new UnsupportedOperationException();
+            }
+
+            @Override
+            public List<RunEvent> events(long sequence) {
+                throw new UnsupportedOperationException();
+            }
+        };
+    }
+
     private static Roster things(int... numbers) {
         var all = new LinkedHashMap<Integer, ThingInfo>();
         for (int number : numbers) {
