@@ -45,7 +45,9 @@ import rsal.time.AllowedToReadWallClock;
 /// the run's own threads take meanwhile, as the browser draws on the run's cores where there are few; `heap.mb.min`, by
 /// how much the page's memory grows in a minute. `page.gzip.kb` is what a
 /// browser loads before it draws, `page.whole.gzip.kb` also what it loads when somebody wants it, as the
-/// editor. Of all medians count; of the costs pairs, one after the other.
+/// editor. Of all medians count. What a page costs is held against the mean of the run without one just before and just
+/// after, as machines are now slower and now faster; the first page that is opened doesn't count, as Java compiles
+/// then.
 @AllowedToReadWallClock("Benchmarks measure real time.")
 final class PageBench implements Bench {
     private static final List<Integer> TEAMS = List.of(100, 1000);
@@ -189,21 +191,28 @@ final class PageBench implements Bench {
         var more = new double[repeats];
         try (var server = start(COSTS, Double.POSITIVE_INFINITY, page)) {
             pause(WARM);
+            watched(server, program); // compiles what shows a run
+            Pace before = Pace.of(server.run());
             for (int i = 0; i < repeats; i++) {
                 assignment.reach(name(COSTS, "cost.percent"), i, repeats);
-                Pace alone = Pace.of(server.run());
-                try (var browser = watching(program, STATES)) {
-                    open(browser, server.url());
-                    pause(WARM);
-                    Pace watched = Pace.of(server.run());
-                    slower[i] = 100 * (1 - watched.speed / alone.speed);
-                    more[i] = 100 * (watched.cpu / alone.cpu - 1);
-                }
+                Pace watched = watched(server, program);
+                Pace after = Pace.of(server.run());
+                slower[i] = 100 * (1 - 2 * watched.speed / (before.speed + after.speed));
+                more[i] = 100 * (2 * watched.cpu / (before.cpu + after.cpu) - 1);
+                before = after;
             }
         }
         assignment.tell(
                 Result.less(name(COSTS, "cost.percent"), "%", slower),
                 Result.less(name(COSTS, "cost.run.percent"), "%", more));
+    }
+
+    private static Pace watched(RunServer server, Path program) {
+        try (var browser = watching(program, STATES)) {
+            open(browser, server.url());
+            pause(WARM);
+            return Pace.of(server.run());
+        }
     }
 
     private static Browser watching(Path program, String counters) {
