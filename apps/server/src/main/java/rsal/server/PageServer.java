@@ -11,6 +11,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.URI;
 import java.nio.channels.ServerSocketChannel;
+import java.util.List;
 import java.util.function.Consumer;
 import org.eclipse.jetty.ee10.websocket.server.config.JettyWebSocketServletContainerInitializer;
 import org.eclipse.jetty.server.HttpConfiguration;
@@ -22,6 +23,8 @@ import org.eclipse.jetty.util.thread.QueuedThreadPool;
 /// HTTP and WebSocket on this machine's loopback address, and there only.
 final class PageServer implements AutoCloseable {
     private static final String LOOPBACK = "127.0.0.1";
+    /// Answered once before anybody asks.
+    static final List<String> FIRST = List.of("/", "/api/run", "/api/map/1", "/api/control");
 
     private final Javalin http;
     private final Viewing viewing;
@@ -44,6 +47,7 @@ final class PageServer implements AutoCloseable {
             close();
             throw e;
         }
+        Rehearsal.begin((InetSocketAddress) door.getLocalAddress(), FIRST);
     }
 
     /// @param port 0 for any that is free
