@@ -62,6 +62,18 @@ describe.skipIf(!chromium)('the page', () => {
     expect(await page.getByText('following the wall').count()).toBeGreaterThan(0);
   });
 
+  it('opens a single line to the run, while it is still being loaded', async () => {
+    const lines: string[] = [];
+    page.on('websocket', (line) => lines.push(line.url()));
+    await page.route('**/assets/*.js', async (route) => {
+      await eventually(() => Promise.resolve(lines.length > 0), 'a line is open before there is any code');
+      await route.continue();
+    });
+    await page.reload();
+    await eventually(async () => (await time()) > 0, 'the run is shown');
+    expect(lines).toHaveLength(1);
+  });
+
   it('pauses, steps and goes on', async () => {
     await pause();
     const [paused, seen, before] = [await time(), await picture(), await pose('prey-1')];

@@ -10,6 +10,15 @@ const LONGEST_BEGINNING_MILLIS = 300;
 /** For how long words wait for the frame behind them, which the server sends along with them. */
 const LONGEST_BUNDLE_MILLIS = 30;
 
+interface Early {
+  socket: WebSocket;
+  said: (ArrayBuffer | string)[];
+}
+
+declare global {
+  var rsalEarly: Early | undefined;
+}
+
 export interface Listener {
   onFrame(bytes: ArrayBuffer): void;
   onMessage(message: ServerMessage): void;
@@ -28,9 +37,8 @@ export function look(wish: Partial<LookBack>): void {
 
 /** Listens to the run for as long as the page is open, and comes back by itself when the server does. */
 export function connect(listener: Listener): void {
-  const socket = new WebSocket(new URL('api/live', location.href.replace(/^http/, 'ws')));
+  const { socket, said } = takeEarly() ?? { socket: open(), said: [] };
   line = socket;
-  socket.binaryType = 'arraybuffer';
   const take = (data: ArrayBuffer | string) => {
     if (typeof data === 'string') {
       const message = JSON.parse(data) as ServerMessage;
@@ -46,7 +54,11 @@ export function connect(listener: Listener): void {
     }
   };
   const bundles = new Bundles(take);
-  socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => bundles.take(data);
+  const listen = () => {
+    said.splice(0).forEach((data) => bundles.take(data));
+    socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => bundles.take(data);
+  };
+  queueMicrotask(listen); // once what listens is there
   socket.onclose = ({ code }) => {
     bundles.pass();
     listener.onGone(code === CLOSED);
@@ -54,6 +66,19 @@ export function connect(listener: Listener): void {
       setTimeout(() => connect(listener), RETRY_MILLIS);
     }
   };
+}
+
+function open(): WebSocket {
+  const socket = new WebSocket(new URL('api/live', location.href.replace(/^http/, 'ws')));
+  socket.binaryType = 'arraybuffer';
+  return socket;
+}
+
+/** The line that public/early.js has opened, once, with what it has brought so far; null when it has ended already. */
+function takeEarly(): Early | null {
+  const early = globalThis.rsalEarly;
+  globalThis.rsalEarly = undefined;
+  return early && early.socket.readyState <= WebSocket.OPEN ? early : null;
 }
 
 /**

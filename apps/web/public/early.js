@@ -1,0 +1,8 @@
+// Opens the line to the run while the rest of the page is still being loaded; src/live/connection.ts goes on with it.
+{
+  const socket = new WebSocket(new URL('api/live', location.href.replace(/^http/, 'ws')));
+  socket.binaryType = 'arraybuffer';
+  const said = [];
+  socket.onmessage = ({ data }) => said.push(data);
+  globalThis.rsalEarly = { socket, said };
+}
