@@ -32,8 +32,10 @@ import rsal.time.Scheduler;
 /// since. The belief itself is corrected beside the other robots' work ([Scheduler#compute]) when the robot has
 /// moved enough; ranges that come meanwhile are skipped.
 ///
-/// Without ranges or odometry it falls silent and is stale until they are back; odometry that is not finite is
-/// skipped. When the filter fails it is lost and silent, and starts again from what it believed until that works.
+/// Without ranges or odometry it falls silent and is stale until they are back. Bad readings are skipped ([Scrutiny]),
+/// the first with a word in the log, and counted in its health when no good ones come; then those of a clock that was
+/// set back are taken, too. When the filter fails it is lost and silent, and starts again from what it believed until
+/// that works.
 final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private static final Logger LOG = System.getLogger(AmclLocalizer.class.getName());
     private static final Duration PATIENCE = Duration.ofSeconds(2);
@@ -41,6 +43,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Amcl amcl;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
+    private final Scrutiny scrutiny = Scrutiny.ofAnyScans();
     private final RecentOdometry wheels = new RecentOdometry();
     private Optional<PoseEstimate> start;
     private boolean restart = true;
@@ -51,7 +54,6 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private @Nullable Stamped<ParticleCloud> particles;
     private Instant lastRanges;
     private Instant lastOdometry;
-    private int skippedOdometry; // since then, because it was no number
 
     /// What came of an update.
     private record Corrected(PoseEstimate estimate, ParticleCloud particles) {}
@@ -78,11 +80,13 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     void look(LaserScanner laser, int beams, double maxRange) {
-        laser.subscribe(scan -> onRanges(scan.time(), () -> Beams.of(scan.value(), beams, maxRange)));
+        laser.subscribe(
+                scan -> onRanges(scrutiny.accepts(scan), scan.time(), () -> Beams.of(scan.value(), beams, maxRange)));
     }
 
     void look(SonarArray sonars, double maxRange) {
-        sonars.subscribe(ranges -> onRanges(ranges.time(), () -> Beams.of(ranges.value(), maxRange)));
+        sonars.subscribe(ranges ->
+                onRanges(scrutiny.acceptsRanges(ranges), ranges.time(), () -> Beams.of(ranges.value(), maxRange)));
     }
 
     @Override
@@ -104,11 +108,10 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     }
 
     private void onOdometry(Stamped<Odometry> odometry) {
-        if (!odometry.value().odomFromBase().isFinite()) {
-            skippedOdometry++;
+        if (!scrutiny.acceptsOdometry(odometry)) {
+            tellSkipped();
             return;
         }
-        skippedOdometry = 0;
         lastOdometry = scheduler.instant();
         wheels.add(odometry);
         if (belief == null && start.isPresent()) {
@@ -130,8 +133,18 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
         }
     }
 
+    private void tellSkipped() {
+        if (scrutiny.skipped() == 1) {
+            LOG.log(Level.WARNING, () -> "(%s) skips bad readings.%s".formatted(info().id(), scrutiny.told()));
+        }
+    }
+
     /// Waits until everything measured at this instant is here, odometry too.
-    private void onRanges(Instant time, Supplier<Beams> beams) {
+    private void onRanges(boolean accepted, Instant time, Supplier<Beams> beams) {
+        if (!accepted) {
+            tellSkipped();
+            return;
+        }
         lastRanges = scheduler.instant();
         if (!busy) {
             busy = true;
@@ -141,6 +154,10 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     private void correct(Instant time, Supplier<Beams> beams) {
         Optional<Pose2d> odometry = wheels.odomFromBase(time);
+        if (odometry.isEmpty() && wheels.newest().isPresent()) {
+            scrutiny.skipTooOld();
+            tellSkipped();
+        }
         if (odometry.isEmpty() || !(restart || amcl.due(odometry.get(), beams))) {
             busy = false;
             return;
@@ -188,13 +205,17 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             return; // that is worse
         }
         if (isSilent(lastRanges)) {
-            health(new Health.Stale("No ranges for more than %d s.".formatted(PATIENCE.toSeconds())));
+            health(silence("ranges"));
         } else if (isSilent(lastOdometry)) {
-            String skipped = skippedOdometry == 0
-                    ? "."
-                    : "; readings skipped that were no numbers: %d.".formatted(skippedOdometry);
-            health(new Health.Stale("No odometry for more than %d s%s".formatted(PATIENCE.toSeconds(), skipped)));
+            health(silence("odometry"));
         }
+    }
+
+    private Health silence(String what) {
+        var stale =
+                new Health.Stale("No %s for more than %d s.%s".formatted(what, PATIENCE.toSeconds(), scrutiny.told()));
+        scrutiny.reset();
+        return stale;
     }
 
     private boolean isSilent(Instant last) {

@@ -220,13 +220,17 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private Optional<Situation> look() {
         Optional<Stamped<PoseEstimate>> estimate = fresh(parts.localizer());
         Optional<Stamped<Odometry>> odometry = fresh(parts.base());
-        Optional<Stamped<LaserScan>> scan = parts.laser().flatMap(this::fresh);
+        Optional<Stamped<LaserScan>> scan = parts.laser()
+                .flatMap(this::fresh)
+                .filter(s -> Scrutiny.fault(s.value()).isEmpty());
         if (estimate.isEmpty() || odometry.isEmpty()) {
             health(new Health.Stale(
                     estimate.isEmpty() ? "The localizer does not say where the robot is." : "No odometry."));
             return Optional.empty();
         }
-        var ranges = parts.sonars().flatMap(this::fresh);
+        var ranges = parts.sonars()
+                .flatMap(this::fresh)
+                .filter(r -> Scrutiny.fault(r.value()).isEmpty());
         boolean sighted = parts.laser().isPresent() ? scan.isPresent() : ranges.isPresent();
         if (!sighted) {
             health(new Health.Stale("No ranges: it does not drive blindly."));

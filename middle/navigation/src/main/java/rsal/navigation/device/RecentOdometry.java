@@ -2,39 +2,69 @@ package rsal.navigation.device;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Optional;
-import org.jspecify.annotations.Nullable;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
 
-/// The two newest readings of odometry, which tell where a robot was when something was measured between them.
+/// The newest readings of odometry, which tell where a robot was when something was measured between them: scans may
+/// come late.
 final class RecentOdometry {
-    private @Nullable Stamped<Odometry> older;
-    private @Nullable Stamped<Odometry> newest;
+    /// For so long they are kept, two at least.
+    private static final Duration KEPT = Duration.ofSeconds(1);
+    /// What was measured by no more than this before the robot was heard of first, was measured where it is then.
+    private static final Duration SLACK = Duration.ofMillis(500);
 
+    private final Deque<Stamped<Odometry>> readings = new ArrayDeque<>(); // oldest first
+
+    /// @param odometry no older than those before; an older one begins anew, as its clock was set
     void add(Stamped<Odometry> odometry) {
-        older = newest;
-        newest = odometry;
+        if (!readings.isEmpty() && odometry.time().isBefore(readings.getLast().time())) {
+            readings.clear();
+        }
+        readings.add(odometry);
+        Instant border = odometry.time().minus(KEPT);
+        while (readings.size() > 2 && readings.getFirst().time().isBefore(border)) {
+            readings.removeFirst();
+        }
     }
 
     /// Where the base is now, as far as it is known.
     Optional<Pose2d> newest() {
-        return Optional.ofNullable(newest).map(reading -> reading.value().odomFromBase());
+        return Optional.ofNullable(readings.peekLast()).map(RecentOdometry::pose);
     }
 
-    /// Where the base was at a time: between the two, or at the newest when that is older. Empty before the first.
+    /// Where the base was at a time: between two of them, or at the newest when that is older. Empty before the first,
+    /// and when nothing tells any more.
     Optional<Pose2d> odomFromBase(Instant time) {
-        if (newest == null) {
+        if (readings.isEmpty() || isForgotten(time)) {
             return Optional.empty();
         }
-        Pose2d to = newest.value().odomFromBase();
-        if (older == null || !time.isBefore(newest.time())) {
-            return Optional.of(to);
+        Stamped<Odometry> later = readings.getLast();
+        if (!time.isBefore(later.time())) {
+            return Optional.of(pose(later));
         }
-        double span = seconds(older.time(), newest.time());
-        double share = span > 0 ? Math.clamp(seconds(older.time(), time) / span, 0, 1) : 1;
-        return Optional.of(older.value().odomFromBase().towards(to, share));
+        for (var older = readings.descendingIterator(); older.hasNext(); ) {
+            Stamped<Odometry> earlier = older.next();
+            if (!time.isBefore(earlier.time())) {
+                double share = seconds(earlier.time(), time) / seconds(earlier.time(), later.time());
+                return Optional.of(pose(earlier).towards(pose(later), share));
+            }
+            later = earlier;
+        }
+        return Optional.of(pose(later));
+    }
+
+    private boolean isForgotten(Instant time) {
+        Instant oldest = readings.getFirst().time();
+        boolean full = !readings.getLast().time().isBefore(oldest.plus(KEPT));
+        return time.isBefore(full ? oldest : oldest.minus(SLACK));
+    }
+
+    private static Pose2d pose(Stamped<Odometry> reading) {
+        return reading.value().odomFromBase();
     }
 
     private static double seconds(Instant from, Instant to) {

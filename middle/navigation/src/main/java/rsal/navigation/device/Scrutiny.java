@@ -6,26 +6,60 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
+import rsal.data.Pose2d;
+import rsal.data.RangeArray;
 import rsal.data.Stamped;
 
-/// Looks at what a laser and wheels say before anything is made of it, and counts what is not to be used: what is
-/// out of order in time, has another number of beams than before, or no number where one must be.
+/// Looks at what a laser or sonars and wheels say before anything is made of it, and counts what is not to be used:
+/// what
+/// is out of order in time, has another number of beams than before where that matters, or no number where one must be.
 final class Scrutiny {
+    private final boolean sameCount;
     private int skipped;
     private String why = "";
     private int beams;
     private @Nullable Instant lastScan;
     private @Nullable Instant lastOdometry;
 
+    private Scrutiny(boolean sameCount) {
+        this.sameCount = sameCount;
+    }
+
+    /// For those to whom all scans must look alike.
+    static Scrutiny ofScansAlike() {
+        return new Scrutiny(true);
+    }
+
+    /// For those who take each scan by itself: some lasers give now more beams and now fewer.
+    static Scrutiny ofAnyScans() {
+        return new Scrutiny(false);
+    }
+
     /// Whether a scan can be used.
     boolean accepts(Stamped<LaserScan> scan) {
-        Optional<String> fault = backwards(lastScan, scan.time()).or(() -> fault(scan.value()));
-        fault.ifPresent(f -> skip("scan", f));
+        LaserScan value = scan.value();
+        return accepts("scan", scan.time(), value.count(), fault(value));
+    }
+
+    /// Whether what sonars say can be used.
+    boolean acceptsRanges(Stamped<RangeArray> ranges) {
+        RangeArray value = ranges.value();
+        return accepts("reading of sonars", ranges.time(), value.count(), fault(value));
+    }
+
+    private boolean accepts(String what, Instant time, int count, Optional<String> ofItself) {
+        Optional<String> fault = backwards(lastScan, time).or(() -> ofItself).or(() -> otherCount(count));
+        fault.ifPresent(f -> skip(what, f));
         if (fault.isEmpty()) {
-            lastScan = scan.time();
-            beams = scan.value().count();
+            lastScan = time;
+            beams = count;
         }
         return fault.isEmpty();
+    }
+
+    /// Skips what was accepted, since nothing tells any more where the robot was then.
+    void skipTooOld() {
+        skip("scan", "it is older than all odometry that is kept");
     }
 
     /// Whether what wheels say can be used.
@@ -69,18 +103,37 @@ final class Scrutiny {
                 : Optional.empty();
     }
 
-    private Optional<String> fault(LaserScan scan) {
+    private Optional<String> otherCount(int count) {
+        return sameCount && beams > 0 && count != beams
+                ? Optional.of("it has (%d) beams, those before had (%d)".formatted(count, beams))
+                : Optional.empty();
+    }
+
+    /// Why nothing can be made of a scan, whatever was before.
+    static Optional<String> fault(LaserScan scan) {
         if (scan.count() == 0) {
             return Optional.of("it has no beams");
-        }
-        if (beams > 0 && scan.count() != beams) {
-            return Optional.of("it has (%d) beams, those before had (%d)".formatted(scan.count(), beams));
         }
         double last = scan.angle(scan.count() - 1);
         if (!(scan.baseFromLaser().isFinite() && Double.isFinite(scan.angleMin()) && Double.isFinite(last))) {
             return Optional.of("its beams have no direction");
         }
-        for (float range : scan.ranges()) {
+        return allNan(scan.ranges());
+    }
+
+    /// Likewise of what sonars say.
+    static Optional<String> fault(RangeArray ranges) {
+        if (ranges.count() == 0) {
+            return Optional.of("it has no ranges");
+        }
+        if (!ranges.baseFromSensors().stream().allMatch(Pose2d::isFinite)) {
+            return Optional.of("its sensors have no direction");
+        }
+        return allNan(ranges.ranges());
+    }
+
+    private static Optional<String> allNan(float[] ranges) {
+        for (float range : ranges) {
             if (!Float.isNaN(range)) {
                 return Optional.empty();
             }

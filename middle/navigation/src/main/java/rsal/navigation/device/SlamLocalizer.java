@@ -54,7 +54,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final Slam.Settings settings;
     private final Scheduler scheduler;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
-    private final Scrutiny scrutiny = new Scrutiny();
+    private final Scrutiny scrutiny = Scrutiny.ofScansAlike();
     private Supplier<List<Mate>> mates = List::of;
     private Pose2d start;
     private boolean told; // where it was
@@ -199,6 +199,10 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
 
     private void look(Stamped<LaserScan> scan) {
         Optional<Pose2d> taken = odometry.odomFromBase(scan.time());
+        if (taken.isEmpty() && odometry.newest().isPresent()) {
+            scrutiny.skipTooOld();
+            tellSkipped();
+        }
         if (taken.isEmpty() || (known != null && known.isOf(scan.time(), taken.get()))) {
             busy = false;
             return;

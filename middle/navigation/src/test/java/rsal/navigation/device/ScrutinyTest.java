@@ -4,15 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Instant;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
 import rsal.data.Pose2d;
+import rsal.data.RangeArray;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
 
 class ScrutinyTest {
-    private final Scrutiny scrutiny = new Scrutiny();
+    private final Scrutiny scrutiny = Scrutiny.ofScansAlike();
 
     private static Stamped<LaserScan> scan(double seconds, double angleMin, float... ranges) {
         return new Stamped<>(
@@ -57,6 +59,35 @@ class ScrutinyTest {
         assertThat(scrutiny.told()).contains("5,").contains("0.500 s older");
         assertThat(scrutiny.accepts(scan(1.5, -1, 2, 2, 2))).isTrue();
         assertThat(scrutiny.skipped()).isEqualTo(5);
+    }
+
+    @Test
+    void scansMayHaveOtherNumbersOfBeamsWhereThatDoesNotMatter() {
+        Scrutiny any = Scrutiny.ofAnyScans();
+        assertThat(any.accepts(scan(1, -1, 2, 2, 2))).isTrue();
+        assertThat(any.accepts(scan(1.1, -1, 2, 2))).isTrue();
+        assertThat(any.accepts(scan(1.2, -1))).isFalse();
+        assertThat(any.accepts(scan(1, -1, 2, 2))).isFalse();
+        assertThat(any.told()).contains("2,").contains("0.100 s older");
+    }
+
+    @Test
+    void sonarsAreLookedAtLikewise() {
+        Scrutiny any = Scrutiny.ofAnyScans();
+        assertThat(any.acceptsRanges(sonars(1, Pose2d.ORIGIN, 2))).isTrue();
+        assertThat(any.acceptsRanges(sonars(1.1, Pose2d.ORIGIN, Float.NaN))).isFalse();
+        assertThat(any.told()).contains("reading of sonars").contains("NaN");
+        assertThat(any.acceptsRanges(sonars(1.2, new Pose2d(0, 0, Double.NaN), 2)))
+                .isFalse();
+        assertThat(any.acceptsRanges(sonars(0.9, Pose2d.ORIGIN, 2))).isFalse();
+        assertThat(any.told()).contains("3,").contains("0.100 s older");
+    }
+
+    private static Stamped<RangeArray> sonars(double seconds, Pose2d mount, float range) {
+        return new Stamped<>(
+                Instant.ofEpochMilli((long) (1000 * seconds)),
+                "base",
+                new RangeArray(List.of(mount), 0.5, 0.1, 5, new float[] {range}));
     }
 
     @Test

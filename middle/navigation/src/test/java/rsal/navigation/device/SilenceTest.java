@@ -87,14 +87,43 @@ class SilenceTest {
                 .isInstanceOfSatisfying(
                         Health.Stale.class,
                         stale -> assertThat(stale.reason())
-                                .matches(
-                                        "No odometry for more than 2 s; readings skipped that were no numbers: [1-9]\\d*\\."));
+                                .matches("No odometry for more than 2 s\\. Skipped so far: [1-9]\\d*, .*odometry.*NaN.*"));
 
         base.resetOdometry(odomFromBase);
         drive(2);
         assertThat(localizer().health()).isEqualTo(Health.ok());
         assertThat(told).isNotEmpty();
         assertThat(told.getLast().mapFromBase().distanceTo(base.mapFromBase())).isLessThan(0.3);
+    }
+
+    @Test
+    void aLocalizerThatSeesNothingButNonsenseSaysSoAndIsSilent() {
+        drive(2);
+        var laser = robot.require(FakeLaserScanner.class);
+        laser.show(Float.NaN, Float.NaN);
+        drive(4);
+        var before = localizer().latest();
+        drive(3);
+        assertThat(localizer().latest()).isEqualTo(before);
+        assertThat(localizer().health())
+                .isInstanceOfSatisfying(
+                        Health.Stale.class,
+                        stale -> assertThat(stale.reason()).contains("No ranges", "Skipped", "NaN"));
+    }
+
+    @Test
+    void aNavigatorDoesNotDriveByNonsense() {
+        Navigator navigator = robot.require(Navigator.class);
+        drive(1);
+        var goal = navigator.goTo(RobotBench.WORLD.pose('a', 0));
+        scheduler.advance(Duration.ofSeconds(1));
+        robot.require(FakeLaserScanner.class).show(Float.NaN, Float.NaN);
+        scheduler.advance(Duration.ofMillis(300));
+        assertThat(navigator.health()).isInstanceOf(Health.Stale.class);
+        Pose2d before = base.mapFromBase();
+        scheduler.advance(Duration.ofSeconds(1));
+        assertThat(base.mapFromBase().distanceTo(before)).isLessThan(1e-9);
+        goal.cancel();
     }
 
     @Test
