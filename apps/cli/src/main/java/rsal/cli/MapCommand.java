@@ -187,9 +187,9 @@ final class MapCommand extends Subcommand {
     /// @param from number of the first of these, of those that were kept
     /// @param to number of the last
     /// @param tooMuch whether that is so much that the map is probably wrong there
-    record Contradicted(double share, int from, int to, boolean tooMuch) {
-        static @Nullable Contradicted of(Optional<Contradiction> most) {
-            return most.map(c -> new Contradicted(c.share(), c.from(), c.to(), c.isTooMuch()))
+    record ThroughWalls(double share, int from, int to, boolean tooMuch) {
+        static @Nullable ThroughWalls of(Optional<Contradiction> most) {
+            return most.map(c -> new ThroughWalls(c.share(), c.from(), c.to(), c.isTooMuch()))
                     .orElse(null);
         }
     }
@@ -247,7 +247,7 @@ final class MapCommand extends Subcommand {
             List<Drawn> logs,
             List<Merged> merged,
             @Nullable Strained strain,
-            @Nullable Contradicted contradiction,
+            @Nullable ThroughWalls contradiction,
             int columns,
             int rows,
             double resolution,
@@ -342,7 +342,7 @@ final class MapCommand extends Subcommand {
                 drawn,
                 merged,
                 knownPoses ? null : Strained.of(strain),
-                Contradicted.of(contradiction), // of no scans when poses are known
+                ThroughWalls.of(contradiction), // of no scans when poses are known
                 grid.width(),
                 grid.height(),
                 resolution,
@@ -457,7 +457,7 @@ final class MapCommand extends Subcommand {
     }
 
     private static String against(double share, Optional<Clash> worst) {
-        return ("of what either hit in the floor that both saw, %.1f%% stands in what the other saw free, %.1f m and"
+        return ("of what either hit in the floor that both saw, %.2f%% stands in what the other saw free, %.1f m and"
                         + " more from all it hit (at most %.1f%% in maps that share a place)%s")
                 .formatted(
                         100 * share,
@@ -588,7 +588,7 @@ final class MapCommand extends Subcommand {
         }
         for (Merged one : result.merged()) {
             out().println(
-                            ("%s lies at %.2f m, %.2f m, %.1f° in the map of %s: both saw %.0f m² of floor, %.1f%% of what was"
+                            ("%s lies at %.2f m, %.2f m, %.1f° in the map of %s: both saw %.0f m² of floor, %.2f%% of what was"
                                             + " hit there stands in what the other saw free, %.0f%% of the beams go through walls")
                                     .formatted(
                                             one.log(),
@@ -600,7 +600,7 @@ final class MapCommand extends Subcommand {
                                             100 * one.against(),
                                             100 * one.throughWalls()));
             if (one.tooMuch() && one.worst() != null) {
-                out().println("  they contradict each other: %.1f%% is more than %.1f%%, most of it %s"
+                out().println("  they contradict each other: %.2f%% is more than %.1f%%, most of it %s"
                         .formatted(
                                 100 * one.against(),
                                 100 * Shared.MOST_AGAINST,
