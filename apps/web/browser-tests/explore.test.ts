@@ -4,7 +4,8 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { visits } from './visits';
+import { picture, visits } from './visits';
+import { timeOn } from './world';
 
 const SCENARIO = fileURLToPath(new URL('../../../docs/examples/explore.yaml', import.meta.url));
 
@@ -33,6 +34,18 @@ describe.skipIf(!chromium)('robots that explore', () => {
     await chip.click();
     await eventually(async () => !shown.equals(await floor.screenshot()), 'the map is hidden');
     expect(await chip.getAttribute('aria-pressed')).toBe('false');
+
+    await chip.click();
+    await eventually(async () => shown.equals(await floor.screenshot()), 'the map is there again');
+    const known = free.at(-1)!;
+    const before = free.length;
+    await page.getByRole('slider', { name: 'Time that is shown' }).fill(String((await timeOn(page)) / 2));
+    await eventually(() => Promise.resolve(free.length > before), 'the map of then is asked for');
+    expect(free.at(-1)!).toBeLessThan(known);
+    await eventually(async () => !shown.equals(await floor.screenshot()), 'the map of then is shown');
+    await picture(page, 'explore-back');
+    await page.getByRole('button', { name: 'Live' }).click();
+    await eventually(() => Promise.resolve(free.at(-1)! >= known), 'the newest map is there');
 
     await page.getByRole('button', { name: 'explorer-1' }).click();
     const [download] = await Promise.all([
