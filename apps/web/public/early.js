@@ -2,7 +2,8 @@
 {
   const socket = new WebSocket(new URL('api/live', location.href.replace(/^http/, 'ws')));
   socket.binaryType = 'arraybuffer';
-  const said = [];
-  socket.onmessage = ({ data }) => said.push(data);
-  globalThis.rsalEarly = { socket, said };
+  const early = { socket, said: [], closed: null };
+  socket.onmessage = ({ data }) => early.said.push(data);
+  socket.onclose = ({ code }) => (early.closed = code);
+  globalThis.rsalEarly = early;
 }

@@ -22,14 +22,33 @@ it('words come with the frame behind them, in their order', () => {
   }
 });
 
-it('words behind a frame come a little later', () => {
+it('words without a frame come a little later', () => {
   const { taken, line } = bundles();
   line.take(FRAME);
-  line.take('events');
+  line.take('reach');
   vi.advanceTimersByTime(20);
-  line.take('more events');
+  line.take('things');
+  expect(taken).toEqual([FRAME]);
   vi.advanceTimersByTime(20); // counted from the first
-  expect(taken).toEqual([FRAME, 'events', 'more events']);
+  expect(taken).toEqual([FRAME, 'reach', 'things']);
+});
+
+it('events wait for nothing, but for what was said before them', () => {
+  const { taken, line } = bundles();
+  line.take(FRAME);
+  line.take('{"events":{}}');
+  expect(taken).toEqual([FRAME, '{"events":{}}']);
+  line.take('reach');
+  line.take('{"events":{"run":1}}');
+  expect(taken.slice(2)).toEqual(['reach', '{"events":{"run":1}}']);
+});
+
+it('a hidden page is told at once', () => {
+  vi.stubGlobal('document', { hidden: true });
+  const { taken, line } = bundles();
+  line.take('reach');
+  expect(taken).toEqual(['reach']);
+  vi.unstubAllGlobals();
 });
 
 it('a first frame is waited for longer, but not for ever', () => {

@@ -10,14 +10,19 @@ const LONGEST_BEGINNING_MILLIS = 300;
 /** For how long words wait for the frame behind them, which the server sends along with them. */
 const LONGEST_BUNDLE_MILLIS = 30;
 
+/** A line that public/early.js has opened, with what it has brought, and the code by which it has ended. */
 interface Early {
   socket: WebSocket;
   said: (ArrayBuffer | string)[];
+  closed: number | null;
 }
 
 declare global {
   var rsalEarly: Early | undefined;
 }
+
+/** How events begin. */
+const EVENTS = '{"events"';
 
 export interface Listener {
   onFrame(bytes: ArrayBuffer): void;
@@ -37,7 +42,7 @@ export function look(wish: Partial<LookBack>): void {
 
 /** Listens to the run for as long as the page is open, and comes back by itself when the server does. */
 export function connect(listener: Listener): void {
-  const { socket, said } = takeEarly() ?? { socket: open(), said: [] };
+  const { socket, said, closed } = takeEarly() ?? { socket: open(), said: [], closed: null };
   line = socket;
   const take = (data: ArrayBuffer | string) => {
     if (typeof data === 'string') {
@@ -54,18 +59,22 @@ export function connect(listener: Listener): void {
     }
   };
   const bundles = new Bundles(take);
-  const listen = () => {
-    said.splice(0).forEach((data) => bundles.take(data));
-    socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => bundles.take(data);
-  };
-  queueMicrotask(listen); // once what listens is there
-  socket.onclose = ({ code }) => {
+  const end = (code: number) => {
     bundles.pass();
     listener.onGone(code === CLOSED);
     if (code !== CLOSED) {
       setTimeout(() => connect(listener), RETRY_MILLIS);
     }
   };
+  const listen = () => {
+    said.splice(0).forEach((data) => bundles.take(data));
+    socket.onmessage = ({ data }: MessageEvent<ArrayBuffer | string>) => bundles.take(data);
+    if (closed !== null) {
+      end(closed);
+    }
+  };
+  socket.onclose = ({ code }) => end(code);
+  queueMicrotask(listen); // once what listens is there
 }
 
 function open(): WebSocket {
@@ -74,16 +83,17 @@ function open(): WebSocket {
   return socket;
 }
 
-/** The line that public/early.js has opened, once, with what it has brought so far; null when it has ended already. */
-function takeEarly(): Early | null {
+/** The line that public/early.js has opened, once. */
+function takeEarly(): Early | undefined {
   const early = globalThis.rsalEarly;
   globalThis.rsalEarly = undefined;
-  return early && early.socket.readyState <= WebSocket.OPEN ? early : null;
+  return early;
 }
 
 /**
  * Passes on what a line brings: words together with the frame that comes behind them, for which they wait a little. So
- * the page is laid out and drawn once for all of it; at the beginning the first picture is there sooner.
+ * the page is laid out and drawn once for all of it; at the beginning the first picture is there sooner. Events, which
+ * come behind frames, and what a hidden page is told wait for nothing.
  */
 export class Bundles {
   private held: (ArrayBuffer | string)[] = [];
@@ -94,7 +104,7 @@ export class Bundles {
 
   take(data: ArrayBuffer | string) {
     this.held.push(data);
-    if (typeof data === 'string') {
+    if (typeof data === 'string' && !data.startsWith(EVENTS) && !globalThis.document?.hidden) {
       this.timer ??= setTimeout(() => this.pass(), this.patience);
     } else {
       this.pass();

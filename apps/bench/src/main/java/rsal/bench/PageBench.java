@@ -40,7 +40,8 @@ import rsal.time.AllowedToReadWallClock;
 ///
 /// Names are `page.<robots>.<what>`. What: `fps`, frames drawn per second at the speed of real time; `states`, new
 /// states of the run drawn per second while it has 20, at twice that speed; `first`, from the call of the page until
-/// its map shows the run, after which the lists beside it follow; `cost.percent`, how much slower the run is while the
+/// its map shows the run (as it was when the page began to be loaded), after which the lists beside it follow;
+/// `cost.percent`, how much slower the run is while the
 /// page is open, both as fast as they can, and `cost.run.percent`, how much more processor time
 /// the run's own threads take meanwhile, as the browser draws on the run's cores where there are few; `heap.mb.min`, by
 /// how much the page's memory grows in a minute. `page.gzip.kb` is what a
@@ -192,11 +193,11 @@ final class PageBench implements Bench {
         try (var server = start(COSTS, Double.POSITIVE_INFINITY, page)) {
             pause(WARM);
             watched(server, program); // compiles what shows a run
-            Pace before = Pace.of(server.run());
+            Pace before = alone(server);
             for (int i = 0; i < repeats; i++) {
                 assignment.reach(name(COSTS, "cost.percent"), i, repeats);
                 Pace watched = watched(server, program);
-                Pace after = Pace.of(server.run());
+                Pace after = alone(server);
                 slower[i] = 100 * (1 - 2 * watched.speed / (before.speed + after.speed));
                 more[i] = 100 * (2 * watched.cpu / (before.cpu + after.cpu) - 1);
                 before = after;
@@ -205,6 +206,11 @@ final class PageBench implements Bench {
         assignment.tell(
                 Result.less(name(COSTS, "cost.percent"), "%", slower),
                 Result.less(name(COSTS, "cost.run.percent"), "%", more));
+    }
+
+    private static Pace alone(RunServer server) {
+        pause(WARM); // as with a page, and until the browser before is gone
+        return Pace.of(server.run());
     }
 
     private static Pace watched(RunServer server, Path program) {

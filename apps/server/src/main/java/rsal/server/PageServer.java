@@ -24,7 +24,7 @@ import org.eclipse.jetty.util.thread.QueuedThreadPool;
 final class PageServer implements AutoCloseable {
     private static final String LOOPBACK = "127.0.0.1";
     /// Answered once before anybody asks.
-    static final List<String> FIRST = List.of("/", "/api/run", "/api/map/1", "/api/control");
+    static final List<String> FIRST = List.of("/", "/api/run");
 
     private final Javalin http;
     private final Viewing viewing;

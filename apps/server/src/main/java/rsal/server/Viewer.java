@@ -59,6 +59,7 @@ final class Viewer {
     private long eventsSent;
     private long eventsTaken;
     private int offersWaited; // since it last took something
+    private boolean shows; // some frame of the run
 
     // where it looks
     private @Nullable LookBack wish;
@@ -106,7 +107,7 @@ final class Viewer {
         } else if (wanted != null) {
             looking = null;
         } else if (here != null) {
-            here.pass(passed);
+            here.pass(shows ? passed : Duration.ZERO); // its page may still be loading
             looking = live != null && here.isPlaying() && here.hasArrived() ? null : here;
         } else {
             looking = live == null ? new Looking(past) : null;
@@ -200,6 +201,7 @@ final class Viewer {
     private void begin(Feed feed) {
         run = feed.number();
         framesUnderWay.clear();
+        shows = false;
         newestFrame = 0;
         details = 0;
         robots = feed.robots();
@@ -236,6 +238,7 @@ final class Viewer {
                 .map(frame -> framesUnderWay.removeIf(sent -> sent <= frame))
                 .orElse(false);
         long events = Math.clamp(receipt.events().orElse(0L), eventsTaken, eventsSent);
+        shows |= taken;
         if (taken || events > eventsTaken) {
             offersWaited = 0;
         }

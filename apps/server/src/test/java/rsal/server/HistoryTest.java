@@ -130,6 +130,26 @@ class HistoryTest {
     }
 
     @Test
+    void aRecordingPlaysOnceItIsShown() {
+        var history = new History(feed);
+        var line = new Times();
+        var viewer = new Viewer(line, new ViewerCounts());
+        for (int tenth = 0; tenth <= 50; tenth++) {
+            keep(history, tenth);
+        }
+        for (int i = 0; i < 20; i++) {
+            viewer.offer(null, history, Duration.ofMillis(50)); // its page is still loading
+        }
+        assertThat(line.times).containsExactly("0.0 past");
+        viewer.received(new Receipt(Optional.of(1L), Optional.empty(), Optional.empty()));
+        for (int i = 0; i < 20; i++) {
+            viewer.offer(null, history, Duration.ofMillis(50));
+            viewer.received(new Receipt(Optional.of(Long.MAX_VALUE), Optional.empty(), Optional.empty()));
+        }
+        assertThat(line.newest()).isEqualTo("1.0 past");
+    }
+
+    @Test
     void whoLooksBackIsToldWhoseMotorsAreOffNow() {
         var history = new History(feed);
         var line = new Times();
@@ -139,11 +159,11 @@ class HistoryTest {
         viewer.received(look(new LookBack(
                 Optional.of(false), Optional.of(0.0), Optional.of(0), Optional.of(false), Optional.empty())));
         offer(viewer, history);
-        assertThat(line.texts.getLast()).contains("\"motors\":{\"all\":false,\"of\":[],\"switchedOff\":[]}");
+        assertThat(line.newestReach()).contains("\"motors\":{\"all\":false,\"of\":[],\"switchedOff\":[]}");
         feed.motorsOff = new MotorsOff(false, List.of("prey-1"), List.of("prey-1"));
         offer(viewer, history); // at once, though nothing else is new
         assertThat(line.newest()).isEqualTo("0.0 past");
-        assertThat(line.texts.getLast())
+        assertThat(line.newestReach())
                 .contains("\"motors\":{\"all\":false,\"of\":[\"prey-1\"],\"switchedOff\":[\"prey-1\"]}");
     }
 
@@ -270,6 +290,13 @@ class HistoryTest {
 
         String newest() {
             return times.getLast();
+        }
+
+        String newestReach() {
+            return texts.stream()
+                    .filter(text -> text.startsWith("{\"reach\""))
+                    .reduce((_, later) -> later)
+                    .orElseThrow();
         }
 
         @Override
