@@ -87,7 +87,8 @@ class SilenceTest {
                 .isInstanceOfSatisfying(
                         Health.Stale.class,
                         stale -> assertThat(stale.reason())
-                                .matches("No odometry for more than 2 s\\. Skipped so far: [1-9]\\d*, .*odometry.*NaN.*"));
+                                .matches(
+                                        "No odometry for more than 2 s\\. Skipped so far: [1-9]\\d*, .*odometry.*NaN.*"));
 
         base.resetOdometry(odomFromBase);
         drive(2);
