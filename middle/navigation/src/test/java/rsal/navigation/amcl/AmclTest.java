@@ -79,6 +79,69 @@ class AmclTest {
         assertThat(told.getLast().mapFromBase().distanceTo(after(truth, 8))).isLessThan(0.06);
     }
 
+    /// It goes any way while it turns, and its wheels count a twentieth too much and drift aside.
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void followsABaseThatGoesSideways(long seed) {
+        var odometry = new OdometryModel(0.1, 0.06, 0.12, 0.1, OdometryModel.Base.OMNIDIRECTIONAL);
+        var settings = new Amcl.Settings(150, 3000, 15, 0.1, Math.toRadians(6), odometry, new Kld(0.05, 2.33));
+        var amcl = new Amcl(ROOM, settings, new SplittableRandom(seed));
+        Pose2d truth = Seen.ROOM.pose('a', 0);
+        amcl.start(PoseEstimate.of(truth, Covariance2d.ofDeviations(0.1, 0.1, 0.05)));
+        Pose2d odomFromBase = Pose2d.ORIGIN;
+        PoseEstimate estimate = amcl.update(odomFromBase, SEEN.beams(truth, 60));
+        for (int i = 1; i <= 24; i++) {
+            double way = -2 * Math.PI * i / 24; // around a circle of 0.6 m, which it never faces
+            truth = truth.compose(new Pose2d(0.15 * Math.cos(way - 0.05 * i), 0.15 * Math.sin(way - 0.05 * i), 0.05));
+            odomFromBase = odomFromBase.compose(
+                    new Pose2d(0.1575 * Math.cos(way - 0.05 * i), 0.1575 * Math.sin(way - 0.05 * i) + 0.004, 0.052));
+            assertThat(SEEN.isFree(truth)).isTrue();
+            estimate = amcl.update(odomFromBase, SEEN.beams(truth, 60));
+            assertThat(estimate.mapFromBase().distanceTo(truth)).isLessThan(0.1);
+        }
+        assertThat(estimate.quality()).isEqualTo(Quality.LOCALIZED);
+        assertThat(estimate.mapFromBase().distanceTo(truth)).isLessThan(0.06);
+    }
+
+    /// Nobody tells it where it is, and after 100 updates somebody carries it to the other side of a wall.
+    @ParameterizedTest
+    @CsvSource({"16, 1", "16, 2", "16, 3", "8, 1", "8, 2", "8, 3"})
+    void findsItselfBySonarsAloneAndAgainAfterItWasCarried(int sonars, long seed) {
+        Amcl.Settings settings = Amcl.Settings.of(150, 3000).with(SensorModel.Kind.BEAM);
+        var amcl = new Amcl(ROOM, settings, new SplittableRandom(seed));
+        Pose2d truth = Seen.ROOM.pose('a', 0);
+        Pose2d odomFromBase = Pose2d.ORIGIN;
+        PoseEstimate estimate = amcl.update(odomFromBase, SEEN.sonars(truth, sonars));
+        int sure = 0;
+        for (int i = 1; i < 100; i++) {
+            truth = truth.compose(new Pose2d(0.12, 0, -0.14)); // around a circle of 0.86 m
+            odomFromBase = odomFromBase.compose(new Pose2d(0.126, 0, -0.137));
+            estimate = amcl.update(odomFromBase, SEEN.sonars(truth, sonars));
+            if (estimate.quality() == Quality.LOCALIZED) {
+                sure++;
+                assertThat(estimate.mapFromBase().distanceTo(truth))
+                        .as("update %d", i)
+                        .isLessThan(0.3);
+            }
+        }
+        assertThat(sure).isGreaterThan(40);
+
+        truth = Seen.ROOM.pose('k', 90);
+        int wrong = 0;
+        for (int i = 0; i < 50; i++) {
+            estimate = amcl.update(odomFromBase, SEEN.sonars(truth, sonars));
+            boolean off = estimate.mapFromBase().distanceTo(truth) > 0.3;
+            wrong += off && estimate.quality() == Quality.LOCALIZED ? 1 : 0;
+            truth = truth.compose(new Pose2d(0.06, 0, -0.14));
+            assertThat(SEEN.isFree(truth)).isTrue();
+            odomFromBase = odomFromBase.compose(new Pose2d(0.063, 0, -0.137));
+        }
+        assertThat(wrong).isLessThan(6);
+        assertThat(estimate.quality()).isNotEqualTo(Quality.LOST);
+        Pose2d back = truth.compose(new Pose2d(0.06, 0, -0.14).inverse());
+        assertThat(estimate.mapFromBase().distanceTo(back)).isLessThan(0.3);
+    }
+
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void noticesThatItIsCarriedWhileItsWheelsStand(long seed) {

@@ -1,14 +1,17 @@
 package rsal.navigation.amcl;
 
+import java.util.ArrayList;
 import rsal.data.LaserScan;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.data.RangeArray;
 import rsal.testkit.DrawnMap;
 import rsal.testkit.Rays;
 
 /// What a laser sees in a drawn map.
 final class Seen {
     private static final int FINE = 5; // cells in a sign, along each side
+    private static final int RAYS_ASIDE = 5; // of the middle of a cone
 
     /// A room like no other, some 10 m × 5 m.
     static final DrawnMap ROOM = fine("""
@@ -77,6 +80,24 @@ final class Seen {
     /// All around, up to 8 m.
     Beams beams(Pose2d mapFromBase, int count) {
         return beams(mapFromBase, 8, count);
+    }
+
+    /// Of a ring of sonars, each a cone of 30° in which the nearest wall counts, up to 5 m.
+    Beams sonars(Pose2d mapFromBase, int count) {
+        double cone = Math.toRadians(30);
+        var mounts = new ArrayList<Pose2d>();
+        var ranges = new float[count];
+        for (int i = 0; i < count; i++) {
+            Pose2d mount = new Pose2d(0, 0, i * 2 * Math.PI / count).compose(new Pose2d(0.2, 0, 0));
+            mounts.add(mount);
+            double nearest = Double.POSITIVE_INFINITY;
+            for (int ray = -RAYS_ASIDE; ray <= RAYS_ASIDE; ray++) {
+                Pose2d along = mount.compose(new Pose2d(0, 0, ray * cone / 2 / RAYS_ASIDE));
+                nearest = Math.min(nearest, rays.range(mapFromBase.compose(along)));
+            }
+            ranges[i] = (float) nearest;
+        }
+        return Beams.of(new RangeArray(mounts, cone, 0, 5, ranges), 5);
     }
 
     /// @param reach beyond which nothing is seen [m]
